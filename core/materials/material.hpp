@@ -1,0 +1,85 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+/// State of the material points of a block (Gauss points of elements, or particles),
+/// component-contiguous and padded to whole tiles; padding repeats a harmless unstrained point.
+/// Fields that the block's material does not need are empty.
+struct MaterialState {
+  std::array<std::vector<Real>, 6> deviator;  ///< [Pa] deviatoric Cauchy stress, SymmetricIndex
+  std::vector<Real> pressure;                 ///< [Pa] positive in compression, without viscosity
+  std::vector<Real> eps_p;                    ///< equivalent plastic strain; empty: elastic
+  std::vector<Real> strain_rate;              ///< [1/s] last plastic strain rate; empty: elastic
+  std::vector<Real> temperature;              ///< [K]; empty where heat is off
+  std::vector<Real> heat;                     ///< [J/m^3 reference] plastic work become heat
+  std::vector<Real> energy;                   ///< [J/m^3 reference] internal energy; empty unless the EOS reads it
+  std::vector<Real> bulk;                     ///< [Pa] current tangent bulk modulus K_t
+  std::size_t size() const { return pressure.size(); }
+};
+
+/// Points first .. first+count of a state, with what has happened to them in this step.
+/// The caller has rotated the deviator into the new configuration (Hughes-Winget) already.
+/// count is a multiple of kLanes. Arrays are indexed from 0 within the tile.
+inline constexpr int kTile = 32;
+struct MaterialTile {
+  MaterialState* state = nullptr;
+  std::size_t first = 0;
+  int count = 0;
+  Real fixed_temperature = 0;              ///< [K] what laws see where heat is off
+  bool adiabatic = false;                  ///< plastic work heats the point at once
+  alignas(32) Real strain[6][kTile];       ///< D dt at the mid-configuration, tensor components, full
+  alignas(32) Real ratio_old[kTile];       ///< V/V0 before the step
+  alignas(32) Real ratio[kTile];           ///< V/V0 after the step
+  alignas(32) Real viscous_work[kTile];    ///< [J/m^3 reference] of this step, heats an EOS with energy
+};
+
+/// The strength of a material: updates the deviator of a tile. One virtual call a tile.
+class Strength {
+ public:
+  virtual ~Strength() = default;
+  /// deviator += 2 G dev(strain), then the return to the yield surface; eps_p, strain_rate,
+  /// temperature (adiabatic) and heat with it.
+  /// shear [Pa], density and specific heat [J/m^3/K reference] = rho0 cp.
+  virtual void update(MaterialTile& tile, Real dt) const = 0;
+  virtual bool yields() const = 0;
+  virtual bool needs_temperature() const = 0;
+};
+
+/// The equation of state: updates pressure, tangent bulk modulus and energy of a tile.
+class EquationOfState {
+ public:
+  virtual ~EquationOfState() = default;
+  /// deviatoric_work [J/m^3 reference]: the deviator's work in this step, tile-indexed.
+  virtual void update(MaterialTile& tile, const Real* deviatoric_work) const = 0;
+  virtual bool needs_energy() const = 0;
+  virtual Real bulk_modulus() const = 0;  ///< [Pa] at the reference state
+};
+
+/// A material as the kernels see it: density, elastic constants, strength, equation of state.
+struct Material {
+  std::string name;
+  Real density = 0;            ///< [kg/m^3] reference
+  Real shear = 0;              ///< [Pa] G
+  Real bulk = 0;               ///< [Pa] K at the reference state
+  Real tensile_cutoff = kInfinity;  ///< [Pa] pressure never below minus this
+  bool thermal = false;
+  Real specific_heat = 0;      ///< [J/kg/K]
+  std::unique_ptr<Strength> strength;
+  std::unique_ptr<EquationOfState> eos;
+
+  Real modulus() const { return bulk + 4.0 / 3.0 * shear; }  ///< [Pa] M = K + 4G/3
+  bool yields() const { return strength->yields(); }
+
+  /// Fields for n points at rest at temperature T [K]; heat and temperature only where asked.
+  MaterialState initial_state(std::size_t n, Real temperature, bool adiabatic) const;
+  /// One step of a tile: strength, then equation of state, then cut-off.
+  void update(MaterialTile& tile, Real dt) const;
+};
+
+}  // namespace brunt

@@ -1,0 +1,174 @@
+#pragma once
+/// One description of each deck struct, six uses (architecture.md 7). Beside each struct stands
+///   void describe(Schema& s, JohnsonCook& law) {
+///     s.real({"A", "static yield stress at no plastic strain", Need::required}, law.A, {"Pa", at_least(0)});
+///   }
+/// Visitors make of it: the reader with its errors, the manual, the JSON schema, the echo of the
+/// resolved deck, `explain`, and the generated wrong decks. The default is the struct's initialiser.
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+enum class Need { optional, required };
+
+/// A key: its name in the deck, one line of help, and whether it must be there.
+struct Key {
+  const char* name;
+  const char* help;
+  Need need = Need::optional;
+};
+
+struct Range {
+  Real min = -kInfinity, max = kInfinity;
+  bool min_excluded = false, max_excluded = false;
+};
+constexpr Range positive() { return {0, kInfinity, true, false}; }
+constexpr Range at_least(Real min) { return {min, kInfinity, false, false}; }
+constexpr Range between(Real min, Real max) { return {min, max, false, false}; }
+
+/// unit: the SI unit whose dimension the value must have ("1" for a number, "rad" for an angle);
+/// plausible: outside of it the value is accepted with a warning.
+struct Quantity {
+  const char* unit = "1";
+  Range range{};
+  Range plausible{};
+};
+
+/// A value that may depend on something: a constant, a table or an expression of t, x, y, z.
+struct Varying {
+  enum class Over { nothing, time, temperature, slip_speed, pressure, eps_p, expression };
+  Over over = Over::nothing;
+  Real constant = 0;
+  std::vector<Real> abscissa, ordinate;  ///< table: linear between, held outside; SI
+  std::string expression;                ///< over == expression: SI numbers in, SI number out
+  /// Compiled expression, made by the reader; arguments t, x, y, z in SI.
+  std::function<Real(Real t, const Vec3& x)> evaluate;
+  bool is_constant() const { return over == Over::nothing; }
+  /// Value of a constant or of a table at argument s.
+  Real at(Real s) const;
+};
+
+/// A map that users name: {bar: {...}, anvil: {...}}; order is the deck's.
+template <class T>
+struct Named {
+  std::string name;
+  T value;
+};
+
+/// One of several maps, told apart by their key: strength: {j2: {...}}. An alternative type T has
+///   static constexpr const char* deck_name, deck_help;
+/// and describe(Schema&, T&). An alternative without keys is written as its bare name.
+struct Alternative {
+  const char* name;
+  const char* help;
+};
+
+class Schema {
+ public:
+  virtual ~Schema() = default;
+
+  virtual void real(const Key& key, Real& value, const Quantity& quantity) = 0;
+  virtual void real(const Key& key, std::optional<Real>& value, const Quantity& quantity) = 0;
+  virtual void integer(const Key& key, int& value, const Range& range) = 0;
+  virtual void flag(const Key& key, bool& value) = 0;
+  virtual void text(const Key& key, std::string& value) = 0;
+  /// A word out of `words`; index into them. Words may have synonyms: "off|false".
+  virtual void choice(const Key& key, int& index, std::span<const char* const> words) = 0;
+  /// A list of quantities of one dimension. size: 0 any; components: 2 in a 2D deck and 3 in a 3D
+  /// one where size is kVector; a component may be the word `free` (NaN) where allow_free.
+  static constexpr int kVector = -1;
+  virtual void list(const Key& key, std::vector<Real>& value, const Quantity& quantity, int size,
+                    bool allow_free = false) = 0;
+  virtual void list(const Key& key, std::optional<std::vector<Real>>& value,
+                    const Quantity& quantity, int size, bool allow_free = false) = 0;
+  /// A letter x, y, z or a vector; read as a unit vector.
+  virtual void direction(const Key& key, std::vector<Real>& value) = 0;
+  /// One quantity for all axes, or one an axis: size: 1 mm or [1 mm, 1 mm, 2 mm].
+  virtual void per_axis(const Key& key, std::optional<std::vector<Real>>& value,
+                        const Quantity& quantity) = 0;
+  /// Points of a polygon: a list of lists, or {unit: mm, value: [[...]]}.
+  virtual void points(const Key& key, std::vector<std::vector<Real>>& value,
+                      const Quantity& quantity) = 0;
+  /// Whole numbers: corners, cells.
+  virtual void integers(const Key& key, std::optional<std::vector<int>>& value, int size,
+                        const Range& range) = 0;
+  /// A list of words out of `words`: fix: [x, y]; order and doubles do not matter.
+  virtual void words(const Key& key, std::vector<std::string>& value,
+                     std::span<const char* const> words) = 0;
+  /// A list of free words: between: [a, b].
+  virtual void names(const Key& key, std::vector<std::string>& value, int size) = 0;
+  virtual void varying(const Key& key, std::optional<Varying>& value, const Quantity& quantity,
+                       std::span<const Varying::Over> over) = 0;
+
+  template <class T>
+  void object(const Key& key, T& value) {
+    visit_object(key, [] { return true; }, [] {}, [&](Schema& s) { describe(s, value); });
+  }
+  template <class T>
+  void object(const Key& key, std::optional<T>& value) {
+    visit_object(key, [&] { return value.has_value(); }, [&] { value.emplace(); },
+                 [&](Schema& s) {
+                   T blank{};
+                   describe(s, value ? *value : blank);
+                 });
+  }
+  template <class T>
+  void named(const Key& key, std::vector<Named<T>>& entries, bool list_allowed = false) {
+    visit_named(
+        key, list_allowed, [&] { return entries.size(); },
+        [&](std::size_t i) { return entries[i].name; },
+        [&](const std::string& name) { entries.push_back({name, T{}}); },
+        [&](std::size_t i, Schema& s) { describe(s, entries[i].value); },
+        [](Schema& s) {
+          T blank{};
+          describe(s, blank);
+        });
+  }
+  template <class... Ts>
+  void one_of(const Key& key, std::variant<Ts...>& value) {
+    static constexpr Alternative alternatives[] = {{Ts::deck_name, Ts::deck_help}...};
+    visit_one_of(
+        key, alternatives, [&] { return value.index(); },
+        [&](std::size_t index) {
+          std::size_t i = 0;
+          ((i++ == index ? void(value = Ts{}) : void()), ...);
+        },
+        [&](Schema& s) { std::visit([&](auto& v) { describe(s, v); }, value); },
+        [](std::size_t index, Schema& s) {
+          std::size_t i = 0;
+          const auto blank = [&](auto alternative) {
+            if (i++ == index) describe(s, alternative);
+          };
+          (blank(Ts{}), ...);
+        });
+  }
+  /// The bare value of an alternative: hourglass: {viscous: 0.1}.
+  virtual void value(Real& value, const Quantity& quantity, const char* help) = 0;
+  /// A rule across keys, tested once they are read: message when it does not hold. `at` is the
+  /// key to which the message points.
+  virtual void require(bool holds, const char* at, const std::string& message) = 0;
+
+ protected:
+  using Members = std::function<void(Schema&)>;
+  virtual void visit_object(const Key& key, std::function<bool()> present,
+                            std::function<void()> create, Members members) = 0;
+  virtual void visit_named(const Key& key, bool list_allowed, std::function<std::size_t()> size,
+                           std::function<std::string(std::size_t)> name,
+                           std::function<void(const std::string&)> add,
+                           std::function<void(std::size_t, Schema&)> members,
+                           Members blank) = 0;
+  virtual void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
+                            std::function<std::size_t()> index,
+                            std::function<void(std::size_t)> choose, Members members,
+                            std::function<void(std::size_t, Schema&)> blank) = 0;
+};
+
+}  // namespace brunt

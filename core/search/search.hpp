@@ -1,0 +1,42 @@
+#pragma once
+/// The one broad phase, for SPH neighbour lists and for contact (contact.md 2.2, 2.3): hashed cells
+/// by size class, no cell array, cost independent of the domain; brute force beside it to compare.
+#include <array>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+enum class SearchMode : int { grid, brute };
+
+template <int Dim>
+struct SearchBox {
+  std::array<Real, Dim> lo, hi;  ///< [m]
+};
+
+using IndexPair = std::pair<LocalIndex, LocalIndex>;
+
+/// All pairs i < j of boxes that overlap (closed boxes), sorted, that `admits` accepts. The mask is
+/// asked before the box test: bodies that may not touch are never compared.
+template <int Dim>
+std::vector<IndexPair> overlapping_pairs(std::span<const SearchBox<Dim>> boxes,
+                                         const std::function<bool(LocalIndex, LocalIndex)>& admits,
+                                         SearchMode mode);
+
+/// Neighbours of each point, compressed rows; within a row ascending.
+struct NeighbourList {
+  std::vector<std::int64_t> offset;    ///< size n + 1
+  std::vector<LocalIndex> neighbour;
+};
+
+/// Full lists: j is in the row of i if |x_i - x_j| <= reach_i + reach_j + skin, i != j and both
+/// have the same label. Boundary cases are decided by the same expression in both modes.
+template <int Dim>
+NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
+                                std::span<const Label> label, Real skin, SearchMode mode);
+
+}  // namespace brunt

@@ -1,0 +1,66 @@
+#pragma once
+/// Four doubles side by side, on GNU vector types alone: the same bits on every instruction set,
+/// because each lane is one IEEE operation and nothing is contracted. Kernels are written once on a
+/// scalar V, Real or Pack. A lane never looks at another lane: what a group of four does may not
+/// change the bits of one.
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+inline constexpr int kLanes = 4;
+using Pack = Real __attribute__((vector_size(32)));
+using PackMask = long long __attribute__((vector_size(32)));
+
+#define BRUNT_INLINE inline __attribute__((always_inline))
+
+template <class V>
+inline constexpr int lanes_of = sizeof(V) / sizeof(Real);
+
+template <class V>
+BRUNT_INLINE V broadcast(Real s) {
+  if constexpr (lanes_of<V> == 1) {
+    return s;
+  } else {
+    return V{s, s, s, s};
+  }
+}
+BRUNT_INLINE Pack load(const Real* p) {
+  Pack r;
+  std::memcpy(&r, p, sizeof r);
+  return r;
+}
+BRUNT_INLINE void store(Real* p, Pack v) { std::memcpy(p, &v, sizeof v); }
+
+template <class V>
+BRUNT_INLINE V load_as(const Real* p) {
+  if constexpr (lanes_of<V> == 1) {
+    return *p;
+  } else {
+    return load(p);
+  }
+}
+BRUNT_INLINE void store(Real* p, Real v) { *p = v; }
+
+BRUNT_INLINE Real select(bool m, Real a, Real b) { return m ? a : b; }
+BRUNT_INLINE Pack select(PackMask m, Pack a, Pack b) { return m ? a : b; }
+BRUNT_INLINE bool any(bool m) { return m; }
+BRUNT_INLINE bool any(PackMask m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+BRUNT_INLINE Real vmin(Real a, Real b) { return a < b ? a : b; }
+BRUNT_INLINE Pack vmin(Pack a, Pack b) { return a < b ? a : b; }
+BRUNT_INLINE Real vmax(Real a, Real b) { return a > b ? a : b; }
+BRUNT_INLINE Pack vmax(Pack a, Pack b) { return a > b ? a : b; }
+BRUNT_INLINE Real vabs(Real a) { return std::fabs(a); }
+BRUNT_INLINE Pack vabs(Pack a) {
+  constexpr long long m = 0x7fffffffffffffffLL;
+  return reinterpret_cast<Pack>(reinterpret_cast<PackMask>(a) & PackMask{m, m, m, m});
+}
+BRUNT_INLINE Real vsqrt(Real a) { return std::sqrt(a); }
+BRUNT_INLINE Pack vsqrt(Pack a) {
+  return Pack{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+
+}  // namespace brunt

@@ -1,0 +1,22 @@
+#pragma once
+#include "core/types.hpp"
+
+namespace brunt {
+
+/// A bound on the time step, with whose it is and why. The smallest wins; ties go to the smaller
+/// entity id, so that the winner's name does not depend on order.
+struct StepVote {
+  Real step = kInfinity;      ///< [s]
+  const char* reason = "";    ///< "element", "particle", "contact stiffness", "contact speed", ...
+  Label body = 0;
+  GlobalId entity = 0;
+
+  bool before(const StepVote& other) const {
+    return step < other.step || (step == other.step && entity < other.entity);
+  }
+  void take(const StepVote& other) {
+    if (other.before(*this)) *this = other;
+  }
+};
+
+}  // namespace brunt

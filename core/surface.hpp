@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/points.hpp"
+
+namespace brunt {
+
+/// One outer face: an edge in 2D; in 3D a quad, or a triangle whose fourth node is -1.
+/// Nodes run so that the normal points out of the body: in 3D by the right-hand rule, in 2D the
+/// body lies to the left of the edge from node 0 to node 1 (normal = (dy, -dx)).
+template <int Dim>
+struct Facet {
+  static constexpr int kNodes = Dim == 2 ? 2 : 4;
+  std::array<LocalIndex, kNodes> node{};
+  GlobalId id = 0;        ///< element id << 3 | face; unique in the scene
+  Label body = 0;
+  Label piece = 0;
+  Real stiffness = 0;     ///< [Pa/m] M/h of the element behind, M = K + 4G/3; 0: rigid
+  Real areal_mass = 0;    ///< [kg/m^2] rho h / 2 of the element behind; 0: rigid
+  Real depth = 0;         ///< [m] h, depth of the element normal to the face at its birth; rigid: 0
+  int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
+  bool rigid() const { return stiffness == 0; }
+};
+
+/// A particle that can touch faces. radius [m] = half its spacing; modulus M = K + 4G/3 [Pa].
+struct SurfaceParticle {
+  LocalIndex point = 0;
+  Real radius = 0;
+  Real modulus = 0;
+};
+
+/// What a group shows to contact: plain data.
+template <int Dim>
+struct Surface {
+  Points<Dim>* points = nullptr;
+  std::vector<Facet<Dim>> facets;
+  std::vector<SurfaceParticle> particles;
+};
+
+}  // namespace brunt

@@ -1,0 +1,30 @@
+#pragma once
+/// The number types, labels and small vectors that every layer shares.
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cstdint>
+#include <limits>
+
+namespace brunt {
+
+using Real = double;
+using GlobalId = std::uint64_t;    ///< from the deck, never from a counter that depends on ranks
+using LocalIndex = std::int32_t;   ///< position in an array of this rank
+using Label = std::uint32_t;       ///< body or piece
+
+template <int Dim>
+using Vec = Eigen::Matrix<Real, Dim, 1>;
+using Vec3 = Vec<3>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+
+inline constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+inline constexpr Real kPi = 3.14159265358979323846;
+
+/// What the two coordinates of a 2D deck mean; a 3D deck is three_d.
+enum class Geometry : std::uint8_t { three_d, plane_strain, axisymmetric };
+
+/// Components of a symmetric tensor, in the order in which every array of brunt stores them.
+enum SymmetricIndex : int { xx = 0, yy = 1, zz = 2, xy = 3, yz = 4, zx = 5 };
+
+}  // namespace brunt

@@ -1,0 +1,43 @@
+#pragma once
+/// What a group shows to output, measures and pictures: plain data, SI, absolute coordinates.
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+/// A named array with 1 (scalar), 3 (vector; 2D has z = 0) or 6 (SymmetricIndex) components.
+struct Field {
+  std::string name;  ///< as in deck.md: "displacement", "stress", "eps_p", ...
+  int components = 1;
+  std::vector<Real> values;
+};
+
+/// One named body at one instant. Cells hold corners (hexes 8, quads 4, triangles 3, edges 2);
+/// a body of particles has no cells and its fields are point fields.
+struct BodyView {
+  std::string body;
+  Real time = 0;
+  std::vector<Real> position;               ///< 3 n
+  std::vector<std::int64_t> connectivity;   ///< corners of all cells
+  int corners = 0;                          ///< corners of a cell; 0: particles
+  std::vector<Field> point_fields;
+  std::vector<Field> cell_fields;
+  std::vector<Real> point_mass;             ///< [kg] weights of means over point fields
+  std::vector<Real> point_radius;           ///< [m] particles only: half the spacing
+  std::vector<Real> cell_volume;            ///< [m^3] weights of means over cell fields
+};
+
+/// Contact planes (polygons) and particle contacts (points) of one instant, for a .vtp.
+struct ContactView {
+  std::vector<Real> position;              ///< 3 n polygon corners or contact points
+  std::vector<int> polygon_size;           ///< corners of each polygon (1 for a particle contact)
+  std::vector<Real> normal;                ///< 3 a contact
+  std::vector<Real> pressure;              ///< [Pa]
+  std::vector<Real> penetration;           ///< [m]
+  std::vector<Real> force;                 ///< 3 a contact [N]
+  std::vector<Label> body_a, body_b;
+};
+
+}  // namespace brunt
