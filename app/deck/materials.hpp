@@ -39,14 +39,14 @@ struct J2Parameters {
 struct JohnsonCookParameters {
   static constexpr const char* deck_name = "johnson-cook";
   static constexpr const char* deck_help = "yield with strain, rate and temperature (1983)";
-  Real A = 0;         ///< [Pa] yield stress at no plastic strain
-  Real B = 0;         ///< [Pa] hardening
-  Real n = 1;         ///< hardening exponent
-  Real C = 0;         ///< rate coefficient
-  Real rate_ref = 1;  ///< [1/s]
-  Real m = 1;         ///< thermal exponent
-  Real T_melt = 0;    ///< [K]
-  Real T_ref = 298;   ///< [K]
+  Real A = 0;                  ///< [Pa] yield stress at no plastic strain
+  Real B = 0;                  ///< [Pa] hardening
+  Real n = 1;                  ///< hardening exponent
+  Real C = 0;                  ///< rate coefficient
+  Real rate_ref = 1;           ///< [1/s]
+  Real m = 1;                  ///< thermal exponent
+  std::optional<Real> T_melt;  ///< [K]; none: heat does not soften
+  Real T_ref = 298;            ///< [K]
 };
 
 /// p = -K ln(V/V0) or what core's law says; its constants are the elastic ones.
