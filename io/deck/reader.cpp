@@ -72,12 +72,8 @@ void Reader::close_scope() {
     if (std::find(closed.known.begin(), closed.known.end(), entry.key) != closed.known.end()) {
       continue;
     }
-    const std::string path = closed.path.empty() ? entry.key : closed.path + "." + entry.key;
-    problem_at(
-        entry.place,
-        path.substr(0,
-                    path.rfind('.') == std::string::npos ? 0 : path.size() - entry.key.size() - 1),
-        "unknown key '" + entry.key + "'" + suggestion(entry.key, closed.known));
+    problem_at(entry.place, closed.path,
+               "unknown key '" + entry.key + "'" + suggestion(entry.key, closed.known));
     meant.push_back(nearest_word(entry.key, closed.known));
   }
   for (const Key& key : closed.missing) {
