@@ -1,10 +1,12 @@
 #pragma once
 /// One description of each deck struct, six uses (architecture.md 7). Beside each struct stands
 ///   void describe(Schema& s, JohnsonCook& law) {
-///     s.real({"A", "static yield stress at no plastic strain", Need::required}, law.A, {"Pa", at_least(0)});
+///     s.real({"A", "static yield stress at no plastic strain", Need::required}, law.A, {"Pa",
+///     at_least(0)});
 ///   }
 /// Visitors make of it: the reader with its errors, the manual, the JSON schema, the echo of the
-/// resolved deck, `explain`, and the generated wrong decks. The default is the struct's initialiser.
+/// resolved deck, `explain`, and the generated wrong decks. The default is the struct's
+/// initialiser.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -110,22 +112,26 @@ class Schema {
 
   template <class T>
   void object(const Key& key, T& value) {
-    visit_object(key, [] { return true; }, [] {}, [&](Schema& s) { describe(s, value); });
+    visit_object(
+        key, [] { return true; }, [] {}, [&](Schema& s) { describe(s, value); });
   }
   template <class T>
   void object(const Key& key, std::optional<T>& value) {
-    visit_object(key, [&] { return value.has_value(); }, [&] { value.emplace(); },
-                 [&](Schema& s) {
-                   T blank{};
-                   describe(s, value ? *value : blank);
-                 });
+    visit_object(
+        key, [&] { return value.has_value(); }, [&] { value.emplace(); },
+        [&](Schema& s) {
+          T blank{};
+          describe(s, value ? *value : blank);
+        });
   }
   template <class T>
   void named(const Key& key, std::vector<Named<T>>& entries, bool list_allowed = false) {
     visit_named(
         key, list_allowed, [&] { return entries.size(); },
         [&](std::size_t i) { return entries[i].name; },
-        [&](const std::string& name) { entries.push_back({name, T{}}); },
+        [&](const std::string& name) {
+          entries.push_back({name, T{}});
+        },
         [&](std::size_t i, Schema& s) { describe(s, entries[i].value); },
         [](Schema& s) {
           T blank{};
@@ -163,8 +169,7 @@ class Schema {
   virtual void visit_named(const Key& key, bool list_allowed, std::function<std::size_t()> size,
                            std::function<std::string(std::size_t)> name,
                            std::function<void(const std::string&)> add,
-                           std::function<void(std::size_t, Schema&)> members,
-                           Members blank) = 0;
+                           std::function<void(std::size_t, Schema&)> members, Members blank) = 0;
   virtual void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                             std::function<std::size_t()> index,
                             std::function<void(std::size_t)> choose, Members members,
