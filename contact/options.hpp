@@ -21,7 +21,7 @@ struct ContactOptions {
   std::map<std::pair<Label, Label>, PairOptions> pairs;  ///< keys with first <= second
   std::map<std::pair<Label, Label>, std::string> pair_names;
   SearchMode search = SearchMode::grid;
-  std::optional<Real> skin;                              ///< [m]; none: tuned on counted work
+  std::optional<Real> skin;  ///< [m]; none: tuned on counted work
 };
 
 }  // namespace brunt
