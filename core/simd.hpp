@@ -13,7 +13,7 @@ namespace brunt {
 
 inline constexpr int kLanes = 4;
 using Pack = Real __attribute__((vector_size(32)));
-using PackMask = long long __attribute__((vector_size(32)));
+using PackMask = decltype(Pack{} < Pack{});  // what comparing Packs gives: 0 or -1 in each lane
 
 #define BRUNT_INLINE inline __attribute__((always_inline))
 
