@@ -170,8 +170,8 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     set->body.push_back(geometry.label);
     set->piece.push_back(geometry.piece[e]);
   }
-  return std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), std::move(sets),
-                                               scene.geometry, scene.depth, scene.origin);
+  return std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets, scene.geometry,
+                                               scene.depth);
 }
 
 template <int Dim>
@@ -198,6 +198,18 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   for (std::size_t k = 0; k < gathered.from.size(); ++k) {
     gathered.points.piece[k] = bodies[gathered.from[k].body].piece.front();
   }
-  return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets),
-                                              scene.origin);
+  return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
 }
+
+template std::unique_ptr<Solid<2>> make_elements<2>(const LoadedDeck&, const Scene<2>&,
+                                                    const std::vector<BodyGeometry<2>>&, NextIds&);
+template std::unique_ptr<Solid<3>> make_elements<3>(const LoadedDeck&, const Scene<3>&,
+                                                    const std::vector<BodyGeometry<3>>&, NextIds&);
+template std::unique_ptr<RigidSurfaces<2>> make_rigid<2>(const LoadedDeck&, const Scene<2>&,
+                                                         const std::vector<BodyGeometry<2>>&,
+                                                         NextIds&);
+template std::unique_ptr<RigidSurfaces<3>> make_rigid<3>(const LoadedDeck&, const Scene<3>&,
+                                                         const std::vector<BodyGeometry<3>>&,
+                                                         NextIds&);
+
+}  // namespace brunt

@@ -14,7 +14,7 @@ namespace {
 /// The centre of the first bounding box, rounded to a power of two of its size: positions near 0
 /// keep their bits, and adding it back is exact where it can be.
 template <int Dim>
-Vec<Dim> rounded_center(const std::vector<BodyGeometry<Dim>>& bodies) {
+Vec<Dim> rounded_center(const std::vector<BodyGeometry<Dim>>& bodies, Geometry geometry) {
   Vec<Dim> low = Vec<Dim>::Constant(kInfinity), high = Vec<Dim>::Constant(-kInfinity);
   for (const auto& body : bodies) {
     for (const auto& x : body.points) low = low.cwiseMin(x), high = high.cwiseMax(x);
@@ -24,6 +24,7 @@ Vec<Dim> rounded_center(const std::vector<BodyGeometry<Dim>>& bodies) {
   const Real step = std::exp2(std::ceil(std::log2(extent)) + 1);
   Vec<Dim> center;
   for (int c = 0; c < Dim; ++c) center[c] = step * std::nearbyint(0.5 * (low[c] + high[c]) / step);
+  if (geometry == Geometry::axisymmetric) center[0] = 0;  // x is a radius
   return center;
 }
 
@@ -93,7 +94,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   const auto bodies = make_bodies<Dim>(loaded, problems);
   if (!problems.empty()) throw DeckError(problems);
 
-  auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies));
+  auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry));
   scene->geometry = deck.geometry;
   scene->depth = deck.depth;
   for (const auto& body : deck.bodies) scene->body_names.push_back(body.name);
