@@ -116,6 +116,7 @@ Region<2> polygon_region(const Polygon& polygon) {
     const auto& b = points[(i + 1) % points.size()];
     region.volume += 0.5 * (a[0] * b[1] - a[1] * b[0]);
   }
+  require_simple(points);
   region.volume = std::fabs(region.volume);
   region.inside = [points](const Vec<2>& x) { return inside_polygon(points, x); };
   return region;

@@ -61,6 +61,7 @@ std::vector<Vec<2>> counter_clockwise(const Polygon& polygon) {
   std::vector<Vec<2>> points;
   Real area = 0;
   for (const auto& point : polygon.points) points.push_back(to_vector<2>(point));
+  require_simple(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& a = points[i];
     const auto& b = points[(i + 1) % points.size()];
@@ -104,7 +105,6 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec<2>>& points) {
 FacetMesh<2> polygon_surface2(const Polygon& polygon) {
   FacetMesh<2> surface;
   surface.nodes = counter_clockwise(polygon);
-  triangulate(surface.nodes);  // refuses what crosses itself
   const int n = static_cast<int>(surface.nodes.size());
   for (int i = 0; i < n; ++i) surface.facets.push_back({i, (i + 1) % n});
   return surface;
