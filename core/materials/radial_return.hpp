@@ -52,9 +52,10 @@ BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear,
   p.hi = select(right, p.hi, d);
   const V newton = d - g / slope;
   const auto inside = (p.lo <= newton) & (newton <= p.hi);
-  const V next = select(inside, newton, middle(p.lo, p.hi));
-  // Newton converges as the square: the error left is about the square of a step of 1e-6
-  const auto converged = (inside & (vabs(next - d) <= 1e-6 * d)) | (vabs(g) <= 1e-14 * p.q_trial) |
+  V next = newton;
+  if (any(!inside)) next = select(inside, newton, middle(p.lo, p.hi));
+  // Newton converges as the square: a step of 1e-5 leaves an error of 1e-10 at the most
+  const auto converged = (inside & (vabs(next - d) <= 1e-5 * d)) | (vabs(g) <= 1e-14 * p.q_trial) |
                          (p.hi - p.lo <= 1e-14 * p.hi);
   p.increment = select(p.active, next, d);
   p.active = p.active & !converged;
@@ -178,12 +179,14 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& retur
     p.q_trial = load_as<V>(c.q_trial + i);
     p.temperature = load_as<V>(c.temperature + i);
     p.heating = load_as<V>(c.heating + i);
-    laws[static_cast<std::size_t>(k)] = law_.near(load_as<V>(c.eps_p + i), p.temperature);
-    const V yield = laws[static_cast<std::size_t>(k)].static_stress();
+    const Near near = law_.near(load_as<V>(c.eps_p + i), p.temperature);
+    laws[static_cast<std::size_t>(k)] = near;
+    const V yield = near.static_stress();
     p.q_old = vmax(load_as<V>(c.q_old + i), yield);
     p.lo = broadcast<V>(0.0);
     p.hi = p.q_trial * (1.0 / (3.0 * shear));
-    p.increment = (p.q_trial - p.q_old) * (1.0 / (3.0 * shear));
+    const V slope = vmin(near.hardening(), broadcast<V>(3.0 * shear));  // infinite where eps_p is 0
+    p.increment = (p.q_trial - p.q_old) / (3.0 * shear + slope);
     p.increment = vmin(vmax(p.increment, 1e-7 * p.hi), 0.999 * p.hi);
     p.active = yield < p.q_trial;
     p.increment = select(p.active, p.increment, broadcast<V>(0.0));
