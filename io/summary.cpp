@@ -64,7 +64,8 @@ RunSummary from_json(const Json& json) {
   s.version = json.at("version").get<std::string>();
   s.status = json.at("status").get<int>();
   s.deck_hash = json.value("deck_hash", s.deck_hash);
-  for (const auto& [name, text] : object_at(json, "parameters").items()) {
+  const Json parameters = object_at(json, "parameters");
+  for (const auto& [name, text] : parameters.items()) {
     s.parameters.emplace_back(name, text.is_string() ? text.get<std::string>() : text.dump());
   }
   s.overrides = json.value("overrides", s.overrides);
@@ -83,7 +84,8 @@ RunSummary from_json(const Json& json) {
   s.peak_memory = real_at(json, "peak_memory", s.peak_memory);
   s.drift = real_at(json, "drift", s.drift);
   s.measures = measures_from(object_at(json, "measures"));
-  for (const auto& entry : json.value("warnings", Json::array())) {
+  const Json warnings = json.value("warnings", Json::array());
+  for (const auto& entry : warnings) {
     s.warnings.push_back({entry.value("id", ""), entry.value("text", "")});
   }
   s.ranks = json.value("ranks", s.ranks);

@@ -150,11 +150,15 @@ void require_key(const std::vector<TableRun>& runs, const std::string& key) {
   const auto whole = [](const TableRun& run) { return run.summary.has_value(); };
   if (std::none_of(runs.begin(), runs.end(), whole)) return;
   if (std::any_of(runs.begin(), runs.end(), has)) return;
-  std::string known;
-  for (const auto& name : parameter_names(runs)) known += " " + name;
-  for (const auto& name : measure_names(runs)) known += " " + name;
-  for (const auto& plain : kPlainKeys) known += " " + std::string(plain.name);
-  throw DeckError({{{"--show", 0, 0}, key, "no run has this key; there are:" + known}});
+  std::string message = "no run has this key; there are:";
+  for (const auto& name : parameter_names(runs)) message.append(" ").append(name);
+  for (const auto& name : measure_names(runs)) message.append(" ").append(name);
+  for (const auto& plain : kPlainKeys) message.append(" ").append(plain.name);
+  std::vector<DeckProblem> problems(1);
+  problems[0].place.file = "--show";
+  problems[0].path = key;
+  problems[0].message = message;
+  throw DeckError(std::move(problems));
 }
 
 std::string title_of(const std::vector<TableRun>& runs, const std::string& key) {
@@ -202,7 +206,10 @@ using Grid = std::vector<std::vector<std::string>>;
 std::string csv_text(const Grid& grid) {
   std::string out;
   for (const auto& row : grid) {
-    for (std::size_t c = 0; c < row.size(); ++c) out += (c == 0 ? "" : ",") + quoted(row[c]);
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (c > 0) out += ',';
+      out += quoted(row[c]);
+    }
     out += '\n';
   }
   return out;
@@ -219,7 +226,8 @@ std::string aligned_text(const Grid& grid, const std::vector<bool>& numeric) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
       const std::string room(width[c] - width_of(row[c]), ' ');
-      line += (c == 0 ? "" : "  ") + (numeric[c] ? room + row[c] : row[c] + room);
+      if (c > 0) line += "  ";
+      line += numeric[c] ? room + row[c] : row[c] + room;
     }
     out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }

@@ -64,7 +64,7 @@ TEST(Table, QuotesCsvAndAlignsUtf8) {
   EXPECT_EQ(format_table({a, b}, {{"speed"}, true}),
             "run,speed\n\"a,b\",\"1 \"\"m\"\"\"\nb,2 µm\n");
   EXPECT_EQ(format_table({a, b}, {{"speed", "steps"}, false}),
-            "run  speed      steps\n"
+            "run  speed    steps\n"
             "a,b  1 \"m\"  1234567\n"
             "b    2 µm   1234567\n");
 }
