@@ -49,6 +49,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   auto& values = row.values;
   values = {clock.time(), static_cast<Real>(clock.step()), clock.dt(),
             static_cast<Real>(clock.whose().body)};
+  row.whole = {1, 3};
   ExactSum total;
   for (const auto& column : totals.columns) {
     values.push_back(column.value());
@@ -83,6 +84,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
       for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
       values.insert(values.end(),
                     {pair.area, pair.max_penetration, static_cast<Real>(pair.planes)});
+      row.whole.push_back(values.size() - 1);
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {

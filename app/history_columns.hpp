@@ -15,10 +15,11 @@ class HistoryColumns {
   const std::vector<std::string>& names() const { return names_; }
 
   struct Row {
-    std::vector<Real> values;      ///< one a column, state_hash aside
-    std::uint64_t state_hash = 0;  ///< the last column
-    Real total = 0;                ///< [J]
-    Real drift = 0;                ///< (total - total at time 0) / largest column so far
+    std::vector<Real> values;        ///< one a column, state_hash aside
+    std::vector<std::size_t> whole;  ///< indices of whole numbers: step, planes
+    std::uint64_t state_hash = 0;    ///< the last column
+    Real total = 0;                  ///< [J]
+    Real drift = 0;                  ///< (total - total at time 0) / largest column so far
   };
   /// Collects a row; the first call sets what drift is measured against.
   Row collect(const Scene<Dim>& scene, const Clock& clock);

@@ -126,6 +126,10 @@ BodyView Scene<Dim>::view(Label body) const {
       if (label == body) {
         BodyView view = solid->view(body);
         view.body = body_names[body];
+        for (std::size_t i = 0; i < view.position.size(); ++i) {
+          const auto c = static_cast<int>(i % 3);
+          if (c < Dim) view.position[i] += origin[c];
+        }
         return view;
       }
     }

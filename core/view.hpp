@@ -1,5 +1,6 @@
 #pragma once
-/// What a group shows to output, measures and pictures: plain data, SI, absolute coordinates.
+/// What a group shows to output, measures and pictures: plain data, SI. A group's view is
+/// relative to the scene's origin; the scene adds it.
 #include <string>
 #include <vector>
 

@@ -16,9 +16,8 @@ Vec<Dim> RigidMotion<Dim>::position(const Vec<Dim>& start, Real t) const {
 }
 
 template <int Dim>
-RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets,
-                                  Vec<Dim> origin)
-    : points_(std::move(points)), origin_(std::move(origin)) {
+RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets)
+    : points_(std::move(points)) {
   surface_.points = &points_;
   surface_.facets = std::move(facets);
 }
@@ -36,7 +35,7 @@ BodyView RigidSurfaces<Dim>::view(Label body) const {
     const auto append = [](std::vector<Real>& values, const Vec<Dim>& v) {
       for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? v[c] : 0.0);
     };
-    append(view.position, points_.x[i] + origin_);
+    append(view.position, points_.x[i]);
     append(displacement.values, points_.x[i] - points_.x_start[i]);
     append(velocity.values, points_.v[i]);
     append(force.values, points_.f[i]);

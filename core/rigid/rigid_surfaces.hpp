@@ -24,8 +24,8 @@ struct RigidMotion {
 template <int Dim>
 class RigidSurfaces final : public Solid<Dim> {
  public:
-  /// Points of all rigid bodies with their facets (radius-less, stiffness 0).
-  RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets, Vec<Dim> origin);
+  /// Points of all rigid bodies, at time 0, with their facets (stiffness 0).
+  RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets);
   RigidSurfaces(const RigidSurfaces&) = delete;
   RigidSurfaces& operator=(const RigidSurfaces&) = delete;
 
@@ -46,7 +46,6 @@ class RigidSurfaces final : public Solid<Dim> {
  private:
   Points<Dim> points_;
   Surface<Dim> surface_;
-  Vec<Dim> origin_;
 };
 
 }  // namespace brunt
