@@ -49,6 +49,10 @@ BRUNT_INLINE Real select(bool m, Real a, Real b) { return m ? a : b; }
 BRUNT_INLINE Pack select(PackMask m, Pack a, Pack b) { return m ? a : b; }
 BRUNT_INLINE bool any(bool m) { return m; }
 BRUNT_INLINE bool any(PackMask m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+BRUNT_INLINE bool lane_of(bool m, int) { return m; }
+BRUNT_INLINE bool lane_of(PackMask m, int lane) { return m[lane] != 0; }
+BRUNT_INLINE Real lane_of(Real a, int) { return a; }
+BRUNT_INLINE Real lane_of(Pack a, int lane) { return a[lane]; }
 BRUNT_INLINE Real vmin(Real a, Real b) { return a < b ? a : b; }
 BRUNT_INLINE Pack vmin(Pack a, Pack b) { return a < b ? a : b; }
 BRUNT_INLINE Real vmax(Real a, Real b) { return a > b ? a : b; }

@@ -9,6 +9,9 @@
 
 namespace brunt {
 
+template <class V>
+class NearJohnsonCook;
+
 /// The deck's `strength: {johnson-cook: {...}}`.
 struct JohnsonCook {
   static constexpr const char* deck_name = "johnson-cook";
@@ -22,7 +25,84 @@ struct JohnsonCook {
   Real m = 1;                  ///< [1]
   std::optional<Real> T_melt;  ///< [K]; none: heat does not soften
   Real T_ref = 298;            ///< [K]
+
+  /// T* = (T - T_ref)/(T_melt - T_ref), held in [0, 1].
+  template <class V>
+  BRUNT_INLINE V homologous_temperature(V T) const {
+    const V ratio = (T - T_ref) * homologous_slope();
+    return vmin(vmax(ratio, broadcast<V>(0.0)), broadcast<V>(1.0));
+  }
+  /// sigma_y = (A + B eps_p^n) (1 + C ln max(rate/rate_ref, 1)) (1 - T*^m): static below rate_ref,
+  /// fluid from T_melt on.
+  template <class V>
+  BRUNT_INLINE V flow_stress(V eps_p, V rate, V T) const {
+    const V relative_rate = vmax(rate * (1.0 / rate_ref), broadcast<V>(1.0));
+    return (A + B * vpow(eps_p, n)) * (1.0 + C * vlog(relative_rate)) *
+           (1.0 - vpow(homologous_temperature(T), m));
+  }
+  /// With eps_p^n >= eps_p^k for n <= k and eps_p <= 1, and T*^m <= T* for m >= 1.
+  template <class V>
+  BRUNT_INLINE V static_floor(V eps_p, V T) const {
+    V power = n <= 1.0 ? vmin(eps_p, broadcast<V>(1.0)) : broadcast<V>(0.0);
+    if (n <= 0.5) power = vsqrt(power);
+    if (n <= 0.25) power = vsqrt(power);
+    const V hot = homologous_temperature(T);
+    const V cold = m >= 1.0 ? 1.0 - hot : select(0.0 < hot, broadcast<V>(0.0), 1.0 - hot);
+    return ((1.0 - 1e-12) * (A + B * power)) * cold;  // round-off of vpow lifts nothing above it
+  }
+  template <class V>
+  BRUNT_INLINE NearJohnsonCook<V> near(V eps_p, V T) const {
+    return NearJohnsonCook<V>(*this, eps_p, T);
+  }
+  bool needs_temperature() const { return T_melt.has_value(); }
+  Real homologous_slope() const { return T_melt ? 1.0 / (*T_melt - T_ref) : 0.0; }  ///< [1/K]
 };
+
+/// The law about a point: its powers once, then by series while steps are small.
+template <class V>
+class NearJohnsonCook {
+ public:
+  NearJohnsonCook() = default;
+  BRUNT_INLINE NearJohnsonCook(const JohnsonCook& law, V eps_p, V T)
+      : law_(&law),
+        eps_p_(eps_p),
+        inverse_(1.0 / eps_p),
+        power_(vpow(eps_p, law.n)),
+        hot_(law.homologous_temperature(T)),
+        inverse_hot_(1.0 / hot_),
+        softening_(vpow(hot_, law.m)) {}
+
+  BRUNT_INLINE V static_stress() const { return (law_->A + law_->B * power_) * (1.0 - softening_); }
+  BRUNT_INLINE FlowStress<V> at(V increment, V rate, V T) const {
+    const JohnsonCook& law = *law_;
+    const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
+    const V eps_p = eps_p_ + increment;
+    const V power = power_near(eps_p, eps_p_, inverse_, power_, law.n);
+    const V hardened = law.A + law.B * power;
+    V rate_factor = one, rate_slope = zero;
+    if (law.C != 0) {
+      const V relative_rate = rate * (1.0 / law.rate_ref);
+      rate_factor = 1.0 + law.C * vlog(vmax(relative_rate, one));
+      rate_slope = select(one < relative_rate, law.C / rate, zero);
+    }
+    V soft = softening_, soft_slope = zero;
+    if (law.T_melt) {
+      const V hot = law.homologous_temperature(T);
+      soft = power_near(hot, hot_, inverse_hot_, softening_, law.m);
+      const auto inside = (zero < hot) & (hot < one);
+      soft_slope = select(inside, (law.m * law.homologous_slope()) * soft / hot, zero);
+    }
+    const V cold = 1.0 - soft;
+    return {hardened * rate_factor * cold, law.B * law.n * power / eps_p * (rate_factor * cold),
+            hardened * cold * rate_slope, -(hardened * rate_factor * soft_slope)};
+  }
+
+ private:
+  const JohnsonCook* law_;
+  V eps_p_, inverse_, power_;        // eps_p, 1/eps_p, eps_p^n
+  V hot_, inverse_hot_, softening_;  // T*, 1/T*, T*^m
+};
+
 inline void describe(Schema& s, JohnsonCook& law) {
   s.real({"A", "static flow stress at no plastic strain and T_ref", Need::required}, law.A,
          {"Pa", at_least(0), between(1e5, 1e10)});
