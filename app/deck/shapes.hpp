@@ -4,6 +4,6 @@
 
 namespace brunt::deck {
 
-using Shape = brunt::Shape;
+using Shape = brunt::BodyShape;
 
 }  // namespace brunt::deck
