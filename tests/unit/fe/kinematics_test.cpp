@@ -218,7 +218,7 @@ TEST(kinematics, viscous_hourglass_force) {
   options.hourglass = ViscousHourglass{0.1};
   auto body = make_body(cell_mesh<3>(Vec<3>::Ones(), 0.0, 9), material, {}, options);
   std::vector<Vec<3>> x = body->points().x;
-  const Real w = 1e-3, dt = 1e-6;
+  const Real w = 1, dt = 1e-6;
   std::vector<Real> sign;
   for (auto& place : x) {
     sign.push_back((place[0] > 0.5 ? 1 : -1) * (place[1] > 0.5 ? 1 : -1) *
@@ -229,8 +229,8 @@ TEST(kinematics, viscous_hourglass_force) {
   const Real c = std::sqrt(material.modulus() / material.density);
   const Real expected = 2 * 0.1 * material.density * c * w;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    // strains of the distorted cube are of order (dt w)^2 = 1e-18: stress 1e-7 Pa of 8e3 Pa
-    EXPECT_NEAR(body->points().f[k][2], -sign[k] * expected, 1e-8 * expected);
+    // the cube is distorted by dt w = 1e-6 of its size, and gamma with it
+    EXPECT_NEAR(body->points().f[k][2], -sign[k] * expected, 1e-5 * expected);
   }
 }
 
