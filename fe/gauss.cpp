@@ -225,16 +225,57 @@ BRUNT_INLINE Pack largest_bulk(const Group<Dim>& group) {
   return bulk;
 }
 
-/// Norm of the gradient operator: the largest of the element's mean one and of those of the
-/// parallelepipeds that touch it at the Gauss points.
+/// Square of the hoop gradient of an axisymmetric element with Gauss points [1/m^2], such that
+/// corners times it bounds the hoop work of a corner's motion over the corner's mass:
+/// max_I (sum_g w N_I / r^2) / (sum_g w N_I) / corners.
+BRUNT_INLINE Pack hoop_norm(const Modal<2, Pack>& c, const Thickness& option) {
+  Pack work[4], weight[4];
+  for (int I = 0; I < 4; ++I) work[I] = weight[I] = broadcast<Pack>(0);
+  for (int g = 0; g < 4; ++g) {
+    Pack J[2][2], thickness = option.constant + option.radial * c.m[3][0];
+    slopes(c, g, J);
+    for (int m = 0; m < 3; ++m) thickness += (option.radial * kTable<2>.value[g][m]) * c.m[m][0];
+    const Pack volume = thickness * (J[0][0] * J[1][1] - J[0][1] * J[1][0]);
+    const Pack gradient = option.radial / thickness;
+    for (int I = 0; I < 4; ++I) {
+      const Real N = (1 + Shape<2>::kSign[I][0] * kTable<2>.value[g][0]) *
+                     (1 + Shape<2>::kSign[I][1] * kTable<2>.value[g][1]);
+      weight[I] += N * volume;
+      work[I] += N * volume * (gradient * gradient);
+    }
+  }
+  Pack most = work[0] / weight[0];
+  for (int I = 1; I < 4; ++I) most = vmax(most, work[I] / weight[I]);
+  return 0.25 * most;
+}
+
+/// Norm of the gradient operator: that of the mean gradient, scaled up by what the gradients at the
+/// Gauss points, each as of the parallelepiped that touches there, exceed it in the mean trace.
 template <int Dim>
 BRUNT_INLINE OperatorNorm<Pack> gauss_norm(const Modal<Dim, Pack>& c, const Thickness& option) {
   Pack E[Shape<Dim>::kActive][Dim];
   volume_gradient(c, E);
-  Pack hoop = broadcast<Pack>(0);
-  if constexpr (Dim == 2)
-    hoop = 0.5 * option.radial / (option.constant + option.radial * c.m[3][0]);
-  return operator_norm<Dim, Pack>(E, measure<Dim, Pack>(c, E), hoop);
+  const Pack size = measure<Dim, Pack>(c, E);
+  OperatorNorm<Pack> norm = operator_norm<Dim, Pack>(E, size, broadcast<Pack>(0));
+  Pack sum = broadcast<Pack>(0);
+  for (int g = 0; g < kGauss<Dim>; ++g) {
+    Pack J[Dim][Dim], cof[Dim][Dim], square = broadcast<Pack>(0), determinant = square;
+    slopes(c, g, J);
+    cofactors(J, cof);
+    for (int i = 0; i < Dim; ++i) {
+      determinant += J[0][i] * cof[0][i];
+      for (int j = 0; j < Dim; ++j) square += cof[i][j] * cof[i][j];
+    }
+    sum += square / determinant;
+  }
+  const Pack scale = vmax(broadcast<Pack>(1),
+                          sum / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
+  norm.trace *= scale;
+  norm.largest *= scale;
+  if constexpr (Dim == 2) {
+    if (option.radial > 0) norm.hoop = hoop_norm(c, option);
+  }
+  return norm;
 }
 
 template <int Dim>
@@ -364,7 +405,16 @@ void refresh_stable_steps(ElementBlock<Dim>& block, int index, const ElementStep
     volume_gradient(w.c, E);
     volume_times_gradient<Dim, Pack>(w.u, E, G);
     const Pack size = measure<Dim, Pack>(w.c, E);
-    w.norm = gauss_norm(w.c, step.thickness);
+    if (block.gauss > 1) {
+      w.norm = gauss_norm(w.c, step.thickness);
+    } else {
+      Pack hoop = broadcast<Pack>(0);
+      if constexpr (Dim == 2) {
+        const Thickness& option = step.thickness;
+        hoop = 0.5 * option.radial / (option.constant + option.radial * w.c.m[3][0]);
+      }
+      w.norm = operator_norm<Dim, Pack>(E, size, hoop);
+    }
     w.rho = load(block.mass.data() + e) / load(block.element_volume.data() + e);
     const Pack bulk = block.gauss == 1 ? load(block.state.bulk.data() + e) : largest_bulk(group);
     store_stable_step<Dim>(block, e, w.norm, w.rho, bulk, (1.0 / step.dt) * trace(G) / size);
