@@ -14,7 +14,7 @@ TEST(PrincipalTension, KeepsThePositivePrincipalValues) {
   const Mat3 turn = (Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) *
                      Eigen::AngleAxisd(-1.9, Vec3(-2, 1, 0.5).normalized()))
                         .toRotationMatrix();
-  const Vec3 cases[] = {{3, -1, -2}, {3, 2, 1},  {1, 1, 1},  {-1, -1, -1}, {2, 2, -1},
+  const Vec3 cases[] = {{3, -1, -2}, {3, 2, 1},  {1, 1, 1},      {-1, -1, -1},  {2, 2, -1},
                         {0, 0, 0},   {5, 0, -5}, {1e8, 1, -1e8}, {1e-9, -1, -1}};
   for (const Vec3& values : cases) {
     const Mat3 tensor = turn * values.asDiagonal() * turn.transpose();
