@@ -4,6 +4,8 @@
 #include <EGL/eglext.h>
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkObjectFactory.h>
+#include <vtk_glew.h>
 
 #include <array>
 #include <cstdlib>
@@ -43,7 +45,8 @@ struct OffscreenWindow::Context {
       }
     }
     if (!eglBindAPI(EGL_OPENGL_API)) return false;
-    const std::array<EGLint, 3> wanted = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                          EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint n = 0;
     if (!eglChooseConfig(display, wanted.data(), &config, 1, &n) || n == 0) return false;
@@ -56,9 +59,31 @@ struct OffscreenWindow::Context {
 
 namespace {
 
+/// A window on a context that is none of GLX. GLEW loads all of OpenGL first and only then misses
+/// an X display, which VTK 9.1 takes for a failure; here it is none.
+class SurfacelessWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static SurfacelessWindow* New();
+  void OpenGLInitContext() override {
+    ContextCreationTime.Modified();
+    if (Initialized) return;
+    const GLenum result = glewInit();
+    GlewInitValid = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
+    if (!GlewInitValid || !GLEW_VERSION_3_2) {
+      vtkErrorMacro("no OpenGL 3.2 (GLEW says " << result << ")");
+      return;
+    }
+    Initialized = true;
+    std::array<GLfloat, 2> widths = {1, 1};
+    glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths.data());
+    MaximumHardwareLineWidth = widths[1];
+  }
+};
+vtkStandardNewMacro(SurfacelessWindow);
+
 template <class Context>
 vtkSmartPointer<vtkRenderWindow> window_of(Context& context) {
-  auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+  auto window = vtkSmartPointer<SurfacelessWindow>::New();
   auto make_current = vtkSmartPointer<vtkCallbackCommand>::New();
   make_current->SetClientData(&context);
   make_current->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
