@@ -36,12 +36,12 @@ class DeckError : public std::runtime_error {
 
 /// The physics broke; exit status 3.
 struct PhysicsFailure {
-  Real time = 0;          ///< [s]
-  std::string body;       ///< name of the body
-  std::string entity;     ///< "element 1234", "particle 7", "step"
-  std::string quantity;   ///< what is wrong: "volume", "velocity", "energy drift"
-  Real value = 0;         ///< its value, SI
-  std::string cause;      ///< the likely cause, and what to try
+  Real time = 0;         ///< [s]
+  std::string body;      ///< name of the body
+  std::string entity;    ///< "element 1234", "particle 7", "step"
+  std::string quantity;  ///< what is wrong: "volume", "velocity", "energy drift"
+  Real value = 0;        ///< its value, SI
+  std::string cause;     ///< the likely cause, and what to try
 };
 class PhysicsError : public std::runtime_error {
  public:

@@ -12,9 +12,9 @@ namespace brunt {
 /// Kulisch, Computer Arithmetic and Validity, 2008.
 class ExactSum {
  public:
-  void add(Real value);               ///< NaN and infinity poison the sum
+  void add(Real value);  ///< NaN and infinity poison the sum
   void add(const ExactSum& other);
-  Real value() const;                 ///< the exact sum rounded once, to nearest
+  Real value() const;  ///< the exact sum rounded once, to nearest
 
  private:
   static constexpr int kDigits = 68;

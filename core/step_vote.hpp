@@ -6,8 +6,8 @@ namespace brunt {
 /// A bound on the time step, with whose it is and why. The smallest wins; ties go to the smaller
 /// entity id, so that the winner's name does not depend on order.
 struct StepVote {
-  Real step = kInfinity;      ///< [s]
-  const char* reason = "";    ///< "element", "particle", "contact stiffness", "contact speed", ...
+  Real step = kInfinity;    ///< [s]
+  const char* reason = "";  ///< "element", "particle", "contact stiffness", "contact speed", ...
   Label body = 0;
   GlobalId entity = 0;
 

@@ -13,12 +13,12 @@ template <int Dim>
 struct Facet {
   static constexpr int kNodes = Dim == 2 ? 2 : 4;
   std::array<LocalIndex, kNodes> node{};
-  GlobalId id = 0;        ///< element id << 3 | face; unique in the scene
+  GlobalId id = 0;  ///< element id << 3 | face; unique in the scene
   Label body = 0;
   Label piece = 0;
-  Real stiffness = 0;     ///< [Pa/m] M/h of the element behind, M = K + 4G/3; 0: rigid
-  Real areal_mass = 0;    ///< [kg/m^2] rho h / 2 of the element behind; 0: rigid
-  Real depth = 0;         ///< [m] h, depth of the element normal to the face at its birth; rigid: 0
+  Real stiffness = 0;   ///< [Pa/m] M/h of the element behind, M = K + 4G/3; 0: rigid
+  Real areal_mass = 0;  ///< [kg/m^2] rho h / 2 of the element behind; 0: rigid
+  Real depth = 0;       ///< [m] h, depth of the element normal to the face at its birth; rigid: 0
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }
 };

@@ -9,9 +9,9 @@
 namespace brunt {
 
 using Real = double;
-using GlobalId = std::uint64_t;    ///< from the deck, never from a counter that depends on ranks
-using LocalIndex = std::int32_t;   ///< position in an array of this rank
-using Label = std::uint32_t;       ///< body or piece
+using GlobalId = std::uint64_t;   ///< from the deck, never from a counter that depends on ranks
+using LocalIndex = std::int32_t;  ///< position in an array of this rank
+using Label = std::uint32_t;      ///< body or piece
 
 template <int Dim>
 using Vec = Eigen::Matrix<Real, Dim, 1>;

@@ -1,5 +1,6 @@
 #pragma once
-/// What a group shows to output, measures and pictures: plain data, SI, absolute coordinates.
+/// What a group shows to output, measures and pictures: plain data, SI. A group's view is
+/// relative to the scene's origin; the scene adds it.
 #include <string>
 #include <vector>
 
@@ -19,24 +20,24 @@ struct Field {
 struct BodyView {
   std::string body;
   Real time = 0;
-  std::vector<Real> position;               ///< 3 n
-  std::vector<std::int64_t> connectivity;   ///< corners of all cells
-  int corners = 0;                          ///< corners of a cell; 0: particles
+  std::vector<Real> position;              ///< 3 n
+  std::vector<std::int64_t> connectivity;  ///< corners of all cells
+  int corners = 0;                         ///< corners of a cell; 0: particles
   std::vector<Field> point_fields;
   std::vector<Field> cell_fields;
-  std::vector<Real> point_mass;             ///< [kg] weights of means over point fields
-  std::vector<Real> point_radius;           ///< [m] particles only: half the spacing
-  std::vector<Real> cell_volume;            ///< [m^3] weights of means over cell fields
+  std::vector<Real> point_mass;    ///< [kg] weights of means over point fields
+  std::vector<Real> point_radius;  ///< [m] particles only: half the spacing
+  std::vector<Real> cell_volume;   ///< [m^3] weights of means over cell fields
 };
 
 /// Contact planes (polygons) and particle contacts (points) of one instant, for a .vtp.
 struct ContactView {
-  std::vector<Real> position;              ///< 3 n polygon corners or contact points
-  std::vector<int> polygon_size;           ///< corners of each polygon (1 for a particle contact)
-  std::vector<Real> normal;                ///< 3 a contact
-  std::vector<Real> pressure;              ///< [Pa]
-  std::vector<Real> penetration;           ///< [m]
-  std::vector<Real> force;                 ///< 3 a contact [N]
+  std::vector<Real> position;     ///< 3 n polygon corners or contact points
+  std::vector<int> polygon_size;  ///< corners of each polygon (1 for a particle contact)
+  std::vector<Real> normal;       ///< 3 a contact
+  std::vector<Real> pressure;     ///< [Pa]
+  std::vector<Real> penetration;  ///< [m]
+  std::vector<Real> force;        ///< 3 a contact [N]
   std::vector<Label> body_a, body_b;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,8 +19,8 @@ struct MaterialState {
   std::vector<Real> strain_rate;              ///< [1/s] last plastic strain rate; empty: elastic
   std::vector<Real> temperature;              ///< [K]; empty where heat is off
   std::vector<Real> heat;                     ///< [J/m^3 reference] plastic work become heat
-  std::vector<Real> energy;                   ///< [J/m^3 reference] internal energy; empty unless the EOS reads it
-  std::vector<Real> bulk;                     ///< [Pa] current tangent bulk modulus K_t
+  std::vector<Real> energy;  ///< [J/m^3 reference] internal energy; empty unless the EOS reads it
+  std::vector<Real> bulk;    ///< [Pa] current tangent bulk modulus K_t
   std::size_t size() const { return pressure.size(); }
 };
 
@@ -31,12 +32,13 @@ struct MaterialTile {
   MaterialState* state = nullptr;
   std::size_t first = 0;
   int count = 0;
-  Real fixed_temperature = 0;              ///< [K] what laws see where heat is off
-  bool adiabatic = false;                  ///< plastic work heats the point at once
-  alignas(32) Real strain[6][kTile];       ///< D dt at the mid-configuration, tensor components, full
-  alignas(32) Real ratio_old[kTile];       ///< V/V0 before the step
-  alignas(32) Real ratio[kTile];           ///< V/V0 after the step
-  alignas(32) Real viscous_work[kTile];    ///< [J/m^3 reference] of this step, heats an EOS with energy
+  Real fixed_temperature = 0;         ///< [K] what laws see where heat is off
+  bool adiabatic = false;             ///< plastic work heats the point at once
+  alignas(32) Real strain[6][kTile];  ///< D dt at the mid-configuration, tensor components, full
+  alignas(32) Real ratio_old[kTile];  ///< V/V0 before the step
+  alignas(32) Real ratio[kTile];      ///< V/V0 after the step
+  alignas(32) Real
+      viscous_work[kTile];  ///< [J/m^3 reference] of this step, heats an EOS with energy
 };
 
 /// The strength of a material: updates the deviator of a tile. One virtual call a tile.
@@ -59,24 +61,29 @@ class EquationOfState {
   virtual void update(MaterialTile& tile, const Real* deviatoric_work) const = 0;
   virtual bool needs_energy() const = 0;
   virtual Real bulk_modulus() const = 0;  ///< [Pa] at the reference state
+  /// V/V0 below which the law is held and no longer resists as printed; 0: never.
+  virtual Real densest_ratio() const { return 0; }
 };
 
 /// A material as the kernels see it: density, elastic constants, strength, equation of state.
 struct Material {
   std::string name;
-  Real density = 0;            ///< [kg/m^3] reference
-  Real shear = 0;              ///< [Pa] G
-  Real bulk = 0;               ///< [Pa] K at the reference state
+  Real density = 0;                 ///< [kg/m^3] reference
+  Real shear = 0;                   ///< [Pa] G
+  Real bulk = 0;                    ///< [Pa] K at the reference state
   Real tensile_cutoff = kInfinity;  ///< [Pa] pressure never below minus this
   bool thermal = false;
-  Real specific_heat = 0;      ///< [J/kg/K]
+  Real specific_heat = 0;  ///< [J/kg/K]
   std::unique_ptr<Strength> strength;
   std::unique_ptr<EquationOfState> eos;
 
   Real modulus() const { return bulk + 4.0 / 3.0 * shear; }  ///< [Pa] M = K + 4G/3
   bool yields() const { return strength->yields(); }
 
-  /// Fields for n points at rest at temperature T [K]; heat and temperature only where asked.
+  /// Fields for n points at rest, padded to whole tiles. Where `adiabatic` and the material is
+  /// thermal they have temperature [K], and heat if it yields; a block that conducts asks for the
+  /// same and leaves MaterialTile::adiabatic false, so that the point's temperature is the
+  /// caller's.
   MaterialState initial_state(std::size_t n, Real temperature, bool adiabatic) const;
   /// One step of a tile: strength, then equation of state, then cut-off.
   void update(MaterialTile& tile, Real dt) const;

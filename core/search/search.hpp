@@ -21,7 +21,8 @@ struct SearchBox {
 using IndexPair = std::pair<LocalIndex, LocalIndex>;
 
 /// All pairs i < j of boxes that overlap (closed boxes), sorted, that `admits` accepts. The mask is
-/// asked before the box test: bodies that may not touch are never compared.
+/// asked before the box test: bodies that may not touch are never compared. It is called with
+/// i < j, from several threads at once.
 template <int Dim>
 std::vector<IndexPair> overlapping_pairs(std::span<const SearchBox<Dim>> boxes,
                                          const std::function<bool(LocalIndex, LocalIndex)>& admits,
@@ -35,6 +36,7 @@ struct NeighbourList {
 
 /// Full lists: j is in the row of i if |x_i - x_j| <= reach_i + reach_j + skin, i != j and both
 /// have the same label. Boundary cases are decided by the same expression in both modes.
+/// reach, skin  [m], not negative
 template <int Dim>
 NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
                                 std::span<const Label> label, Real skin, SearchMode mode);

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/deck/deck.hpp"
+#include "core/surface.hpp"
+
+namespace brunt {
+
+/// The geometry of one named body, absolute coordinates, before groups are formed.
+template <int Dim>
+struct BodyGeometry {
+  Label label = 0;
+  std::vector<Vec<Dim>> points;                             ///< [m] nodes or particles
+  std::vector<std::array<int, 1 << Dim>> elements;          ///< FE that deforms
+  std::vector<std::array<int, Facet<Dim>::kNodes>> facets;  ///< rigid; -1: no fourth node
+  std::vector<Label> piece;              ///< of each element; particles and facets: one
+  std::vector<std::string> piece_names;  ///< at least one
+  std::vector<Real> spacing;             ///< [m] particles: one an axis
+  Real volume = 0;                       ///< [m^Dim] of the shape: particles' mass is exact
+};
+
+/// Meshes or fills every body of the deck; problems are collected, not thrown.
+template <int Dim>
+std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
+                                           std::vector<DeckProblem>& problems);
+
+}  // namespace brunt

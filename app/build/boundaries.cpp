@@ -1,0 +1,176 @@
+#include "app/build/boundaries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace brunt {
+
+namespace {
+/// Smallest element size or spacing that the body is given [m]; 0 where it has none.
+Real smallest_size(const deck::Body& body) {
+  if (!body.size || body.size->empty()) return 0;
+  return *std::min_element(body.size->begin(), body.size->end());
+}
+
+template <int Dim>
+struct Choose {
+  const Points<Dim>& points;
+  const Surface<Dim>& surface;
+  Vec<Dim> origin;
+  Label body;
+  Real tolerance;  // [m]
+
+  Vec<Dim> place(LocalIndex i) const {
+    return points.x_start[static_cast<std::size_t>(i)] + origin;
+  }
+  template <class Test>
+  std::vector<LocalIndex> where(Test test) const {
+    std::vector<LocalIndex> chosen;
+    for (LocalIndex i = 0; i < points.n_owned; ++i) {
+      if (points.body[static_cast<std::size_t>(i)] == body && test(i)) chosen.push_back(i);
+    }
+    return chosen;
+  }
+
+  std::vector<LocalIndex> operator()(const deck::WhereAll&) const {
+    return where([](LocalIndex) { return true; });
+  }
+  std::vector<LocalIndex> operator()(const deck::WhereSurface&) const {
+    std::set<LocalIndex> outer;
+    for (const auto& facet : surface.facets) {
+      for (int k = 0; k < facet.n_nodes(); ++k)
+        outer.insert(facet.node[static_cast<std::size_t>(k)]);
+    }
+    return where([&](LocalIndex i) { return outer.count(i) > 0; });
+  }
+  std::vector<LocalIndex> operator()(const deck::WherePlane& plane) const {
+    const int c = static_cast<int>(plane.axis);
+    return where([&](LocalIndex i) { return std::fabs(place(i)[c] - plane.at) <= tolerance; });
+  }
+  std::vector<LocalIndex> operator()(const deck::WhereBox& box) const {
+    return where([&](LocalIndex i) {
+      bool inside = true;
+      for (int c = 0; c < Dim; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        inside = inside && place(i)[c] >= box.min[k] - tolerance &&
+                 place(i)[c] <= box.max[k] + tolerance;
+      }
+      return inside;
+    });
+  }
+  std::vector<LocalIndex> operator()(const deck::WhereSide& side) const {
+    const int c = static_cast<int>(side.side) / 2;
+    const Real sign = static_cast<int>(side.side) % 2 ? 1 : -1;
+    Real extreme = -kInfinity;
+    for (const LocalIndex i : (*this)(deck::WhereAll{})) {
+      extreme = std::max(extreme, sign * place(i)[c]);
+    }
+    return where([&](LocalIndex i) { return sign * place(i)[c] >= extreme - tolerance; });
+  }
+};
+
+PrescribedVelocity function_of(const Varying& varying) {
+  if (varying.over == Varying::Over::expression) {
+    return [evaluate = varying.evaluate](Real t, const Vec3& x) { return evaluate(t, x); };
+  }
+  return [varying](Real t, const Vec3&) { return varying.at(t); };
+}
+
+template <int Dim>
+void add_velocity(const std::string& name, const deck::Boundary& boundary, Points<Dim>& points,
+                  const std::vector<LocalIndex>& chosen, Scene<Dim>& scene) {
+  Constraint<Dim> constraint;
+  constraint.name = name;
+  constraint.points = &points;
+  constraint.chosen = chosen;
+  constraint.from = boundary.from, constraint.to = boundary.to;
+  for (const auto& axis : boundary.fix) {
+    const int c = axis[0] - 'x';
+    if (c < Dim)
+      constraint.velocity[static_cast<std::size_t>(c)] = [](Real, const Vec3&) { return 0.0; };
+  }
+  if (boundary.velocity) {
+    for (std::size_t c = 0; c < boundary.velocity->size() && c < Dim; ++c) {
+      if ((*boundary.velocity)[c]) constraint.velocity[c] = function_of(*(*boundary.velocity)[c]);
+    }
+  }
+  scene.supports.constrain(std::move(constraint));
+}
+
+template <int Dim>
+void add_force(const deck::Boundary& boundary, Points<Dim>& points,
+               const std::vector<LocalIndex>& chosen, Scene<Dim>& scene) {
+  AppliedForce<Dim> force;
+  force.points = &points;
+  force.chosen = chosen;
+  force.from = boundary.from, force.to = boundary.to;
+  ExactSum mass;
+  for (const LocalIndex i : chosen) mass.add(points.mass[static_cast<std::size_t>(i)]);
+  for (const LocalIndex i : chosen) {
+    force.share.push_back(points.mass[static_cast<std::size_t>(i)] / mass.value());
+  }
+  for (std::size_t c = 0; c < boundary.force->size() && c < Dim; ++c) {
+    if ((*boundary.force)[c]) force.force[c] = function_of(*(*boundary.force)[c]);
+  }
+  scene.loads.apply(std::move(force));
+}
+
+template <int Dim>
+Solid<Dim>* solid_of(Scene<Dim>& scene, Label label) {
+  for (auto& solid : scene.solids) {
+    const auto& bodies = solid->points().body;
+    if (std::find(bodies.begin(), bodies.end(), label) != bodies.end()) return solid.get();
+  }
+  return nullptr;
+}
+}  // namespace
+
+template <int Dim>
+void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
+                    std::vector<DeckProblem>& problems) {
+  const Deck& deck = loaded.deck;
+  for (const auto& [name, boundary] : deck.boundaries) {
+    const std::string path = "boundaries." + name;
+    const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
+                                    [&](const auto& body) { return body.name == boundary.body; });
+    if (found == deck.bodies.end()) continue;  // reported by the deck's own checks
+    const auto label = static_cast<Label>(found - deck.bodies.begin());
+    if (found->value.rigid) {
+      problems.push_back(loaded.places.problem(
+          path + ".body", "'" + boundary.body + "' is rigid: give it `motion` instead"));
+      continue;
+    }
+    Solid<Dim>* solid = solid_of(scene, label);
+    if (!solid) continue;
+    auto& points = solid->points();
+    const Choose<Dim> choose{points, solid->surface(), scene.origin, label,
+                             0.1 * smallest_size(found->value)};
+    const auto chosen = std::visit(choose, boundary.where);
+    if (chosen.empty()) {
+      problems.push_back(loaded.places.problem(
+          path + ".where", "no point of '" + boundary.body + "' lies there at time 0"));
+      continue;
+    }
+    if (!boundary.fix.empty() || boundary.velocity) {
+      add_velocity(name, boundary, points, chosen, scene);
+    }
+    if (boundary.force) add_force(boundary, points, chosen, scene);
+  }
+  if (!deck.gravity.empty()) {
+    Vec<Dim> g;
+    for (int c = 0; c < Dim; ++c) g[c] = deck.gravity[static_cast<std::size_t>(c)];
+    scene.loads.gravity(g);
+  }
+  if (deck.damping) scene.loads.damp(deck.damping->rate, deck.damping->until);
+  if (!scene.loads.empty()) {
+    for (auto& solid : scene.solids) {
+      if (solid->n_elements() + solid->n_particles() > 0) scene.loads.act_on(solid->points());
+    }
+  }
+}
+
+template void add_boundaries<2>(const LoadedDeck&, Scene<2>&, std::vector<DeckProblem>&);
+template void add_boundaries<3>(const LoadedDeck&, Scene<3>&, std::vector<DeckProblem>&);
+
+}  // namespace brunt

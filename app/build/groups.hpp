@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "app/build/bodies.hpp"
+#include "app/scene.hpp"
+
+namespace brunt {
+
+/// Next free ids of the scene: points, and elements with rigid facets.
+struct NextIds {
+  GlobalId point = 0;
+  GlobalId element = 0;
+};
+
+/// Puts all bodies of one kind into one group: points and elements along a space-filling curve at
+/// time 0, ids ascending along it. `none` where the deck has no such body.
+template <int Dim>
+std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                          const std::vector<BodyGeometry<Dim>>& bodies,
+                                          NextIds& next);
+template <int Dim>
+std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                           const std::vector<BodyGeometry<Dim>>& bodies,
+                                           NextIds& next);
+template <int Dim>
+std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                               const std::vector<BodyGeometry<Dim>>& bodies,
+                                               NextIds& next);
+
+}  // namespace brunt

@@ -1,0 +1,38 @@
+#include "app/build/materials.hpp"
+
+#include "core/materials/catalog.hpp"
+
+namespace brunt {
+
+bool is_adiabatic(const Deck& deck, const deck::Material& material) {
+  if (deck.heat == deck::Heat::off || !material.thermal) return false;
+  // An elastic material is never heated: it keeps no temperature.
+  return !std::holds_alternative<NoStrength>(material.strength);
+}
+
+std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
+  std::vector<std::unique_ptr<Material>> materials;
+  for (const auto& [name, given] : deck.materials) {
+    auto material = std::make_unique<Material>();
+    material->name = name;
+    material->density = given.density;
+    material->shear = given.elastic.shear_modulus();
+    material->bulk = given.elastic.bulk_modulus();
+    material->tensile_cutoff = given.tensile_cutoff.value_or(kInfinity);
+    material->thermal = given.thermal.has_value();
+    StrengthInputs strength;
+    strength.shear = material->shear;
+    if (given.thermal) {
+      material->specific_heat = given.thermal->cp;
+      strength.heat_capacity = given.density * given.thermal->cp;
+      strength.taylor_quinney = given.thermal->taylor_quinney;
+    }
+    material->strength = make_strength(given.strength, strength);
+    material->eos = make_eos(given.eos, EosInputs{given.density, material->bulk});
+    material->bulk = material->eos->bulk_modulus();
+    materials.push_back(std::move(material));
+  }
+  return materials;
+}
+
+}  // namespace brunt

@@ -1,0 +1,12 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "app/monitor.hpp"
+
+namespace brunt {
+
+/// Writes VTK frames into a folder; null where brunt was built without VTK.
+std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& folder);
+
+}  // namespace brunt

@@ -1,0 +1,104 @@
+#include "app/history_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt {
+
+namespace {
+constexpr const char* kAxes[] = {"x", "y", "z"};
+}
+
+template <int Dim>
+HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
+  names_ = {"time", "step", "dt", "dt_body"};
+  for (int c = 0; c < kColumns; ++c) {
+    names_.push_back("energy." + std::string(column_name(static_cast<Column>(c))));
+  }
+  names_.insert(names_.end(), {"energy.total", "energy.drift"});
+  for (int c = 0; c < Dim; ++c) names_.push_back(std::string("momentum.") + kAxes[c]);
+  for (const auto& body : scene.body_names) {
+    const std::string head = "body." + body + ".";
+    names_.push_back(head + "mass");
+    for (const char* vector : {"position.", "velocity."}) {
+      for (int c = 0; c < Dim; ++c) names_.push_back(head + vector + kAxes[c]);
+    }
+    for (const char* name : {"kinetic", "internal", "hourglass", "heat"})
+      names_.push_back(head + name);
+  }
+  if (scene.contact) {
+    for (const auto& pair : scene.contact->reports()) {
+      const std::string head = "contact." + pair.name + ".";
+      for (int c = 0; c < Dim; ++c) names_.push_back(head + "force." + kAxes[c]);
+      for (const char* name : {"area", "max_penetration", "planes"}) names_.push_back(head + name);
+    }
+  }
+  for (const auto& constraint : scene.supports.constraints()) {
+    for (int c = 0; c < Dim; ++c) {
+      names_.push_back("boundary." + constraint.name + ".reaction." + kAxes[c]);
+    }
+  }
+  names_.push_back("state_hash");
+}
+
+template <int Dim>
+typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>& scene,
+                                                               const Clock& clock) {
+  const Totals<Dim> totals = scene.totals(clock.dt());
+  Row row;
+  auto& values = row.values;
+  values = {clock.time(), static_cast<Real>(clock.step()), clock.dt(),
+            static_cast<Real>(clock.whose().body)};
+  row.whole = {1, 3};
+  ExactSum total;
+  for (const auto& column : totals.columns) {
+    values.push_back(column.value());
+    largest_ = std::max(largest_, std::fabs(values.back()));
+    total.add(column);
+  }
+  row.total = total.value();
+  if (first_) total_start_ = row.total;
+  first_ = false;
+  row.drift = largest_ > 0 ? (row.total - total_start_) / largest_ : 0.0;
+  values.insert(values.end(), {row.total, row.drift});
+
+  for (int c = 0; c < Dim; ++c) {
+    ExactSum momentum;
+    for (const auto& body : totals.bodies) momentum.add(body.momentum[c]);
+    values.push_back(momentum.value());
+  }
+  for (const auto& body : totals.bodies) {
+    const Real mass = body.mass.value();
+    values.push_back(mass);
+    for (int c = 0; c < Dim; ++c) {
+      values.push_back(mass > 0 ? body.mass_position[c].value() / mass + scene.origin[c] : 0.0);
+    }
+    for (int c = 0; c < Dim; ++c)
+      values.push_back(mass > 0 ? body.momentum[c].value() / mass : 0.0);
+    for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
+      values.push_back(sum->value());
+    }
+  }
+  if (scene.contact) {
+    for (const auto& pair : scene.contact->reports()) {
+      for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
+      values.insert(values.end(),
+                    {pair.area, pair.max_penetration, static_cast<Real>(pair.planes)});
+      row.whole.push_back(values.size() - 1);
+    }
+  }
+  for (const auto& constraint : scene.supports.constraints()) {
+    for (int c = 0; c < Dim; ++c) {
+      ExactSum reaction;
+      for (const auto& force : constraint.reaction) reaction.add(force[c]);
+      values.push_back(reaction.value());
+    }
+  }
+  row.state_hash = totals.state_hash;
+  return row;
+}
+
+template class HistoryColumns<2>;
+template class HistoryColumns<3>;
+
+}  // namespace brunt

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/clock.hpp"
+#include "app/scene.hpp"
+
+namespace brunt {
+
+/// The columns of history.csv (deck.md) and their values at one step.
+template <int Dim>
+class HistoryColumns {
+ public:
+  explicit HistoryColumns(const Scene<Dim>& scene);
+  const std::vector<std::string>& names() const { return names_; }
+
+  struct Row {
+    std::vector<Real> values;        ///< one a column, state_hash aside
+    std::vector<std::size_t> whole;  ///< indices of whole numbers: step, planes
+    std::uint64_t state_hash = 0;    ///< the last column
+    Real total = 0;                  ///< [J]
+    Real drift = 0;                  ///< (total - total at time 0) / largest column so far
+  };
+  /// Collects a row; the first call sets what drift is measured against.
+  Row collect(const Scene<Dim>& scene, const Clock& clock);
+
+ private:
+  std::vector<std::string> names_;
+  bool first_ = true;
+  Real total_start_ = 0;
+  Real largest_ = 0;
+};
+
+}  // namespace brunt

@@ -1,0 +1,50 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/supports.hpp"
+
+namespace brunt {
+
+/// A force on chosen points, in proportion to their masses; total per component [N] over time.
+template <int Dim>
+struct AppliedForce {
+  Points<Dim>* points = nullptr;
+  std::vector<LocalIndex> chosen;
+  std::vector<Real> share;  ///< fraction of the total that each point takes
+  std::array<std::optional<PrescribedVelocity>, Dim> force;  ///< [N] as a function of time, place
+  Real from = 0, to = kInfinity;
+  std::vector<Vec<Dim>> last;  ///< [N] at the last full step
+};
+
+/// Gravity, applied forces and mass-proportional damping, each with its work.
+template <int Dim>
+class Loads {
+ public:
+  void gravity(const Vec<Dim>& g) { gravity_ = g, has_gravity_ = true; }
+  void damp(Real rate, Real until) { rate_ = rate, until_ = until; }  ///< [1/s], [s]
+  void apply(AppliedForce<Dim> force) { forces_.push_back(std::move(force)); }
+  void act_on(Points<Dim>& points);  ///< a group whose points feel gravity and damping
+  bool empty() const { return !has_gravity_ && rate_ == 0 && forces_.empty(); }
+
+  /// Adds forces at the end of the step; books 1/2 (f(n) + f(n+1)).dx to boundary and damping.
+  void add_forces(Real time, Real dt, const Vec<Dim>& origin);
+  StepVote stable_step(Real time) const;
+  void add_totals(Totals<Dim>& totals) const;
+
+ private:
+  struct Body {
+    Points<Dim>* points;
+    std::vector<Vec<Dim>> last_damping;  // [N] at the last full step
+    std::vector<Real> load_work, damping_work;
+    bool fresh = true;
+  };
+  bool has_gravity_ = false;
+  Vec<Dim> gravity_ = Vec<Dim>::Zero();
+  Real rate_ = 0, until_ = kInfinity;
+  std::vector<Body> bodies_;
+  std::vector<AppliedForce<Dim>> forces_;
+  std::vector<Real> force_work_;
+};
+
+}  // namespace brunt

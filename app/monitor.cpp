@@ -1,0 +1,231 @@
+#include "app/monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace brunt {
+
+namespace {
+constexpr std::int64_t kCheckEvery = 100;  // steps; a check of every value costs 2 ns each
+
+/// Coordinate [m] of a body's centre of mass, absolute.
+template <int Dim>
+Real center(const Scene<Dim>& scene, Label body, int axis) {
+  ExactSum mass, moment;
+  for (const auto& solid : scene.solids) {
+    const auto& points = solid->points();
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      if (points.body[i] != body) continue;
+      mass.add(points.mass[i]);
+      moment.add(points.mass[i] * points.x[i][axis]);
+    }
+  }
+  return moment.value() / mass.value() + scene.origin[axis];
+}
+
+/// A row as history.csv has it: whole numbers stay whole.
+template <class Row>
+std::vector<HistoryValue> row_values(const Row& row) {
+  std::vector<HistoryValue> values(row.values.begin(), row.values.end());
+  for (const std::size_t i : row.whole) values[i] = static_cast<std::int64_t>(row.values[i]);
+  values.emplace_back(row.state_hash);
+  return values;
+}
+
+/// Index of the multiple of `every` at or before time; rounding may not lose a row.
+std::int64_t multiples(Real time, Real every) {
+  return every > 0 ? static_cast<std::int64_t>(std::floor(time / every * (1 + 1e-12))) : 0;
+}
+}  // namespace
+
+template <int Dim>
+Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet,
+                      std::function<bool()> interrupted)
+    : deck_(deck),
+      history_(history),
+      frames_(frames),
+      progress_(quiet),
+      interrupted_(std::move(interrupted)),
+      measured_(deck.measures.size(), false),
+      history_every_(deck.output.history.value_or(deck.time.end / 2000)),
+      frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
+  for (const auto& body : deck.bodies) body_names_.push_back(body.name);
+}
+
+template <int Dim>
+Label Monitor<Dim>::label(const std::string& body) const {
+  const auto found = std::find(body_names_.begin(), body_names_.end(), body);
+  if (found == body_names_.end()) throw std::invalid_argument("there is no body '" + body + "'");
+  return static_cast<Label>(found - body_names_.begin());
+}
+
+template <int Dim>
+void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
+  collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
+  columns_ = collector_->names();
+  if (!deck_.measures.empty()) {
+    for (const auto& name : body_names_) start_[name] = scene.view(label(name));
+  }
+  const auto& beyond = deck_.stop.beyond;
+  if (beyond && static_cast<int>(beyond->axis) < Dim) {
+    start_center_ = center(scene, label(beyond->body), static_cast<int>(beyond->axis));
+  }
+  write_row(scene, clock);
+  write_frame(scene, clock.time());
+}
+
+template <int Dim>
+void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
+  const PhaseTimer timer(scene.phases, Phase::ledger);
+  const auto row = collector_->collect(scene, clock);
+  if (history_) history_->write_row(row_values(row));
+  rows_.push_back(row.values);
+  hashes_.push_back(row.state_hash);
+  last_row_ = clock.time();
+  drift_ = row.drift;
+  worst_drift_ = std::max(worst_drift_, std::fabs(drift_));
+  if (!(std::fabs(drift_) <= deck_.time.max_drift)) {
+    throw PhysicsError({clock.time(), "", "step " + std::to_string(clock.step()), "energy drift",
+                        drift_,
+                        "the energy balance no longer closes (time.max_drift): an instability; try "
+                        "a smaller time.safety or a lower contact stiffness"});
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
+  last_frame_ = time;
+  if (!frames_) return;
+  const PhaseTimer timer(scene.phases, Phase::output);
+  std::vector<BodyView> views;
+  const auto& wanted = deck_.output.bodies;
+  for (std::size_t b = 0; b < body_names_.size(); ++b) {
+    if (!wanted.empty() &&
+        std::find(wanted.begin(), wanted.end(), body_names_[b]) == wanted.end()) {
+      continue;
+    }
+    views.push_back(scene.view(static_cast<Label>(b)));
+    views.back().time = time;
+    const auto& fields = deck_.output.fields;
+    if (fields.empty()) continue;
+    for (auto* list : {&views.back().point_fields, &views.back().cell_fields}) {
+      std::erase_if(*list, [&](const Field& field) {
+        return std::find(fields.begin(), fields.end(), field.name) == fields.end();
+      });
+    }
+  }
+  ContactView contact;
+  if (scene.contact) {
+    contact = scene.contact->view();
+    for (std::size_t i = 0; i < contact.position.size(); ++i) {
+      const auto c = static_cast<int>(i % 3);
+      if (c < Dim) contact.position[i] += scene.origin[c];
+    }
+  }
+  frames_->write(time, views, scene.contact ? &contact : nullptr);
+}
+
+template <int Dim>
+void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
+  if (clock.step() % kCheckEvery == 0) scene.check(clock.time());
+  const auto rows = multiples(clock.time(), history_every_);
+  if (rows > rows_due_) {
+    rows_due_ = rows;
+    write_row(scene, clock);
+  } else if (clock.step() % kCheckEvery == 0) {
+    drift_ = collector_->collect(scene, clock).drift;
+    if (!(std::fabs(drift_) <= deck_.time.max_drift)) write_row(scene, clock);
+  }
+  const auto frames = multiples(clock.time(), frame_every_);
+  if (frames > frames_due_) {
+    frames_due_ = frames;
+    const bool wanted = clock.time() >= deck_.output.from.value_or(0) &&
+                        clock.time() <= deck_.output.to.value_or(kInfinity);
+    if (wanted) {
+      scene.check(clock.time());
+      write_frame(scene, clock.time());
+    }
+  }
+  take_measures(scene, clock.time(), false);
+  check_stops(scene, clock);
+  const auto& whose = clock.whose();
+  progress_.show(clock, body_names_.empty() ? "" : body_names_[whose.body] + ": " + whose.reason,
+                 drift_);
+  if (interrupted_ && interrupted_()) {
+    was_interrupted_ = true;
+    reason_ = "stopped by a signal";
+    clock.stop();
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
+  if (const auto& rest = deck_.stop.at_rest) {
+    const Label body = label(rest->body);
+    Real fastest = 0;
+    for (const auto& solid : scene.solids) {
+      const auto& points = solid->points();
+      for (std::size_t i = 0; i < points.x.size(); ++i) {
+        if (points.body[i] == body) fastest = std::max(fastest, points.v[i].squaredNorm());
+      }
+    }
+    if (std::sqrt(fastest) >= rest->below) {
+      at_rest_since_ = -1;
+    } else {
+      if (at_rest_since_ < 0) at_rest_since_ = clock.time();
+      if (clock.time() - at_rest_since_ >= rest->duration) {
+        reason_ = rest->body + " is at rest";
+        clock.stop();
+      }
+    }
+  }
+  if (const auto& beyond = deck_.stop.beyond) {
+    const auto axis = static_cast<int>(beyond->axis);
+    if (axis >= Dim) return;
+    const Real now = center(scene, label(beyond->body), axis);
+    if ((start_center_ - beyond->at) * (now - beyond->at) <= 0) {
+      reason_ = beyond->body + " is beyond its place";
+      clock.stop();
+    }
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
+  const MeasureSource source{[&](const std::string& body) { return scene.view(label(body)); },
+                             &start_, &columns_, &rows_};
+  for (std::size_t i = 0; i < deck_.measures.size(); ++i) {
+    const auto& [name, measure] = deck_.measures[i];
+    if (measured_[i] || (measure.at ? time < *measure.at : !at_end)) continue;
+    measured_[i] = true;
+    try {
+      const Real value = evaluate_measure(measure, source, measures_);
+      measures_.push_back({name, value, deck::unit_of(measure), measure.reference});
+    } catch (const std::exception& error) {
+      warnings_.push_back("measure '" + name + "': " + error.what());
+    }
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
+  progress_.finish();
+  scene.check(clock.time());
+  if (last_row_ != clock.time()) write_row(scene, clock);
+  if (last_frame_ != clock.time()) write_frame(scene, clock.time());
+  take_measures(scene, clock.time(), true);
+  if (history_) history_->flush();
+}
+
+template <int Dim>
+void Monitor<Dim>::write_last_frame(Scene<Dim>& scene, const Clock& clock) {
+  progress_.finish();
+  if (collector_ && last_frame_ != clock.time()) write_frame(scene, clock.time());
+  if (history_) history_->flush();
+}
+
+template class Monitor<2>;
+template class Monitor<3>;
+
+}  // namespace brunt

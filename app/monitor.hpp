@@ -1,0 +1,82 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/deck/deck.hpp"
+#include "app/history_columns.hpp"
+#include "app/measures.hpp"
+#include "app/progress.hpp"
+#include "app/time_loop.hpp"
+#include "io/history.hpp"
+
+namespace brunt {
+
+/// Where frames go: VTK files, or nowhere.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  virtual void write(Real time, const std::vector<BodyView>& bodies,
+                     const ContactView* contact) = 0;
+};
+
+/// Watches a run: history rows, frames, checks of the state and of the ledger, measures, stop
+/// conditions, progress. Reads the scene and changes nothing.
+template <int Dim>
+class Monitor final : public Observer<Dim> {
+ public:
+  /// history may be null, frames may be null; interrupted is asked after every step.
+  Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet,
+          std::function<bool()> interrupted);
+
+  void begin(Scene<Dim>& scene, Clock& clock) override;
+  void step_done(Scene<Dim>& scene, Clock& clock) override;
+  /// The last row and frame where they are not written yet, and the measures of the end.
+  void end(Scene<Dim>& scene, const Clock& clock);
+  /// A last frame after a failure; what does not work any more is left out.
+  void write_last_frame(Scene<Dim>& scene, const Clock& clock);
+
+  const std::vector<MeasureValue>& measures() const { return measures_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<std::string>& columns() const { return columns_; }
+  const std::vector<std::vector<Real>>& rows() const { return rows_; }
+  const std::vector<std::uint64_t>& hashes() const { return hashes_; }
+  Real worst_drift() const { return worst_drift_; }
+  const std::string& reason() const { return reason_; }  ///< why it stopped before its end
+  bool interrupted() const { return was_interrupted_; }
+
+ private:
+  void write_row(Scene<Dim>& scene, const Clock& clock);
+  void write_frame(Scene<Dim>& scene, Real time);
+  void check_stops(Scene<Dim>& scene, Clock& clock);
+  void take_measures(Scene<Dim>& scene, Real time, bool at_end);
+  Label label(const std::string& body) const;
+
+  const Deck& deck_;
+  HistoryWriter* history_;
+  FrameSink* frames_;
+  Progress progress_;
+  std::function<bool()> interrupted_;
+  std::unique_ptr<HistoryColumns<Dim>> collector_;
+  std::vector<std::string> body_names_;
+  std::vector<std::string> columns_;
+  std::vector<std::vector<Real>> rows_;
+  std::vector<std::uint64_t> hashes_;
+  std::map<std::string, BodyView> start_;
+  std::vector<MeasureValue> measures_;
+  std::vector<bool> measured_;
+  std::vector<std::string> warnings_;
+  std::string reason_;
+  Real history_every_, frame_every_;
+  std::int64_t rows_due_ = 0, frames_due_ = 0;
+  Real last_row_ = -1, last_frame_ = -1;
+  Real drift_ = 0, worst_drift_ = 0;
+  Real at_rest_since_ = -1;  // [s]; negative: it moves
+  Real start_center_ = 0;    // [m] of the body of stop.beyond
+  bool was_interrupted_ = false;
+};
+
+}  // namespace brunt

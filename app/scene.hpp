@@ -1,0 +1,49 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/loads.hpp"
+#include "app/phases.hpp"
+#include "app/supports.hpp"
+#include "contact/manager.hpp"
+#include "core/errors.hpp"
+#include "core/materials/material.hpp"
+#include "core/solid.hpp"
+
+namespace brunt {
+
+/// Everything that moves: groups of points with their blocks, contact, supports and loads.
+/// A scene holds only what its deck names.
+template <int Dim>
+struct Scene {
+  explicit Scene(Vec<Dim> at) : origin(at), supports(at) {}
+
+  Geometry geometry = Geometry::three_d;
+  Real depth = 1;                       ///< [m] plane strain
+  Vec<Dim> origin;                      ///< [m] positions are relative to it
+  std::vector<std::string> body_names;  ///< by label
+  std::vector<std::unique_ptr<Material>> materials;
+  std::vector<std::unique_ptr<Solid<Dim>>> solids;
+  std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
+  Supports<Dim> supports;
+  Loads<Dim> loads;
+  Phases phases;
+
+  /// The smallest vote of all, and whose.
+  StepVote stable_step(Real time, Real dt_last) const;
+  bool must_rearrange(Real dt) const;
+  /// The only place where lists change.
+  void rearrange();
+  /// Exact totals of all columns, bodies and the state hash; dt is that of the last step.
+  Totals<Dim> totals(Real dt) const;
+  /// Throws PhysicsError where a state is no longer a number or an element is inverted.
+  void check(Real time) const;
+  BodyView view(Label body) const;
+
+  std::size_t n_points() const;
+  std::size_t n_elements() const;
+  std::size_t n_particles() const;
+};
+
+}  // namespace brunt

@@ -1,0 +1,153 @@
+#include "app/supports.hpp"
+
+#include <utility>
+
+namespace brunt {
+
+namespace {
+template <int Dim>
+Vec3 absolute(const Vec<Dim>& x, const Vec<Dim>& origin) {
+  Vec3 place = Vec3::Zero();
+  place.template head<Dim>() = x + origin;
+  return place;
+}
+
+template <int Dim>
+bool acts(const Constraint<Dim>& constraint, Real time) {
+  return time >= constraint.from && time <= constraint.to;
+}
+}  // namespace
+
+template <int Dim>
+void Supports<Dim>::move_rigid(RigidSurfaces<Dim>& surfaces,
+                               std::vector<RigidMotion<Dim>> motions) {
+  auto& points = surfaces.points();
+  Rigid rigid{&points, std::move(motions), {}, {}, {}};
+  rigid.motions.push_back({});  // the last one: held
+  for (const Label body : points.body) {
+    std::size_t which = 0;
+    while (which + 1 < rigid.motions.size() && rigid.motions[which].body != body) ++which;
+    rigid.motion_of_point.push_back(which);
+  }
+  rigid.reaction.assign(points.x.size(), Vec<Dim>::Zero());
+  rigid.work.assign(points.x.size(), 0.0);
+  rigid_.push_back(std::move(rigid));
+}
+
+template <int Dim>
+void Supports<Dim>::constrain(Constraint<Dim> constraint) {
+  constraint.reaction.assign(constraint.chosen.size(), Vec<Dim>::Zero());
+  constraint.work.assign(constraint.chosen.size(), 0.0);
+  constraints_.push_back(std::move(constraint));
+}
+
+template <int Dim>
+void Supports<Dim>::start() {
+  for (auto& rigid : rigid_) {
+    for (std::size_t i = 0; i < rigid.motion_of_point.size(); ++i) {
+      const auto& motion = rigid.motions[rigid.motion_of_point[i]];
+      Vec3 arm = Vec3::Zero();
+      arm.template head<Dim>() = rigid.points->x_start[i] - motion.center;
+      rigid.points->v[i] =
+          motion.velocity + (motion.spin * motion.axis.cross(arm)).template head<Dim>();
+    }
+  }
+  for (auto& constraint : constraints_) {
+    if (!acts(constraint, 0)) continue;
+    for (const LocalIndex point : constraint.chosen) {
+      const auto i = static_cast<std::size_t>(point);
+      const Vec3 place = absolute<Dim>(constraint.points->x_start[i], origin_);
+      for (int c = 0; c < Dim; ++c) {
+        if (constraint.velocity[c])
+          constraint.points->v[i][c] = (*constraint.velocity[c])(0, place);
+      }
+    }
+  }
+}
+
+template <int Dim>
+void Supports<Dim>::impose(Real time, Real dt) {
+  for (auto& rigid : rigid_) impose_rigid(rigid, time, dt);
+  for (auto& constraint : constraints_) {
+    if (acts(constraint, time)) impose_constraint(constraint, time, dt);
+  }
+}
+
+template <int Dim>
+void Supports<Dim>::impose_rigid(Rigid& rigid, Real time, Real dt) {
+  auto& points = *rigid.points;
+#pragma omp parallel for schedule(static)
+  for (LocalIndex point = 0; point < points.n_owned; ++point) {
+    const auto i = static_cast<std::size_t>(point);
+    const auto& motion = rigid.motions[rigid.motion_of_point[i]];
+    const Vec<Dim> now = motion.position(points.x_start[i], time);
+    const Vec<Dim> before = motion.position(points.x_start[i], time - dt);
+    points.x[i] = now;
+    points.v[i] = (now - before) / dt;
+  }
+}
+
+template <int Dim>
+void Supports<Dim>::impose_constraint(Constraint<Dim>& constraint, Real time, Real dt) {
+  auto& points = *constraint.points;
+  for (std::size_t k = 0; k < constraint.chosen.size(); ++k) {
+    const auto i = static_cast<std::size_t>(constraint.chosen[k]);
+    const Vec3 place = absolute<Dim>(points.x_start[i], origin_);
+    for (int c = 0; c < Dim; ++c) {
+      if (!constraint.velocity[c]) continue;
+      const Real old = points.a[i][c];
+      const Real v_start = points.v[i][c] - 0.5 * dt * old;
+      const Real x_start = points.x[i][c] - dt * points.v[i][c];
+      const Real v_half = (*constraint.velocity[c])(time - 0.5 * dt, place);
+      const Real needed = 2 * (v_half - v_start) / dt;
+      constraint.reaction[k][c] += points.mass[i] * (needed - old);
+      points.integration[i] += dt * dt / 8 * points.mass[i] * (needed * needed - old * old);
+      points.a[i][c] = needed;
+      points.v[i][c] = v_half;
+      points.x[i][c] = x_start + dt * v_half;
+    }
+  }
+}
+
+template <int Dim>
+void Supports<Dim>::take_reactions(Real time, Real dt) {
+  for (auto& rigid : rigid_) {
+    for (std::size_t i = 0; i < rigid.work.size(); ++i) {
+      const Vec<Dim> reaction = -rigid.points->f[i];
+      rigid.work[i] += 0.5 * dt * rigid.points->v[i].dot(rigid.reaction[i] + reaction);
+      rigid.reaction[i] = reaction;
+    }
+  }
+  for (auto& constraint : constraints_) {
+    auto& points = *constraint.points;
+    for (std::size_t k = 0; k < constraint.chosen.size(); ++k) {
+      const auto i = static_cast<std::size_t>(constraint.chosen[k]);
+      const Vec3 place = absolute<Dim>(points.x_start[i], origin_);
+      Vec<Dim> reaction = Vec<Dim>::Zero();
+      for (int c = 0; c < Dim && acts(constraint, time); ++c) {
+        if (!constraint.velocity[c]) continue;
+        const Real v_end = (*constraint.velocity[c])(time, place);
+        const Real needed = 2 * (v_end - points.v[i][c]) / dt;
+        reaction[c] = points.mass[i] * needed - points.f[i][c];
+        points.f[i][c] = points.mass[i] * needed;
+      }
+      constraint.work[k] += 0.5 * dt * points.v[i].dot(constraint.reaction[k] + reaction);
+      constraint.reaction[k] = reaction;
+    }
+  }
+}
+
+template <int Dim>
+void Supports<Dim>::add_totals(Totals<Dim>& totals) const {
+  for (const auto& rigid : rigid_) {
+    for (const Real work : rigid.work) totals.add(Column::boundary, -work);
+  }
+  for (const auto& constraint : constraints_) {
+    for (const Real work : constraint.work) totals.add(Column::boundary, -work);
+  }
+}
+
+template class Supports<2>;
+template class Supports<3>;
+
+}  // namespace brunt

@@ -1,0 +1,63 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/ledger.hpp"
+#include "core/rigid/rigid_surfaces.hpp"
+
+namespace brunt {
+
+/// Velocity of one component as a function of time and of the place at time 0 (absolute).
+using PrescribedVelocity = std::function<Real(Real t, const Vec3& start)>;
+
+/// One boundary condition that prescribes velocity components of chosen points with mass.
+template <int Dim>
+struct Constraint {
+  std::string name;
+  Points<Dim>* points = nullptr;
+  std::vector<LocalIndex> chosen;
+  std::array<std::optional<PrescribedVelocity>, Dim> velocity;  ///< empty: the component is free
+  Real from = 0, to = kInfinity;                                ///< [s] when it acts
+  std::vector<Vec<Dim>> reaction;                               ///< [N] at the last full step
+  std::vector<Real> work;                                       ///< [J] done on the scene
+};
+
+/// All that holds points or moves them as told, and the work that this takes.
+template <int Dim>
+class Supports {
+ public:
+  explicit Supports(Vec<Dim> origin) : origin_(std::move(origin)) {}
+  void move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions);
+  void constrain(Constraint<Dim> constraint);
+
+  /// Gives constrained points their velocities at time 0, before the first energy is taken.
+  void start();
+  /// After predict: overrides x and v of held, moving and rigid points; time is that of the end of
+  /// the step. The acceleration at its start becomes the one that makes the prescribed velocity.
+  void impose(Real time, Real dt);
+  /// After all forces: takes what held points carry; books 1/2 (R(n) + R(n+1)).dx.
+  void take_reactions(Real time, Real dt);
+  /// Column boundary: minus the work done on the scene.
+  void add_totals(Totals<Dim>& totals) const;
+  const std::vector<Constraint<Dim>>& constraints() const { return constraints_; }
+
+ private:
+  struct Rigid {
+    Points<Dim>* points;
+    std::vector<RigidMotion<Dim>> motions;  // by label; absent: held
+    std::vector<std::size_t> motion_of_point;
+    std::vector<Vec<Dim>> reaction;
+    std::vector<Real> work;
+  };
+  void impose_rigid(Rigid& rigid, Real time, Real dt);
+  void impose_constraint(Constraint<Dim>& constraint, Real time, Real dt);
+
+  Vec<Dim> origin_;
+  std::vector<Rigid> rigid_;
+  std::vector<Constraint<Dim>> constraints_;
+};
+
+}  // namespace brunt

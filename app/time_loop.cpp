@@ -1,0 +1,68 @@
+#include "app/time_loop.hpp"
+
+#include "app/verlet.hpp"
+
+namespace brunt {
+
+namespace {
+template <int Dim>
+Real choose_step(Scene<Dim>& scene, Clock& clock, Real min_step) {
+  const PhaseTimer timer(scene.phases, Phase::step_bound);
+  const StepVote vote = scene.stable_step(clock.time(), clock.dt());
+  // A vote that is not a number fails this comparison too.
+  if (!(vote.step >= min_step)) {
+    throw PhysicsError(
+        {clock.time(), scene.body_names.empty() ? "" : scene.body_names[vote.body],
+         std::string(vote.reason) + " " + std::to_string(vote.entity), "stable step [s]", vote.step,
+         "the step collapsed below time.min_step: an element or particle is crushed; "
+         "refine or soften the contact there, or change its formulation"});
+  }
+  return clock.limit(vote);
+}
+}  // namespace
+
+template <int Dim>
+void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer) {
+  scene.supports.start();
+  scene.rearrange();
+  observer.begin(scene, clock);
+  while (!clock.finished()) {
+    const Real dt = choose_step(scene, clock, min_step);
+    if (scene.must_rearrange(dt)) {
+      const PhaseTimer timer(scene.phases, Phase::search);
+      scene.rearrange();
+    }
+    {
+      const PhaseTimer timer(scene.phases, Phase::points);
+      for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
+      scene.supports.impose(clock.time() + dt, dt);
+    }
+    for (auto& solid : scene.solids) {
+      const PhaseTimer timer(scene.phases,
+                             solid->n_particles() ? Phase::particles : Phase::elements);
+      solid->update_state(dt);
+    }
+    if (scene.contact) {
+      const PhaseTimer timer(scene.phases, Phase::contact);
+      scene.contact->add_forces(dt);
+    }
+    for (auto& solid : scene.solids) {
+      const PhaseTimer timer(scene.phases,
+                             solid->n_particles() ? Phase::particles : Phase::elements);
+      solid->add_internal_forces(dt);
+    }
+    {
+      const PhaseTimer timer(scene.phases, Phase::points);
+      if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
+      scene.supports.take_reactions(clock.time() + dt, dt);
+      for (auto& solid : scene.solids) correct(solid->points(), dt);
+    }
+    clock.advance(dt);
+    observer.step_done(scene, clock);
+  }
+}
+
+template void run_time_loop<2>(Scene<2>&, Clock&, Real, Observer<2>&);
+template void run_time_loop<3>(Scene<3>&, Clock&, Real, Observer<3>&);
+
+}  // namespace brunt

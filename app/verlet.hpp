@@ -1,0 +1,16 @@
+#pragma once
+#include "core/points.hpp"
+
+namespace brunt {
+
+/// First half of velocity Verlet: v += dt/2 a, x += dt v, f = 0 (Swope et al. 1982).
+/// Books to each point what a changed step leaves in m v(n-1/2).v(n+1/2)/2:
+/// (dt^2 - dt_last^2) m a^2 / 8 [J] (physics.md D).
+template <int Dim>
+void predict(Points<Dim>& points, Real dt, Real dt_last);
+
+/// Second half: a = f/m, v += dt/2 a. Points without mass keep their velocity.
+template <int Dim>
+void correct(Points<Dim>& points, Real dt);
+
+}  // namespace brunt

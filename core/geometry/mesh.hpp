@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry/shape.hpp"
+#include "core/surface.hpp"
+
+namespace brunt {
+
+/// Elements of one body, absolute coordinates. Hexes: bottom 0-3, top 4-7; quads counter-clockwise;
+/// volumes are positive.
+template <int Dim>
+struct Mesh {
+  std::vector<Vec<Dim>> nodes;  ///< [m]
+  std::vector<std::array<int, 1 << Dim>> elements;
+  std::vector<Label> piece;              ///< of each element, from 0
+  std::vector<std::string> piece_names;  ///< "" for the one piece of a plain body
+};
+
+/// Facets of one rigid body, normals outward; the fourth node of a triangle is -1.
+template <int Dim>
+struct FacetMesh {
+  std::vector<Vec<Dim>> nodes;  ///< [m]
+  std::vector<std::array<int, Facet<Dim>::kNodes>> facets;
+};
+
+/// Particles of one body.
+template <int Dim>
+struct Filling {
+  std::vector<Vec<Dim>> points;  ///< [m] centres
+  std::vector<Label> piece;
+  std::vector<std::string> piece_names;
+  Real volume = 0;  ///< [m^Dim] of the shape itself, so that the mass can be exact
+};
+
+/// Element size along each axis of the shape, or numbers of cells. Round shapes take the first for
+/// their radius and the last for their axis.
+struct Sizing {
+  std::optional<std::vector<Real>> size;  ///< [m]: the next whole number of cells
+  std::optional<std::vector<int>> cells;
+
+  /// Cells along axis c of a shape that is `length` [m] long there. Throws std::invalid_argument
+  /// where neither size nor cells is given.
+  int count(std::size_t c, Real length) const;
+};
+
+enum class LatticeKind : int { cubic, hexagonal };
+
+/// Meshes a shape that deforms. Throws std::invalid_argument with what is wrong and what would do.
+template <int Dim>
+Mesh<Dim> mesh_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry);
+
+/// The surface of a shape that is rigid.
+template <int Dim>
+FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry);
+
+/// Fills a shape with particles of the given spacing [m], an axis each.
+template <int Dim>
+Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing, LatticeKind lattice);
+
+/// Outer faces of a mesh: those that exactly one element has, normals outward.
+template <int Dim>
+std::vector<std::array<int, Facet<Dim>::kNodes>> outer_faces(const Mesh<Dim>& mesh);
+
+}  // namespace brunt

@@ -1,0 +1,33 @@
+#pragma once
+/// The list of models. A new one: its file, its name in a list here, and make_* in catalog.cpp if
+/// radial return does not serve it.
+#include <variant>
+
+#include "core/materials/elastic.hpp"
+#include "core/materials/eos_linear.hpp"
+#include "core/materials/j2.hpp"
+#include "core/materials/johnson_cook.hpp"
+#include "core/materials/mie_gruneisen.hpp"
+#include "core/materials/radial_return.hpp"
+
+namespace brunt {
+
+/// The deck's `strength` and `eos`, in the order of the manual; the first is the default.
+using StrengthLaw = std::variant<NoStrength, J2, JohnsonCook>;
+using EosLaw = std::variant<LinearEos, MieGruneisen>;
+
+std::unique_ptr<Strength> make_strength(const NoStrength& law, const StrengthInputs& inputs);
+std::unique_ptr<Strength> make_strength(const J2& law, const StrengthInputs& inputs);
+std::unique_ptr<Strength> make_strength(const JohnsonCook& law, const StrengthInputs& inputs);
+std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs);
+
+/// What an equation of state takes from its material.
+struct EosInputs {
+  Real density = 0;  ///< [kg/m^3] rho0
+  Real bulk = 0;     ///< [Pa] K of the elastic constants; laws with a sound speed have their own
+};
+std::unique_ptr<EquationOfState> make_eos(const LinearEos& law, const EosInputs& inputs);
+std::unique_ptr<EquationOfState> make_eos(const MieGruneisen& law, const EosInputs& inputs);
+std::unique_ptr<EquationOfState> make_eos(const EosLaw& law, const EosInputs& inputs);
+
+}  // namespace brunt

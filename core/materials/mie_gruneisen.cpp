@@ -1,0 +1,35 @@
+#include "core/materials/mie_gruneisen.hpp"
+
+namespace brunt {
+
+namespace {
+constexpr Real kLargest = 0.95;  // of s eta, and of eta
+}  // namespace
+
+MieGruneisenEquation::MieGruneisenEquation(const MieGruneisen& law, Real density)
+    : law_(law),
+      bulk_(density * law.c0 * law.c0),
+      densest_ratio_(1.0 - kLargest / vmax(law.s, 1.0)) {}
+
+void MieGruneisenEquation::update(MaterialTile& tile, const Real* deviatoric_work) const {
+  for (int i = 0; i < tile.count; i += kLanes) {
+    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    Real* pressure = tile.state->pressure.data() + at;
+    Real* energy = tile.state->energy.data() + at;
+    const Pack ratio = load(tile.ratio + i), change = ratio - load(tile.ratio_old + i);
+    const ColdPressure<Pack> cold = cold_pressure(ratio);
+    const Pack known = load(energy) + load(deviatoric_work + i) + load(tile.viscous_work + i) -
+                       (0.5 * load(pressure)) * change;
+    const Pack e = (known - (0.5 * cold.pressure) * change) / (1.0 + (0.5 * law_.gamma0) * change);
+    const Pack p = cold.pressure + law_.gamma0 * e;
+    store(energy, e);
+    store(pressure, p);
+    // rho c^2 = rho (dp/drho)_e + (p/rho) (dp/de)_rho. In tension the second part is negative and
+    // could swallow the first: there it counts as 0, on the safe side of the time step.
+    const Pack thermal = law_.gamma0 * vmax(p, Pack{});
+    const Pack held = vmax(ratio, broadcast<Pack>(densest_ratio_));
+    store(tile.state->bulk.data() + at, held * (cold.slope + thermal));
+  }
+}
+
+}  // namespace brunt

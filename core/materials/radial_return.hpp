@@ -1,0 +1,247 @@
+#pragma once
+/// Radial return (Wilkins 1964; Krieg & Krieg 1977) of a law sigma_y(eps_p, rate, T), over tiles.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/materials/elastic.hpp"
+#include "core/materials/law.hpp"
+#include "core/materials/material.hpp"
+
+namespace brunt {
+
+/// What a strength takes from its material.
+struct StrengthInputs {
+  Real shear = 0;           ///< [Pa] G
+  Real heat_capacity = 0;   ///< [J/m^3/K reference] rho0 c_p; 0: plastic work heats nothing
+  Real taylor_quinney = 0;  ///< [1] part of plastic work that becomes heat
+};
+
+/// The unknown of one point's return, the increment of eps_p, between its brackets.
+template <class V>
+struct ReturnPoint {
+  V q_trial, q_old;     ///< [Pa] equivalent stress of the trial; old flow stress, for the heating
+  V temperature;        ///< [K] before the step
+  V heating;            ///< [K/Pa] temperature per mean flow stress and plastic strain
+  V step;               ///< [1] length of the last step
+  V increment, lo, hi;  ///< [1] of eps_p
+  decltype(V{} < V{}) active;  ///< where it has not converged
+};
+
+inline constexpr int kNewtonOnly = 8;  ///< iterations after which a step must halve the last one
+
+/// Between the brackets, by ratio where they are far apart.
+template <class V>
+BRUNT_INLINE V middle(V lo, V hi) {
+  const V geometric = vsqrt(vmax(lo, hi * 1e-4)) * vsqrt(hi);
+  return select(4.0 * lo < hi, geometric, 0.5 * (lo + hi));
+}
+
+/// One safeguarded Newton step of g(d) = q_trial - 3 G d - sigma_y(eps_p + d, d/dt, T + dT(d)) = 0,
+/// dT = heating (q_old + q_trial - 3 G d)/2 d. A point that has converged is frozen: what its
+/// neighbours in the pack need does not change it. Late steps that do not shrink are replaced, so
+/// that a corner of g (at rate_ref, at melting) cannot keep Newton going to and fro.
+/// iteration  from 0
+template <class V, class NearLaw>
+BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear, Real inverse_dt,
+                              int iteration) {
+  const V d = p.increment;
+  const V stress = p.q_trial - (3.0 * shear) * d;
+  const V both = p.q_old + stress;
+  const auto flow = law.at(d, d * inverse_dt, p.temperature + (0.5 * p.heating) * (both * d));
+  const V d_temperature = (0.5 * p.heating) * (both - (3.0 * shear) * d);
+  const V g = stress - flow.value;
+  const V slope =
+      (-3.0 * shear - flow.d_eps_p) - flow.d_rate * inverse_dt - flow.d_temperature * d_temperature;
+  const auto right = 0.0 < g;  // the root is at a larger increment
+  p.lo = select(right, d, p.lo);
+  p.hi = select(right, p.hi, d);
+  const V newton = d - g / slope;
+  const V longest = iteration < kNewtonOnly ? broadcast<V>(kInfinity) : 0.5 * p.step;
+  const auto good = (p.lo <= newton) & (newton <= p.hi) & (vabs(newton - d) <= longest);
+  V next = newton;
+  if (any(!good)) next = select(good, newton, middle(p.lo, p.hi));
+  // Newton converges as the square: a step of 1e-5 leaves an error of 1e-10 at the most.
+  // An increment below 1e-30 is none: the point has only just reached its yield stress.
+  const auto exact = vabs(g) <= 1e-14 * p.q_trial;
+  const auto converged = exact | (good & (vabs(next - d) <= 1e-5 * d)) |
+                         (p.hi - p.lo <= 1e-14 * p.hi) | (p.hi <= 1e-30);
+  next = select(p.active & !exact, next, d);
+  p.step = vabs(next - d);
+  p.increment = next;
+  p.active = p.active & !converged;
+}
+
+/// Strength that follows a law by radial return. V: the width of its arithmetic; the bits of a
+/// point do not depend on it.
+template <FlowLaw Law, class V = Pack>
+class RadialReturn final : public Strength {
+ public:
+  RadialReturn(Law law, const StrengthInputs& inputs) : law_(std::move(law)), inputs_(inputs) {}
+
+  void update(MaterialTile& tile, Real dt) const override {
+    const Real inverse_dt = dt > 0 ? 1.0 / dt : 0.0;
+    Candidates candidates;
+    for (int i = 0; i < tile.count; i += kStep) trial(tile, i, candidates);
+    if (candidates.count == 0) return;
+    Returned returned;
+    solve(candidates, inverse_dt, returned);
+    for (int i = 0; i < tile.count; i += kStep) finish(tile, i, inverse_dt, returned);
+  }
+  bool yields() const override { return true; }
+  bool needs_temperature() const override { return law_.needs_temperature(); }
+
+ private:
+  static constexpr int kStep = lanes_of<V>;
+  static constexpr int kMaxIterations = 50;
+  using Near = decltype(std::declval<const Law&>().near(V{}, V{}));
+
+  /// Points of a tile that may yield, side by side; fields as in ReturnPoint.
+  struct Candidates {
+    int count = 0;
+    int point[kTile];  ///< index within the tile
+    alignas(32) Real q_trial[kTile], q_old[kTile], eps_p[kTile], temperature[kTile], heating[kTile];
+  };
+  /// What the return leaves at each point of a tile; the identity where it does not yield.
+  struct Returned {
+    alignas(32) Real scale[kTile];      ///< [1] factor of the trial deviator
+    alignas(32) Real increment[kTile];  ///< [1] of eps_p
+    alignas(32) Real work[kTile];       ///< [Pa] plastic work per current volume
+    Returned() {
+      std::fill_n(scale, kTile, 1.0);
+      std::fill_n(increment, kTile, 0.0);
+      std::fill_n(work, kTile, 0.0);
+    }
+  };
+
+  /// Heat [J/m^3 reference] per plastic work of the current volume [J/m^3].
+  static V heat_factor(const MaterialTile& tile, int i, Real taylor_quinney) {
+    return (0.5 * taylor_quinney) * (load_as<V>(tile.ratio_old + i) + load_as<V>(tile.ratio + i));
+  }
+  bool heats(const MaterialTile& tile) const {
+    return !tile.state->heat.empty() && inputs_.heat_capacity > 0;
+  }
+
+  void trial(MaterialTile& tile, int i, Candidates& candidates) const;
+  void solve(Candidates& candidates, Real inverse_dt, Returned& returned) const;
+  void finish(MaterialTile& tile, int i, Real inverse_dt, const Returned& returned) const;
+
+  Law law_;
+  StrengthInputs inputs_;
+};
+
+/// Elastic trial of kStep points; puts those above the law's floor among the candidates.
+template <FlowLaw Law, class V>
+void RadialReturn<Law, V>::trial(MaterialTile& tile, int i, Candidates& candidates) const {
+  MaterialState& state = *tile.state;
+  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const V third = (load_as<V>(tile.strain[xx] + i) + load_as<V>(tile.strain[yy] + i) +
+                   load_as<V>(tile.strain[zz] + i)) *
+                  (1.0 / 3.0);
+  V old_square = broadcast<V>(0.0), square = old_square;
+  for (std::size_t c = 0; c < 6; ++c) {
+    Real* place = state.deviator[c].data() + at;
+    const V old = load_as<V>(place), strain = load_as<V>(tile.strain[c] + i);
+    const V stress = trial_stress(old, strain, c < 3 ? third : V{}, inputs_.shear);
+    store(place, stress);
+    const Real weight = c < 3 ? 1.5 : 3.0;
+    old_square = old_square + weight * (old * old);
+    square = square + weight * (stress * stress);
+  }
+  store(state.strain_rate.data() + at, broadcast<V>(0.0));
+  const V eps_p = load_as<V>(state.eps_p.data() + at);
+  const V T = state.temperature.empty() ? broadcast<V>(tile.fixed_temperature)
+                                        : load_as<V>(state.temperature.data() + at);
+  const V q_trial = vsqrt(square);
+  const auto may_yield = law_.static_floor(eps_p, T) < q_trial;
+  if (!any(may_yield)) return;
+  const V q_old = vsqrt(old_square);
+  V heating = broadcast<V>(0.0);
+  if (heats(tile)) {
+    heating = heat_factor(tile, i, inputs_.taylor_quinney) * (1.0 / inputs_.heat_capacity);
+  }
+  for (int lane = 0; lane < kStep; ++lane) {
+    if (!lane_of(may_yield, lane)) continue;
+    const int n = candidates.count++;
+    candidates.point[n] = i + lane;
+    candidates.q_trial[n] = lane_of(q_trial, lane);
+    candidates.q_old[n] = lane_of(q_old, lane);
+    candidates.eps_p[n] = lane_of(eps_p, lane);
+    candidates.temperature[n] = lane_of(T, lane);
+    candidates.heating[n] = lane_of(heating, lane);
+  }
+}
+
+/// Finds the increments of all candidates. Packs take turns, so that their chains overlap.
+template <FlowLaw Law, class V>
+void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& returned) const {
+  const Real shear = inputs_.shear;
+  int n = c.count;
+  for (; n % kStep != 0; ++n) {  // fills the last pack up with copies of its last point
+    c.q_trial[n] = c.q_trial[n - 1], c.q_old[n] = c.q_old[n - 1], c.eps_p[n] = c.eps_p[n - 1];
+    c.temperature[n] = c.temperature[n - 1], c.heating[n] = c.heating[n - 1];
+  }
+  std::array<ReturnPoint<V>, kTile / kStep> points;
+  std::array<Near, kTile / kStep> laws;
+  const int packs = n / kStep;
+  for (int k = 0; k < packs; ++k) {
+    const int i = k * kStep;
+    ReturnPoint<V>& p = points[static_cast<std::size_t>(k)];
+    p.q_trial = load_as<V>(c.q_trial + i);
+    p.temperature = load_as<V>(c.temperature + i);
+    p.heating = load_as<V>(c.heating + i);
+    const Near near = law_.near(load_as<V>(c.eps_p + i), p.temperature);
+    laws[static_cast<std::size_t>(k)] = near;
+    const V yield = near.static_stress();
+    p.q_old = vmax(load_as<V>(c.q_old + i), yield);
+    p.lo = p.step = broadcast<V>(0.0);
+    p.hi = p.q_trial * (1.0 / (3.0 * shear));
+    const V slope = vmin(near.hardening(), broadcast<V>(3.0 * shear));  // infinite where eps_p is 0
+    p.increment = (p.q_trial - p.q_old) / (3.0 * shear + slope);
+    p.increment = vmin(vmax(p.increment, 1e-7 * p.hi), 0.999 * p.hi);
+    p.active = yield < p.q_trial;
+    p.increment = select(p.active, p.increment, broadcast<V>(0.0));
+  }
+  bool busy = true;
+  for (int iteration = 0; busy && iteration < kMaxIterations; ++iteration) {
+    busy = false;
+    for (int k = 0; k < packs; ++k) {
+      ReturnPoint<V>& p = points[static_cast<std::size_t>(k)];
+      if (!any(p.active)) continue;
+      newton_step(p, laws[static_cast<std::size_t>(k)], shear, inverse_dt, iteration);
+      busy = busy || any(p.active);
+    }
+  }
+  for (int i = 0; i < c.count; ++i) {
+    const ReturnPoint<V>& p = points[static_cast<std::size_t>(i / kStep)];
+    const Real q_trial = lane_of(p.q_trial, i % kStep), d = lane_of(p.increment, i % kStep);
+    if (d == 0) continue;
+    const Real q = vmax(q_trial - 3.0 * shear * d, 0.0);
+    returned.scale[c.point[i]] = q / q_trial;
+    returned.increment[c.point[i]] = d;
+    returned.work[c.point[i]] = 0.5 * (lane_of(p.q_old, i % kStep) + q) * d;
+  }
+}
+
+/// Brings what the return found into the state of kStep points.
+template <FlowLaw Law, class V>
+void RadialReturn<Law, V>::finish(MaterialTile& tile, int i, Real inverse_dt,
+                                  const Returned& returned) const {
+  MaterialState& state = *tile.state;
+  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const V scale = load_as<V>(returned.scale + i), increment = load_as<V>(returned.increment + i);
+  for (auto& component : state.deviator) {
+    store(component.data() + at, load_as<V>(component.data() + at) * scale);
+  }
+  store(state.eps_p.data() + at, load_as<V>(state.eps_p.data() + at) + increment);
+  store(state.strain_rate.data() + at, increment * inverse_dt);
+  if (state.heat.empty()) return;
+  const V heat = heat_factor(tile, i, inputs_.taylor_quinney) * load_as<V>(returned.work + i);
+  store(state.heat.data() + at, load_as<V>(state.heat.data() + at) + heat);
+  if (tile.adiabatic && heats(tile) && !state.temperature.empty()) {
+    const V rise = heat * (1.0 / inputs_.heat_capacity);
+    store(state.temperature.data() + at, load_as<V>(state.temperature.data() + at) + rise);
+  }
+}
+
+}  // namespace brunt

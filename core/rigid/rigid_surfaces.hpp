@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/solid.hpp"
+
+namespace brunt {
+
+/// How a rigid body moves: it is held where both are zero.
+template <int Dim>
+struct RigidMotion {
+  Label body = 0;
+  Vec<Dim> velocity = Vec<Dim>::Zero();  ///< [m/s] of the centre of the spin
+  Vec3 axis = Vec3::UnitZ();             ///< unit vector; in 2D out of the plane
+  Real spin = 0;                         ///< [rad/s] about the axis
+  Vec<Dim> center = Vec<Dim>::Zero();    ///< [m] at time 0
+
+  /// Position at time t of a point that was at `start` at time 0.
+  Vec<Dim> position(const Vec<Dim>& start, Real t) const;
+};
+
+/// The group of all rigid surfaces: points without mass that move as told, and their facets.
+/// It updates no elements and votes no step.
+template <int Dim>
+class RigidSurfaces final : public Solid<Dim> {
+ public:
+  /// Points of all rigid bodies, at time 0, with their facets (stiffness 0).
+  RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets);
+  RigidSurfaces(const RigidSurfaces&) = delete;
+  RigidSurfaces& operator=(const RigidSurfaces&) = delete;
+
+  Points<Dim>& points() override { return points_; }
+  const Points<Dim>& points() const override { return points_; }
+  Surface<Dim>& surface() override { return surface_; }
+  void update_state(Real) override {}
+  void add_internal_forces(Real) override {}
+  StepVote stable_step() const override { return {}; }
+  bool must_rearrange(Real) const override { return false; }
+  void rearrange() override {}
+  void add_totals(Totals<Dim>&) const override {}
+  void check(Real, const std::vector<std::string>&) const override {}
+  BodyView view(Label body) const override;
+  std::size_t n_elements() const override { return 0; }
+  std::size_t n_particles() const override { return 0; }
+
+ private:
+  Points<Dim> points_;
+  Surface<Dim> surface_;
+};
+
+}  // namespace brunt

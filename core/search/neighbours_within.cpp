@@ -1,0 +1,278 @@
+#include <algorithm>
+
+#include "core/search/cell_grid.hpp"
+#include "core/search/search.hpp"
+#include "core/simd.hpp"
+
+namespace brunt {
+
+namespace {
+
+template <int Dim>
+struct PointQuery {
+  std::span<const Vec<Dim>> x;  ///< [m]
+  std::span<const Real> reach;  ///< [m]
+  std::span<const Label> label;
+  Real skin;  ///< [m]
+};
+
+/// The one expression that decides, in both modes: symmetric in i and j to the last bit.
+template <int Dim>
+BRUNT_INLINE bool within(const std::array<Real, Dim>& d, Real reach_i, Real reach_j, Real skin) {
+  Real square = d[0] * d[0];
+  for (int c = 1; c < Dim; ++c) square = square + d[c] * d[c];
+  const Real limit = (reach_i + reach_j) + skin;
+  return square <= limit * limit;
+}
+
+template <int Dim>
+bool are_neighbours(const PointQuery<Dim>& q, LocalIndex i, LocalIndex j) {
+  std::array<Real, Dim> d;
+  for (int c = 0; c < Dim; ++c) d[c] = q.x[j][c] - q.x[i][c];
+  return q.label[i] == q.label[j] && within<Dim>(d, q.reach[i], q.reach[j], q.skin);
+}
+
+/// Bounds of the points of one cell. The gap between two such boxes is computed as the distance of
+/// two points is: rounding is monotone, so no pair within reach is ever passed over.
+template <int Dim>
+struct Bounds {
+  std::array<Real, Dim> lo, hi;  ///< [m]
+  Real reach = 0;                ///< [m] largest
+
+  bool may_hold_neighbours_of(const Bounds& other, Real skin) const {
+    std::array<Real, Dim> gap;
+    for (int c = 0; c < Dim; ++c) {
+      gap[c] = std::max(0.0, std::max(other.lo[c] - hi[c], lo[c] - other.hi[c]));
+    }
+    return within<Dim>(gap, reach, other.reach, skin);
+  }
+};
+
+template <int Dim>
+Bounds<Dim> bounds_of(const PointQuery<Dim>& q, std::span<const LocalIndex> points) {
+  Bounds<Dim> b;
+  b.lo.fill(kInfinity);
+  b.hi.fill(-kInfinity);
+  for (const LocalIndex i : points) {
+    for (int c = 0; c < Dim; ++c) {
+      b.lo[c] = std::min(b.lo[c], q.x[i][c]);
+      b.hi[c] = std::max(b.hi[c], q.x[i][c]);
+    }
+    b.reach = std::max(b.reach, q.reach[i]);
+  }
+  return b;
+}
+
+/// Everything a cell's points are compared with, side by side for the vector loop.
+template <int Dim>
+struct Candidates {
+  std::array<std::vector<Real>, Dim> x;  ///< [m]
+  std::vector<Real> reach;               ///< [m]
+  std::vector<Real> label;
+  std::vector<LocalIndex> index;
+  std::vector<std::int64_t> accepted;
+  std::vector<LocalIndex> row;
+  std::size_t n = 0;
+
+  void clear() { n = 0; }
+  void append(const PointQuery<Dim>& q, std::span<const LocalIndex> points) {
+    const std::size_t total = n + points.size();
+    if (total > index.size()) grow(2 * total);
+    for (const LocalIndex j : points) {
+      for (int c = 0; c < Dim; ++c) x[c][n] = q.x[j][c];
+      reach[n] = q.reach[j];
+      label[n] = static_cast<Real>(q.label[j]);
+      index[n] = j;
+      ++n;
+    }
+  }
+
+ private:
+  void grow(std::size_t size) {
+    for (auto& component : x) component.resize(size);
+    reach.resize(size);
+    label.resize(size);
+    index.resize(size);
+    accepted.resize(size);
+    row.resize(size);
+  }
+};
+
+/// Writes the row of point i, unsorted, into candidates.row; returns its length.
+template <int Dim>
+std::size_t select_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candidates) {
+  std::array<Real, Dim> x_i;
+  std::array<const Real*, Dim> x;
+  for (int c = 0; c < Dim; ++c) {
+    x_i[c] = q.x[i][c];
+    x[c] = candidates.x[c].data();
+  }
+  const Real reach_i = q.reach[i], skin = q.skin;
+  const auto label_i = static_cast<Real>(q.label[i]);
+  const Real* reach = candidates.reach.data();
+  const Real* label = candidates.label.data();
+  std::int64_t* accepted = candidates.accepted.data();
+  const std::size_t n = candidates.n;
+#pragma omp simd
+  for (std::size_t k = 0; k < n; ++k) {
+    std::array<Real, Dim> d;
+    for (int c = 0; c < Dim; ++c) d[c] = x[c][k] - x_i[c];
+    accepted[k] = (within<Dim>(d, reach_i, reach[k], skin) & (label[k] == label_i)) ? 1 : 0;
+  }
+  const LocalIndex* index = candidates.index.data();
+  LocalIndex* row = candidates.row.data();
+  std::size_t length = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    row[length] = index[k];
+    length += static_cast<std::size_t>(accepted[k] & std::int64_t{index[k] != i});
+  }
+  return length;
+}
+
+/// Sorts distinct numbers by counting for each how many are smaller: no branch to mispredict.
+void sort_row(const LocalIndex* row, std::size_t n, LocalIndex* out) {
+  constexpr std::size_t kMost = 160;
+  if (n > kMost) {
+    std::copy(row, row + n, out);
+    std::sort(out, out + n);
+    return;
+  }
+  constexpr std::size_t kBlock = 32;
+  std::array<LocalIndex, kMost> value, rank{};
+  std::copy(row, row + n, value.begin());
+  std::fill(value.begin() + static_cast<std::ptrdiff_t>(n), value.end(), 0);
+  for (std::size_t begin = 0; begin < n; begin += kBlock) {
+    std::array<LocalIndex, kBlock> smaller{};
+    for (std::size_t m = 0; m < n; ++m) {
+      const LocalIndex pivot = row[m];
+#pragma omp simd
+      for (std::size_t k = 0; k < kBlock; ++k) smaller[k] += pivot < value[begin + k] ? 1 : 0;
+    }
+    std::copy(smaller.begin(), smaller.end(), rank.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+  for (std::size_t k = 0; k < n; ++k) out[rank[k]] = value[k];
+}
+
+/// Rows of a run of cells, one after the other, in the order of the cells' points.
+struct RowChunk {
+  std::vector<LocalIndex> points;
+  std::vector<LocalIndex> neighbours;
+};
+
+template <int Dim>
+void append_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candidates,
+                std::span<std::int64_t> count, RowChunk& chunk) {
+  const std::size_t length = select_row(q, i, candidates);
+  const std::size_t before = chunk.neighbours.size();
+  chunk.neighbours.resize(before + length);
+  sort_row(candidates.row.data(), length, chunk.neighbours.data() + before);
+  chunk.points.push_back(i);
+  count[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(length);
+}
+
+/// Rows of all points of a cell: its surroundings are gathered once.
+template <int Dim>
+void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
+                         std::span<const Bounds<Dim>> bounds, LocalIndex cell,
+                         Candidates<Dim>& candidates, std::span<std::int64_t> count,
+                         RowChunk& chunk) {
+  candidates.clear();
+  for (const auto& list : {grid.forward(cell), grid.backward(cell)}) {
+    for (const LocalIndex other : list) {
+      if (bounds[cell].may_hold_neighbours_of(bounds[other], q.skin)) {
+        candidates.append(q, grid.members(other));
+      }
+    }
+  }
+  candidates.append(q, grid.oversize());
+  for (const LocalIndex i : grid.members(cell)) append_row(q, i, candidates, count, chunk);
+}
+
+/// Rows of points that lie in no cell: compared with all.
+template <int Dim>
+void append_oversize_rows(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
+                          std::span<std::int64_t> count, RowChunk& chunk) {
+  const auto n = static_cast<LocalIndex>(q.x.size());
+  for (const LocalIndex i : grid.oversize()) {
+    const std::size_t before = chunk.neighbours.size();
+    for (LocalIndex j = 0; j < n; ++j) {
+      if (j != i && are_neighbours(q, i, j)) chunk.neighbours.push_back(j);
+    }
+    chunk.points.push_back(i);
+    count[static_cast<std::size_t>(i)] =
+        static_cast<std::int64_t>(chunk.neighbours.size() - before);
+  }
+}
+
+/// Puts the rows of all chunks into the order of the points; the list's offsets hold the lengths.
+void assemble(std::span<const RowChunk> chunks, NeighbourList& list) {
+  for (std::size_t i = 1; i < list.offset.size(); ++i) list.offset[i] += list.offset[i - 1];
+  list.neighbour.resize(static_cast<std::size_t>(list.offset.back()));
+#pragma omp parallel for schedule(static) if (chunks.size() > 4)
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    const LocalIndex* from = chunks[k].neighbours.data();
+    for (const LocalIndex i : chunks[k].points) {
+      const auto length = list.offset[i + 1] - list.offset[i];
+      std::copy(from, from + length, list.neighbour.begin() + list.offset[i]);
+      from += length;
+    }
+  }
+}
+
+template <int Dim>
+NeighbourList all_neighbours(const PointQuery<Dim>& q) {
+  NeighbourList list;
+  const auto n = static_cast<LocalIndex>(q.x.size());
+  list.offset.push_back(0);
+  for (LocalIndex i = 0; i < n; ++i) {
+    for (LocalIndex j = 0; j < n; ++j) {
+      if (i != j && are_neighbours(q, i, j)) list.neighbour.push_back(j);
+    }
+    list.offset.push_back(static_cast<std::int64_t>(list.neighbour.size()));
+  }
+  return list;
+}
+
+}  // namespace
+
+template <int Dim>
+NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
+                                std::span<const Label> label, Real skin, SearchMode mode) {
+  const PointQuery<Dim> q{x, reach, label, skin};
+  if (mode == SearchMode::brute) return all_neighbours(q);
+  std::vector<Real> extent(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) extent[i] = 2 * reach[i] + skin;
+  const CellGrid<Dim> grid(x, extent);
+  std::vector<Bounds<Dim>> bounds(static_cast<std::size_t>(grid.n_cells()));
+#pragma omp parallel for schedule(static) if (grid.n_cells() > 1024)
+  for (LocalIndex cell = 0; cell < grid.n_cells(); ++cell) {
+    bounds[cell] = bounds_of(q, grid.members(cell));
+  }
+  NeighbourList list;
+  list.offset.assign(x.size() + 1, 0);
+  const std::span<std::int64_t> count(list.offset.data() + 1, x.size());
+  constexpr LocalIndex kChunk = 64;
+  const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
+  std::vector<RowChunk> chunks(static_cast<std::size_t>(n_chunks) + 1);
+#pragma omp parallel if (n_chunks > 4)
+  {
+    Candidates<Dim> candidates;
+#pragma omp for schedule(dynamic, 1)
+    for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
+      const LocalIndex end = std::min(grid.n_cells(), (chunk + 1) * kChunk);
+      for (LocalIndex cell = chunk * kChunk; cell < end; ++cell) {
+        append_rows_of_cell<Dim>(q, grid, bounds, cell, candidates, count, chunks[chunk]);
+      }
+    }
+  }
+  append_oversize_rows(q, grid, count, chunks.back());
+  assemble(chunks, list);
+  return list;
+}
+
+template NeighbourList neighbours_within<2>(std::span<const Vec<2>>, std::span<const Real>,
+                                            std::span<const Label>, Real, SearchMode);
+template NeighbourList neighbours_within<3>(std::span<const Vec<3>>, std::span<const Real>,
+                                            std::span<const Label>, Real, SearchMode);
+
+}  // namespace brunt

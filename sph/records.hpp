@@ -1,0 +1,102 @@
+#pragma once
+/// What a particle shows to its neighbours, one record a pass: read four at a time and transposed,
+/// so that lane k holds neighbour k. Volumes are areal in 2D (volume over depth), as kernels are.
+#include "core/simd.hpp"
+
+namespace brunt {
+
+/// Components of a symmetric tensor of the plane or of space: xx, yy(, zz), xy(, yz, zx).
+template <int Dim>
+inline constexpr int kSymmetric = Dim == 3 ? 6 : 3;
+
+/// Place of component (i, j) among kSymmetric<Dim>.
+template <int Dim>
+constexpr int symmetric_place(int i, int j) {
+  if (i == j) return i;
+  if (Dim == 2) return 2;
+  return i + j == 1 ? 3 : (i + j == 3 ? 4 : 5);
+}
+
+/// Geometry and motion at x(n+1), v(n+1/2); V and h as the density of time n gives them.
+template <int Dim>
+struct alignas(64) MotionRecord {
+  static constexpr int kSmoothing = Dim;   ///< [m] h, after the position
+  static constexpr int kVelocity = 4;      ///< [m/s]
+  static constexpr int kVolume = 4 + Dim;  ///< [m^Dim]
+  Real data[8] = {};
+};
+
+/// Stress times gradient correction, row by row; then sound speed, density, and 1 in tension.
+template <int Dim>
+struct alignas(32) StressRecord {
+  static constexpr int kSoundSpeed = Dim * Dim;   ///< [m/s]
+  static constexpr int kDensity = Dim * Dim + 1;  ///< [kg/m^3]
+  static constexpr int kTension = Dim * Dim + 2;  ///< 1: the artificial stress is not zero
+  static constexpr int kSize = Dim == 3 ? 12 : 8;
+  Real data[kSize] = {};
+};
+
+/// Artificial stress [Pa], symmetric.
+template <int Dim>
+struct alignas(32) ArtificialRecord {
+  Real data[Dim == 3 ? 8 : 4] = {};
+};
+
+/// Four rows of four numbers: out[c] holds component c of the rows at a, b, c and d.
+BRUNT_INLINE void load_transposed(const Real* a, const Real* b, const Real* c, const Real* d,
+                                  Pack* out) {
+  const Pack ra = load(a), rb = load(b), rc = load(c), rd = load(d);
+  const Pack ab_even = __builtin_shufflevector(ra, rb, 0, 4, 2, 6);
+  const Pack ab_odd = __builtin_shufflevector(ra, rb, 1, 5, 3, 7);
+  const Pack cd_even = __builtin_shufflevector(rc, rd, 0, 4, 2, 6);
+  const Pack cd_odd = __builtin_shufflevector(rc, rd, 1, 5, 3, 7);
+  out[0] = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  out[1] = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  out[2] = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  out[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+
+/// Sum of the lanes in a fixed order.
+BRUNT_INLINE Real sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+BRUNT_INLINE Real max_lanes(Pack a) { return vmax(vmax(a[0], a[1]), vmax(a[2], a[3])); }
+
+/// Four pairs (i, j): what every pair sum starts from.
+template <int Dim>
+struct FourPairs {
+  using Record = MotionRecord<Dim>;
+  Pack arm[Dim];       ///< [m] x_j - x_i
+  Pack velocity[Dim];  ///< [m/s] v_j - v_i
+  Pack r2;             ///< [m^2]
+  Pack h;              ///< [m] mean smoothing length
+  Pack volume;         ///< [m^Dim] of j
+
+  /// own  record of i;  j  four places
+  BRUNT_INLINE FourPairs(const Record* records, const Real* own, const LocalIndex* j) {
+    const Real *a = records[j[0]].data, *b = records[j[1]].data, *c = records[j[2]].data,
+               *d = records[j[3]].data;
+    Pack first[4], second[4];
+    load_transposed(a, b, c, d, first);
+    load_transposed(a + 4, b + 4, c + 4, d + 4, second);
+    for (int k = 0; k < Dim; ++k) {
+      arm[k] = first[k] - own[k];
+      velocity[k] = second[k] - own[Record::kVelocity + k];
+    }
+    r2 = arm[0] * arm[0];
+    for (int k = 1; k < Dim; ++k) r2 = r2 + arm[k] * arm[k];
+    h = 0.5 * (first[Record::kSmoothing] + own[Record::kSmoothing]);
+    volume = second[Record::kVolume - 4];
+  }
+
+  /// w in V_j grad_i W = w (x_j - x_i), w >= 0 [1/m^2]; q = r/h
+  template <class Kernel>
+  BRUNT_INLINE Pack weight(Pack* q) const {
+    const Pack inverse = 1.0 / h;
+    *q = vsqrt(r2) * inverse;
+    Pack scale = inverse * inverse;
+    scale = scale * scale;
+    if constexpr (Dim == 3) scale = scale * inverse;
+    return (-Kernel::template kAlpha<Dim> * volume) * (scale * Kernel::slope_over_q(*q));
+  }
+};
+
+}  // namespace brunt

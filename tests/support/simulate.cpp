@@ -1,0 +1,102 @@
+#include "tests/support/simulate.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/build/scene_builder.hpp"
+#include "app/monitor.hpp"
+
+namespace brunt::test {
+
+std::size_t Simulation::index(const std::string& column) const {
+  const auto found = std::find(columns.begin(), columns.end(), column);
+  if (found == columns.end()) throw std::invalid_argument("no column " + column);
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+std::vector<Real> Simulation::column(const std::string& name) const {
+  const std::size_t c = index(name);
+  std::vector<Real> values;
+  for (const auto& row : rows) values.push_back(row[c]);
+  return values;
+}
+
+Real Simulation::largest_energy() const {
+  Real largest = 0;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (!columns[c].starts_with("energy.") || columns[c] == "energy.drift") continue;
+    for (const auto& row : rows) largest = std::max(largest, std::fabs(row[c]));
+  }
+  return largest;
+}
+
+namespace {
+/// Passes on to a monitor, and rearranges after every step where that is asked for.
+template <int Dim>
+class Rearranger final : public Observer<Dim> {
+ public:
+  Rearranger(Monitor<Dim>& monitor, bool every_step) : monitor_(monitor), every_step_(every_step) {}
+  void begin(Scene<Dim>& scene, Clock& clock) override { monitor_.begin(scene, clock); }
+  void step_done(Scene<Dim>& scene, Clock& clock) override {
+    monitor_.step_done(scene, clock);
+    if (every_step_) scene.rearrange();
+  }
+
+ private:
+  Monitor<Dim>& monitor_;
+  bool every_step_;
+};
+
+template <int Dim>
+Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variation) {
+  auto scene = build_scene<Dim>(loaded);
+  const Deck& deck = loaded.deck;
+  Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
+  Monitor<Dim> monitor(deck, nullptr, nullptr, true, [] { return false; });
+  Rearranger<Dim> observer(monitor, variation.rearrange_every_step);
+  Simulation result;
+  try {
+    run_time_loop(*scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), observer);
+    monitor.end(*scene, clock);
+  } catch (const PhysicsError& error) {
+    result.failure = error.what();
+  }
+  result.columns = monitor.columns();
+  result.columns.pop_back();
+  result.rows = monitor.rows();
+  result.hashes = monitor.hashes();
+  for (const auto& measure : monitor.measures()) result.measures[measure.name] = measure.value;
+  for (std::size_t b = 0; b < scene->body_names.size(); ++b) {
+    result.bodies[scene->body_names[b]] = scene->view(static_cast<Label>(b));
+  }
+  result.steps = clock.step();
+  result.worst_drift = monitor.worst_drift();
+  return result;
+}
+}  // namespace
+
+Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation) {
+  const int threads = omp_get_max_threads();
+  if (variation.threads > 0) omp_set_num_threads(variation.threads);
+  Simulation result = loaded.deck.geometry == Geometry::three_d
+                          ? simulate_scene<3>(loaded, variation)
+                          : simulate_scene<2>(loaded, variation);
+  omp_set_num_threads(threads);
+  return result;
+}
+
+Simulation simulate_text(const std::string& text, const std::vector<std::string>& overrides,
+                         const RunVariation& variation) {
+  return simulate(load_deck_text(text, "test.yaml", overrides), variation);
+}
+
+Simulation simulate_shipped(const std::string& name, const std::vector<std::string>& overrides,
+                            const RunVariation& variation) {
+  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/decks/" + name + "/" + name + ".yaml";
+  return simulate(load_deck(path, overrides), variation);
+}
+
+}  // namespace brunt::test

@@ -1,0 +1,43 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/deck/deck.hpp"
+#include "core/view.hpp"
+
+namespace brunt::test {
+
+/// How a run differs from the plain one; none of it may change a bit.
+struct RunVariation {
+  int threads = 0;  ///< 0: as the environment says
+  bool rearrange_every_step = false;
+};
+
+/// All that a run of a deck leaves, in memory.
+struct Simulation {
+  std::vector<std::string> columns;     ///< state_hash is not among them
+  std::vector<std::vector<Real>> rows;  ///< one a history row
+  std::vector<std::uint64_t> hashes;    ///< state hash of each row
+  std::map<std::string, Real> measures;
+  std::map<std::string, BodyView> bodies;  ///< at the end
+  std::int64_t steps = 0;
+  Real worst_drift = 0;
+  std::string failure;  ///< what a PhysicsError said; empty: none
+
+  std::size_t index(const std::string& column) const;
+  std::vector<Real> column(const std::string& name) const;
+  Real first(const std::string& name) const { return rows.front()[index(name)]; }
+  Real last(const std::string& name) const { return rows.back()[index(name)]; }
+  /// Largest absolute value of any energy column over the run [J].
+  Real largest_energy() const;
+};
+
+Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation = {});
+Simulation simulate_text(const std::string& text, const std::vector<std::string>& overrides = {},
+                         const RunVariation& variation = {});
+/// A deck that ships, by its folder's name.
+Simulation simulate_shipped(const std::string& name, const std::vector<std::string>& overrides = {},
+                            const RunVariation& variation = {});
+
+}  // namespace brunt::test

@@ -1,0 +1,142 @@
+// Two equal elastic bars meet (physics.md B1.1) and one bar meets a rigid wall (B1.2).
+// de Saint-Venant: with c = sqrt(E/rho) = 5047.5 m/s the contact lasts 2L/c = 39.62 us, the stress
+// in between is rho c v/2 = 198.1 MPa (rho c v = 396 MPa at a wall), and the bars swap velocities.
+// contact.md 3, test 9, for N = 50, phi = 0.5, zeta = 0.1, CFL 0.8, no linear bulk viscosity: the
+// plateau within 0.1 %, overshoot 4.7 %, contact time 1.03 2L/c, restitution 0.996.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/simulate.hpp"
+
+namespace brunt::test {
+namespace {
+
+constexpr Real kDensity = 7850, kModulus = 200e9, kLength = 0.1, kSpeed = 10, kWidth = 2e-3;
+const Real kWave = std::sqrt(kModulus / kDensity);
+const Real kContactTime = 2 * kLength / kWave;
+const Real kPlateau = 0.5 * kDensity * kWave * kSpeed * kWidth * kWidth;  // [N]
+
+struct Contact {
+  Real duration = 0, mean = 0, peak = 0;
+};
+
+/// Duration, mean over the middle half, and peak of a force history [N].
+Contact contact_of(const Simulation& run, const std::string& column) {
+  const auto time = run.column("time"), force = run.column(column);
+  Real first = -1, last = 0;
+  Contact contact;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const Real f = std::fabs(force[i]);
+    if (f == 0) continue;
+    if (first < 0) first = time[i];
+    last = time[i];
+    contact.peak = std::max(contact.peak, f);
+  }
+  contact.duration = last - first;
+  Real sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const Real s = (time[i] - first) / contact.duration;
+    if (s < 0.25 || s > 0.75) continue;
+    sum += std::fabs(force[i]), ++count;
+  }
+  contact.mean = sum / count;
+  return contact;
+}
+
+TEST(Bars, FiniteElementsSwapVelocities) {
+  const auto run = simulate_shipped("bars", {"output.history=0.02 us"});
+  ASSERT_EQ(run.failure, "");
+  const Contact contact = contact_of(run, "contact.striker-target.force.x");
+  EXPECT_NEAR(contact.mean, kPlateau, 1e-3 * kPlateau);
+  EXPECT_NEAR(contact.peak / kPlateau, 1.047, 0.005);
+  EXPECT_NEAR(contact.duration, 1.03 * kContactTime, 0.01 * kContactTime);
+  const Real v1 = run.last("body.striker.velocity.x"), v2 = run.last("body.target.velocity.x");
+  EXPECT_NEAR((v2 - v1) / kSpeed, 0.996, 0.001);
+  // momentum is a sum of equal and opposite forces: rounding only
+  const Real start = run.first("momentum.x");
+  for (const Real p : run.column("momentum.x")) EXPECT_NEAR(p, start, 1e-12 * start);
+}
+
+TEST(Bars, LedgerClosesToRoundOff) {
+  const auto run = simulate_shipped("bars");
+  ASSERT_EQ(run.failure, "");
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+TEST(Bars, RestitutionRisesWithRefinement) {
+  const auto run = simulate_shipped("bars", {"parameters.cells=200"});
+  const Real v1 = run.last("body.striker.velocity.x"), v2 = run.last("body.target.velocity.x");
+  EXPECT_NEAR((v2 - v1) / kSpeed, 0.9985, 0.0005);
+}
+
+TEST(Bars, RigidWallReturnsTheBar) {
+  const auto run = simulate_text(R"(
+title: bar on a wall
+geometry: 3d
+time: {end: 60 us, safety: 0.8}
+materials:
+  steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0}}
+bodies:
+  bar:
+    method: fe
+    material: steel
+    shape: {box: {min: [0, 0, 0], max: [0.1, 0.002, 0.002]}}
+    cells: [50, 1, 1]
+    velocity: [-10 m/s, 0, 0]
+    element: {bulk_viscosity: {linear: 0, quadratic: 0}}
+  wall:
+    method: fe
+    rigid: true
+    shape: {plane: {origin: [0, 0, 0], normal: x, extent: 10 mm}}
+output: {history: 0.02 us}
+)");
+  ASSERT_EQ(run.failure, "");
+  const Contact contact = contact_of(run, "contact.bar-wall.force.x");
+  EXPECT_NEAR(contact.mean, 2 * kPlateau, 0.03 * 2 * kPlateau);
+  EXPECT_NEAR(contact.duration, kContactTime, 0.03 * kContactTime);
+  EXPECT_NEAR(run.last("body.bar.velocity.x"), 10, 0.3);
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+TEST(Bars, ParticlesSwapVelocities) {
+  // A strip of particles 10 across and 100 along, nu = 0; viscosity off as B1.1 asks.
+  const auto run = simulate_text(R"(
+title: SPH bars
+geometry: plane-strain
+time: {end: 60 us, safety: 0.8}
+materials:
+  steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0}}
+bodies:
+  striker:
+    method: sph
+    material: steel
+    shape: {box: {min: [-0.1, 0], max: [0, 0.01]}}
+    size: 1 mm
+    velocity: [10 m/s, 0]
+    viscosity: {alpha: 0, beta: 0}
+    artificial_stress: 0
+  target:
+    method: fe
+    material: steel
+    shape: {box: {min: [0, 0], max: [0.1, 0.01]}}
+    size: 1 mm
+    element: {bulk_viscosity: {linear: 0, quadratic: 0}}
+output: {history: 0.02 us}
+)");
+  ASSERT_EQ(run.failure, "");
+  const Real plateau = 0.5 * kDensity * kWave * kSpeed * 0.01;  // [N] per metre of depth
+  const Contact contact = contact_of(run, "contact.striker-target.force.x");
+  EXPECT_NEAR(contact.mean, plateau, 0.02 * plateau);
+  EXPECT_NEAR(contact.duration, kContactTime, 0.06 * kContactTime);
+  const Real v1 = run.last("body.striker.velocity.x"), v2 = run.last("body.target.velocity.x");
+  EXPECT_GT((v2 - v1) / kSpeed, 0.95);
+  const Real start = run.first("momentum.x");
+  for (const Real p : run.column("momentum.x")) EXPECT_NEAR(p, start, 1e-12 * start);
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+}  // namespace
+}  // namespace brunt::test
