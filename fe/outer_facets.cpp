@@ -64,6 +64,24 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   return facet;
 }
 
+/// An element between two outer faces is a plate one element thick: each face lets go at its
+/// middle, or a body that has come in from one side would be pushed out of the other.
+template <int Dim>
+void halve_plates(std::vector<Facet<Dim>>& facets) {
+  const auto opposite = [](GlobalId id) {
+    const auto number = static_cast<int>(id & 7);
+    const int other = Dim == 2     ? (number + 2) % 4
+                      : number < 2 ? 1 - number
+                                   : (number - 2 + 2) % 4 + 2;
+    return (id & ~GlobalId{7}) | static_cast<GlobalId>(other);
+  };
+  std::vector<GlobalId> ids;
+  for (const auto& facet : facets) ids.push_back(facet.id);
+  for (auto& facet : facets) {
+    if (std::binary_search(ids.begin(), ids.end(), opposite(facet.id))) facet.depth *= 0.5;
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -84,6 +102,7 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
   }
   std::sort(facets.begin(), facets.end(),
             [](const Facet<Dim>& a, const Facet<Dim>& b) { return a.id < b.id; });
+  halve_plates<Dim>(facets);
   return facets;
 }
 
