@@ -127,10 +127,13 @@ struct ViscousPart {
       speed2 = speed2 + pair.velocity[a] * pair.velocity[a];
     }
     const Pack h = pair.h;
-    const Pack mu = vmin(h * approach / (pair.r2 + (0.01 * h) * h), broadcast<Pack>(0.0));
     const Real own_density = own[StressRecord<Dim>::kDensity];
+    // one division gives mu = h approach/(r^2 + 0.01 h^2) and 2 rho_i rho_j/(rho_i + rho_j)
+    const Pack distance2 = pair.r2 + (0.01 * h) * h, densities = density + own_density;
+    const Pack inverse = 1.0 / (distance2 * densities);
+    const Pack mu = vmin(h * approach * (densities * inverse), broadcast<Pack>(0.0));
+    const Pack both = 2.0 * own_density * density * (distance2 * inverse);
     const Pack c = 0.5 * (sound_speed + own[StressRecord<Dim>::kSoundSpeed]);
-    const Pack both = 2.0 * own_density * density / (density + own_density);
     const Pack push = -(both * weight) * (mu * (options.beta * mu - options.alpha * c));
     for (int a = 0; a < Dim; ++a) force[a] = force[a] + push * pair.arm[a];
     power = power + push * approach;

@@ -2,6 +2,7 @@
 /// What a particle shows to its neighbours, one record a pass: read four at a time and transposed,
 /// so that lane k holds neighbour k. Volumes are areal in 2D (volume over depth), as kernels are.
 #include "core/simd.hpp"
+#include "sph/kernels.hpp"
 
 namespace brunt {
 
@@ -90,12 +91,22 @@ struct FourPairs {
   /// w in V_j grad_i W = w (x_j - x_i), w >= 0 [1/m^2]; q = r/h
   template <class Kernel>
   BRUNT_INLINE Pack weight(Pack* q) const {
-    const Pack inverse = 1.0 / h;
-    *q = vsqrt(r2) * inverse;
-    Pack scale = inverse * inverse;
+    const Pack r = vsqrt(r2);
+    Pack inverse_h, inverse_q = {};
+    if constexpr (Kernel::kDivides) {
+      // one division gives both
+      const Pack distance = vmax(r, kSmallestRatio * h);
+      const Pack inverse = 1.0 / (h * distance);
+      inverse_h = inverse * distance;
+      inverse_q = h * h * inverse;
+    } else {
+      inverse_h = 1.0 / h;
+    }
+    *q = r * inverse_h;
+    Pack scale = inverse_h * inverse_h;
     scale = scale * scale;
-    if constexpr (Dim == 3) scale = scale * inverse;
-    return (-Kernel::template kAlpha<Dim> * volume) * (scale * Kernel::slope_over_q(*q));
+    if constexpr (Dim == 3) scale = scale * inverse_h;
+    return (-Kernel::template kAlpha<Dim> * volume) * (scale * Kernel::slope_over_q(*q, inverse_q));
   }
 };
 
