@@ -37,10 +37,7 @@ template <int Dim, class Kernel>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, LocalIndex i,
                                              std::span<const LocalIndex> row) {
   Pack moment[kSymmetric<Dim>] = {}, rate[Dim * Dim] = {};
-  for (std::size_t k = 0; k < row.size(); k += kLanes) {
-    const FourPairs<Dim> pair(motion, motion[i].data, row.data() + k);
-    Pack q;
-    const Pack weight = pair.template weight<Kernel>(&q);
+  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*) {
     for (int b = 0; b < Dim; ++b) {
       const Pack gradient = weight * pair.arm[b];
       for (int a = 0; a <= b; ++a) {
@@ -51,7 +48,8 @@ BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, Lo
         rate[Dim * a + b] = rate[Dim * a + b] + pair.velocity[a] * gradient;
       }
     }
-  }
+  };
+  for_each_four<Dim, Kernel, false>(motion, i, row, add);
   GradientSums<Dim> sums;
   for (int k = 0; k < kSymmetric<Dim>; ++k) sums.moment[k] = sum_lanes(moment[k]);
   for (int k = 0; k < Dim * Dim; ++k) sums.rate[k] = sum_lanes(rate[k]);
@@ -184,11 +182,8 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIn
   StressPart<Dim> stress;
   ViscousPart<Dim> viscous;
   ArtificialPart<Dim> artificial;
-  for (std::size_t k = 0; k < row.size(); k += kLanes) {
-    const LocalIndex* j = row.data() + k;
-    const FourPairs<Dim> pair(records.motion, records.motion[i].data, j);
-    Pack q;
-    const Pack weight = pair.template weight<Kernel>(&q);
+  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real* value,
+                       const LocalIndex* j) {
     Pack part[Record::kSize];
     for (int g = 0; g < Record::kSize; g += 4) {
       load_transposed(records.stress[j[0]].data + g, records.stress[j[1]].data + g,
@@ -197,10 +192,11 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIn
     stress.add(pair, weight, part);
     viscous.add(pair, weight, own, part[Record::kSoundSpeed], part[Record::kDensity], options);
     if (own_tension || any(part[Record::kTension] != 0.0)) {
-      artificial.add(pair, weight, options.inverse_spacing_value * Kernel::value(q),
+      artificial.add(pair, weight, options.inverse_spacing_value * load(value),
                      records.artificial[i].data, records.artificial, j);
     }
-  }
+  };
+  for_each_four<Dim, Kernel, true>(records.motion, i, row, add);
   ForceSums<Dim> sums;
   for (int a = 0; a < Dim; ++a) {
     sums.stress[a] = sum_lanes(stress.force[a]);
