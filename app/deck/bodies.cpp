@@ -64,6 +64,11 @@ void describe(Schema& s, Body& body) {
             [&](Schema& fe) { describe_finite_elements(fe, body); });
   s.section(is_sph, "only for method: sph", [&](Schema& sph) { describe_particles(sph, body); });
   s.later(kLater);
+  s.require(!body.rigid || !is_sph, "rigid",
+            "a rigid body of particles is not in this version; take method: sph out");
+  s.require(!body.rigid || body.material.empty() || body.motion, "material",
+            "a rigid body that moves freely is not in this version: without motion and material "
+            "it is held, with motion it moves as told");
   s.require(body.rigid || is_sph || body.size.has_value() != body.cells.has_value(),
             body.cells ? "cells" : "", "needs size or cells, and not both");
   s.require(body.rigid || !std::holds_alternative<Plane>(body.shape.kind), "shape",
