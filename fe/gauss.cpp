@@ -227,7 +227,8 @@ BRUNT_INLINE Pack largest_bulk(const Group<Dim>& group) {
 
 /// Square of the hoop gradient of an axisymmetric element with Gauss points [1/m^2], such that
 /// corners times it bounds the hoop work of a corner's motion over the corner's mass:
-/// max_I (sum_g w N_I / r^2) / (sum_g w N_I) / corners.
+/// max_I (sum_g w N_I / r^2) / (sum_g w N_I) / corners, over the corners off the axis: those on it
+/// do not move radially.
 BRUNT_INLINE Pack hoop_norm(const Modal<2, Pack>& c, const Thickness& option) {
   Pack work[4], weight[4];
   for (int I = 0; I < 4; ++I) work[I] = weight[I] = broadcast<Pack>(0);
@@ -244,8 +245,12 @@ BRUNT_INLINE Pack hoop_norm(const Modal<2, Pack>& c, const Thickness& option) {
       work[I] += N * volume * (gradient * gradient);
     }
   }
-  Pack most = work[0] / weight[0];
-  for (int I = 1; I < 4; ++I) most = vmax(most, work[I] / weight[I]);
+  Pack corner[4][2], most = broadcast<Pack>(0);
+  to_corners(c, 0, corner);
+  for (int I = 0; I < 4; ++I) {
+    const auto on_axis = corner[I][0] <= 1e-9 * c.m[3][0];
+    most = vmax(most, select(on_axis, broadcast<Pack>(0), work[I] / weight[I]));
+  }
   return 0.25 * most;
 }
 
@@ -268,8 +273,8 @@ BRUNT_INLINE OperatorNorm<Pack> gauss_norm(const Modal<Dim, Pack>& c, const Thic
     }
     sum += square / determinant;
   }
-  const Pack scale = vmax(broadcast<Pack>(1),
-                          sum / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
+  const Pack scale =
+      vmax(broadcast<Pack>(1), sum / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
   norm.trace *= scale;
   norm.largest *= scale;
   if constexpr (Dim == 2) {
