@@ -9,7 +9,7 @@
 namespace brunt {
 namespace {
 
-constexpr int kWorthThreads = 32;  // tiles; of some 5 us each
+[[maybe_unused]] constexpr int kWorthThreads = 32;  // tiles; of some 5 us each
 
 template <int Dim>
 void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather& gather,
