@@ -86,15 +86,17 @@ void halve_plates(std::vector<Facet<Dim>>& facets) {
 
 template <int Dim>
 std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& blocks,
-                                     const Points<Dim>& points, const Thickness& thickness) {
+                                     const Points<Dim>& points,
+                                     const std::vector<LocalIndex>& axis) {
   const std::vector<Face<Dim>> faces = all_faces(blocks);
   std::vector<Facet<Dim>> facets;
   for (std::size_t k = 0; k < faces.size();) {
     std::size_t end = k + 1;
     while (end < faces.size() && faces[end].sorted == faces[k].sorted) ++end;
-    const auto on_axis = [&points](LocalIndex node) { return points.x[node][0] == 0; };
-    const bool inner = thickness.radial != 0 &&
-                       std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
+    const auto on_axis = [&axis](LocalIndex node) {
+      return std::binary_search(axis.begin(), axis.end(), node);
+    };
+    const bool inner = std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
     if (end == k + 1 && !inner) {
       facets.push_back(facet_of(blocks[faces[k].block], faces[k], points));
     }
@@ -107,8 +109,8 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
 }
 
 template std::vector<Facet<2>> outer_facets(const std::vector<ElementBlock<2>>&, const Points<2>&,
-                                            const Thickness&);
+                                            const std::vector<LocalIndex>&);
 template std::vector<Facet<3>> outer_facets(const std::vector<ElementBlock<3>>&, const Points<3>&,
-                                            const Thickness&);
+                                            const std::vector<LocalIndex>&);
 
 }  // namespace brunt
