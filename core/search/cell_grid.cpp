@@ -42,10 +42,11 @@ void accumulate_rows(std::vector<LocalIndex>& counts) {
 
 template <int Dim>
 struct CellGrid<Dim>::LevelChoice {
-  Real base = 1;                                   ///< [m] width of the cells of level 0
-  std::array<int, 2 * kMaxLevel + 1> merged{};     ///< level used for each size class
-  std::vector<int> used;                           ///< ascending
-  static constexpr int kOversize = kMaxLevel + 1;  ///< in `merged`: compare with all
+  Real base = 1;                                     ///< [m] width of the cells of level 0
+  std::array<Real, 2 * kMaxLevel + 1> per_length{};  ///< [1/m] cells a length; exact halves
+  std::array<int, 2 * kMaxLevel + 1> merged{};       ///< level used for each size class
+  std::vector<int> used;                             ///< ascending
+  static constexpr int kOversize = kMaxLevel + 1;    ///< in `merged`: compare with all
 };
 
 template <int Dim>
@@ -85,6 +86,10 @@ typename CellGrid<Dim>::LevelChoice CellGrid<Dim>::choose_levels(
     base = std::max(base, median(std::move(distances)) * (base > 0 ? 0x1p-39 : 0x1p-20));
   }
   choice.base = base > 0 ? base : 1;
+  for (int level = -kMaxLevel; level <= kMaxLevel; ++level) {
+    choice.per_length[static_cast<std::size_t>(level + kMaxLevel)] =
+        std::ldexp(1 / choice.base, -level);
+  }
 
   std::array<int, 2 * kMaxLevel + 1> count{};
   for (const Real size : extent) {
@@ -119,9 +124,9 @@ void CellGrid<Dim>::insert_all(std::span<const Vec<Dim>> anchor, std::span<const
     bool inside = level <= kMaxLevel;
     Coords coords{};
     if (inside) {
-      const Real width = std::ldexp(choice.base, level);
+      const Real per_length = choice.per_length[static_cast<std::size_t>(level + kMaxLevel)];
       for (int c = 0; c < Dim; ++c) {
-        const Real coordinate = std::floor(anchor[i][c] / width);
+        const Real coordinate = std::floor(anchor[i][c] * per_length);
         inside = inside && std::fabs(coordinate) <= kLargestCoordinate;
         coords[c] = inside ? static_cast<std::int64_t>(coordinate) : 0;
       }
