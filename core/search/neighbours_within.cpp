@@ -159,21 +159,24 @@ BRUNT_INLINE IndexPack load_indices(const LocalIndex* from) {
   return pack;
 }
 
-/// For each entry of a ... d, how many entries of the row are smaller. Four counters with names,
-/// because an array of them would live in memory.
-BRUNT_INLINE std::array<IndexPack, 4> count_smaller(const LocalIndex* row, std::size_t n,
-                                                    IndexPack a, IndexPack b, IndexPack c,
-                                                    IndexPack d) {
+/// For each of 32 entries at `mine`, how many entries of the row are smaller. Four counters with
+/// names, because an array of them would live in memory.
+BRUNT_INLINE void count_smaller(const LocalIndex* row, std::size_t n, const LocalIndex* mine,
+                                LocalIndex* smaller) {
+  const IndexPack a = load_indices(mine), b = load_indices(mine + 8);
+  const IndexPack c = load_indices(mine + 16), d = load_indices(mine + 24);
   IndexPack count_a{}, count_b{}, count_c{}, count_d{};
   for (std::size_t m = 0; m < n; ++m) {
-    const LocalIndex v = row[m];
-    const IndexPack pivot{v, v, v, v, v, v, v, v};
-    count_a -= pivot < a;  // true is -1
-    count_b -= pivot < b;
-    count_c -= pivot < c;
-    count_d -= pivot < d;
+    const IndexPack pivot = row[m] - IndexPack{};
+    count_a = count_a - (pivot < a);  // true is -1
+    count_b = count_b - (pivot < b);
+    count_c = count_c - (pivot < c);
+    count_d = count_d - (pivot < d);
   }
-  return {count_a, count_b, count_c, count_d};
+  std::memcpy(smaller, &count_a, sizeof count_a);
+  std::memcpy(smaller + 8, &count_b, sizeof count_b);
+  std::memcpy(smaller + 16, &count_c, sizeof count_c);
+  std::memcpy(smaller + 24, &count_d, sizeof count_d);
 }
 
 /// Sorts distinct numbers by counting for each how many are smaller: no branch to mispredict.
@@ -189,10 +192,7 @@ void sort_row(const LocalIndex* row, std::size_t n, LocalIndex* out) {
   const std::size_t padded = (n + kBlock - 1) / kBlock * kBlock;
   std::fill(value.begin() + n, value.begin() + padded, 0);
   for (std::size_t begin = 0; begin < n; begin += kBlock) {
-    const std::array<IndexPack, 4> counts =
-        count_smaller(row, n, load_indices(&value[begin]), load_indices(&value[begin + 8]),
-                      load_indices(&value[begin + 16]), load_indices(&value[begin + 24]));
-    std::memcpy(&rank[begin], counts.data(), sizeof counts);
+    count_smaller(row, n, &value[begin], &rank[begin]);
   }
   for (std::size_t k = 0; k < n; ++k) out[rank[k]] = value[k];
 }
