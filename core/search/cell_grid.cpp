@@ -31,6 +31,13 @@ int level_of(Real extent, Real base) {
   return std::max(-kMaxLevel, mantissa == 0.5 ? exponent - 1 : exponent);
 }
 
+template <std::size_t Dim>
+bool same(const std::array<std::int64_t, Dim>& a, const std::array<std::int64_t, Dim>& b) {
+  std::int64_t difference = 0;
+  for (std::size_t c = 0; c < Dim; ++c) difference |= a[c] ^ b[c];
+  return difference == 0;
+}
+
 bool usable(Real extent) { return extent >= 0 && extent < kInfinity; }
 
 /// Starts of rows from their lengths, which stand in counts[1..n]; counts[0] is 0.
@@ -135,7 +142,7 @@ void CellGrid<Dim>::insert_all(std::span<const Vec<Dim>> anchor, std::span<const
       oversize_.push_back(i);
       continue;
     }
-    if (last < 0 || cells_[last].level != level || cells_[last].coords != coords) {
+    if (last < 0 || cells_[last].level != level || !same(cells_[last].coords, coords)) {
       last = find_or_add(coords, level);
     }
     cell_of[i] = last;
@@ -169,7 +176,7 @@ LocalIndex CellGrid<Dim>::find(const Coords& coords, int level) const {
   for (std::size_t slot = hash(coords, level) & mask;; slot = (slot + 1) & mask) {
     const LocalIndex cell = table_[slot];
     if (cell < 0) return -1;
-    if (cells_[cell].coords == coords && cells_[cell].level == level) return cell;
+    if (cells_[cell].level == level && same(cells_[cell].coords, coords)) return cell;
   }
 }
 
