@@ -176,6 +176,7 @@ void apply_override(Node& root, const Override& change, std::vector<DeckProblem>
 void expand_library(Node& map, const std::string& path, const Node& library,
                     const std::vector<std::string>& alternatives,
                     std::vector<DeckProblem>& problems) {
+  std::vector<std::string> unknown;
   for (Entry& entry : map.entries) {
     Node& own = entry.value;
     const Node* name = own.is_map() ? own.find("library") : nullptr;
@@ -187,7 +188,7 @@ void expand_library(Node& map, const std::string& path, const Node& library,
       problems.push_back({name->place, join_path(join_path(path, entry.key), "library"),
                           "the library has no " + what_stands(*name) +
                               suggestion(name->is_scalar() ? name->text : std::string(), known)});
-      own.erase("library");
+      unknown.push_back(entry.key);
       continue;
     }
     Node values = *found->find("values");
@@ -205,6 +206,8 @@ void expand_library(Node& map, const std::string& path, const Node& library,
     merge(values, own);
     own = std::move(values);
   }
+  // What an entry with a wrong name lacks is not told a second time.
+  for (const std::string& name : unknown) map.erase(name);
 }
 
 std::string join_path(const std::string& path, const std::string& key) {
