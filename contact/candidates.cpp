@@ -44,27 +44,23 @@ Real relative_speed(const MotionBounds<Dim>& bounds) {
   return widest.norm();
 }
 
+/// The box, or a point where it is not a number any more: that touches nothing.
 template <int Dim>
-SearchBox<Dim> grown(const Vec<Dim>& lo, const Vec<Dim>& hi, Real reach) {
-  SearchBox<Dim> box;
-  for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
-    box.lo[k] = lo[c] - reach;
-    box.hi[k] = hi[c] + reach;
-    // What is not a number any more touches nothing; the loop will say so.
-    if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) box.lo[k] = box.hi[k] = 0;
+SearchBox<Dim> finite(SearchBox<Dim> box) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
+    if (!std::isfinite(box.lo[c]) || !std::isfinite(box.hi[c])) box.lo[c] = box.hi[c] = 0;
   }
   return box;
 }
 
 template <int Dim>
-SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real reach) {
-  Vec<Dim> lo = plane.corner[0], hi = plane.corner[0];
-  for (int c = 1; c < plane.n_corners; ++c) {
-    lo = lo.cwiseMin(plane.corner[static_cast<std::size_t>(c)]);
-    hi = hi.cwiseMax(plane.corner[static_cast<std::size_t>(c)]);
+SearchBox<Dim> box_about(const Vec<Dim>& x, Real reach) {
+  SearchBox<Dim> box;
+  for (int c = 0; c < Dim; ++c) {
+    box.lo[static_cast<std::size_t>(c)] = x[c] - reach;
+    box.hi[static_cast<std::size_t>(c)] = x[c] + reach;
   }
-  return grown(lo, hi, reach);
+  return box;
 }
 
 template <int Dim>
@@ -85,7 +81,7 @@ bool same_piece(const A& a, const B& b) {
 }  // namespace
 
 template <int Dim>
-void Candidates<Dim>::build(const Entities<Dim>& entities, const PairTable& pairs, Real dt) {
+void Candidates<Dim>::build(const Entities<Dim>& entities, const PairTable& pairs, Real longest) {
   const auto& nodes = entities.nodes;
   choose_skin(entities);
   if (!entities.particles.empty()) {
@@ -93,7 +89,7 @@ void Candidates<Dim>::build(const Entities<Dim>& entities, const PairTable& pair
       part.take(Vec<Dim>::Zero(), nodes.v[i], Vec<Dim>::Zero());
     });
     // A tenth more, so that speeds and steps that grow a little need no new lists.
-    speed_reach_ = 1.1 * 2 * relative_speed(bounds) * dt;
+    speed_reach_ = std::isfinite(longest) ? 1.1 * relative_speed(bounds) * longest : 0.0;
   }
   find_faces(entities, pairs);
   find_particles(entities, pairs);
@@ -113,7 +109,7 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Real depth = faces[f].rigid() ? entities.deepest : faces[f].depth;
     const Real reach = 0.5 * depth + kReachPerWarp * entities.planes[f].warp + 0.5 * skin_;
-    boxes[f] = grown(entities.planes[f], reach);
+    boxes[f] = finite(box_of(entities.planes[f], reach));
   }
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto& a = faces[static_cast<std::size_t>(i)];
@@ -146,10 +142,11 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
   for (std::size_t p = 0; p < n; ++p) {
     const Real r = particles[p].radius;
     const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particles[p].node)];
-    boxes[p] = grown<Dim>(x, x, std::max(kDepthRadii * r, r + speed_reach_) + 0.5 * skin_);
+    boxes[p] = finite(box_about<Dim>(x, std::max(kDepthRadii * r, r + speed_reach_) + 0.5 * skin_));
   }
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    boxes[n + f] = grown(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_);
+    boxes[n + f] =
+        finite(box_of(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_));
   }
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto p = static_cast<std::size_t>(i), f = static_cast<std::size_t>(j);
@@ -175,7 +172,7 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
 }
 
 template <int Dim>
-bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real dt) {
+bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest) {
   const auto& nodes = entities.nodes;
   const auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
     part.take(nodes.x[i] - x_built_[i], nodes.v[i], Vec<Dim>::Zero());
@@ -189,7 +186,7 @@ bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real dt) {
   }
   growth_ = 2 * kReachPerWarp * warp;
   if (!entities.particles.empty()) {
-    growth_ += std::max(0.0, 2 * relative_speed(bounds) * dt - speed_reach_);
+    growth_ += std::max(0.0, relative_speed(bounds) * longest - speed_reach_);
   }
   ++steps_;
   moved_ = nodes.size() ? bounds.relative_displacement(0) : 0.0;

@@ -31,10 +31,10 @@ class Candidates {
  public:
   Candidates(SearchMode mode, std::optional<Real> skin) : mode_(mode), given_skin_(skin) {}
 
-  /// Lists at nodes.x; dt [s] is the step whose speed votes they must serve.
-  void build(const Entities<Dim>& entities, const PairTable& pairs, Real dt);
-  /// True if they hold every contact at nodes.x, nodes.v, planes.
-  bool complete(const Entities<Dim>& entities, Real dt);
+  /// Lists at nodes.x; longest [s] is the step whose speed votes they must serve.
+  void build(const Entities<Dim>& entities, const PairTable& pairs, Real longest);
+  /// True if they hold every contact and speed vote at nodes.x, nodes.v, planes.
+  bool complete(const Entities<Dim>& entities, Real longest);
   /// True if they will, as far as present velocities and accelerations tell, after a step of dt.
   bool will_be_complete(const Entities<Dim>& entities, const std::vector<Surface<Dim>*>& surfaces,
                         Real dt) const;
@@ -58,7 +58,7 @@ class Candidates {
   std::vector<std::size_t> starts_;
   std::vector<Vec<Dim>> x_built_;  // [m]
   std::vector<Real> warp_built_;   // [m]
-  Real speed_reach_ = 0;           // [m] 2 |v| dt that the particles' boxes cover
+  Real speed_reach_ = 0;           // [m] of motion that the particles' boxes foresee
   Real growth_ = 0;                // [m] of reaches since the lists were built
   Real moved_ = 0;                 // [m] largest relative displacement since
   Real skin_ = 0;                  // [m]

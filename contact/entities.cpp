@@ -61,20 +61,16 @@ Real area_at_start(const ContactFace<Dim>& face, const Points<Dim>& points) {
 }
 
 template <int Dim>
-SearchBox<Dim> box_of(const FacePlane<Dim>& plane, Real depth) {
-  Vec<Dim> lo = plane.corner[0], hi = plane.corner[0];
-  for (int c = 1; c < plane.n_corners; ++c) {
-    lo = lo.cwiseMin(plane.corner[static_cast<std::size_t>(c)]);
-    hi = hi.cwiseMax(plane.corner[static_cast<std::size_t>(c)]);
-  }
-  SearchBox<Dim> box;
+SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, const SearchBox<Dim>& box) {
+  SearchBox<Dim> reach;
   for (int c = 0; c < Dim; ++c) {
-    const Real reach =
+    const auto k = static_cast<std::size_t>(c);
+    const Real by =
         kReachPerDepth * depth * std::fabs(plane.normal[c]) + kReachPerWarp * plane.warp;
-    box.lo[static_cast<std::size_t>(c)] = lo[c] - reach;
-    box.hi[static_cast<std::size_t>(c)] = hi[c] + reach;
+    reach.lo[k] = box.lo[k] - by;
+    reach.hi[k] = box.hi[k] + by;
   }
-  return box;
+  return reach;
 }
 
 /// What the faces' own step bounds need to know of those that may touch them.
@@ -223,6 +219,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   planes.resize(faces.size());
   face_velocity.resize(faces.size());
   boxes.resize(faces.size());
+  reaches.resize(faces.size());
   set_options(pairs, *this);
   particle_vote = vote_of_particles(pairs, section, *this);
 }
@@ -246,7 +243,8 @@ void Entities<Dim>::refresh_planes() {
     }
     face_velocity[f] = sum / face.n_nodes;
     refresh(plane);
-    boxes[f] = box_of(plane, face.rigid() ? deepest : face.depth);
+    boxes[f] = box_of(plane, 0.0);
+    reaches[f] = grown(plane, face.rigid() ? deepest : face.depth, boxes[f]);
   }
 }
 

@@ -76,7 +76,8 @@ struct Entities {
   std::vector<ContactParticle> particles;
   std::vector<FacePlane<Dim>> planes;   ///< of each face, at nodes.x
   std::vector<Vec<Dim>> face_velocity;  ///< [m/s] mean over the corners
-  std::vector<SearchBox<Dim>> boxes;    ///< of planes, wide enough for any contact at nodes.x
+  std::vector<SearchBox<Dim>> boxes;    ///< of planes
+  std::vector<SearchBox<Dim>> reaches;  ///< boxes wide enough for any face-on-face contact
   StepVote particle_vote;               ///< bound from the particles' own springs
   Real deepest = 0;                     ///< [m] largest depth of a face
   Real size = 0;                        ///< [m] median size of faces and particles

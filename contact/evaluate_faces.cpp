@@ -55,7 +55,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
   for (const auto& candidate : candidates) {
     const auto lower = static_cast<std::size_t>(candidate.lower);
     const auto upper = static_cast<std::size_t>(candidate.upper);
-    if (!overlap<Dim>(entities.boxes[lower], entities.boxes[upper])) continue;
+    if (!overlap<Dim>(entities.reaches[lower], entities.reaches[upper])) continue;
     const int n =
         common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes);
     for (int i = 0; i < n; ++i) {

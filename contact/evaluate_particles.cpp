@@ -34,20 +34,21 @@ bool in_reach(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<
   return in_box<Dim>(box, x, before > plane.warp ? r : kDepthRadii * r);
 }
 
-/// The bound of a particle that closes on a face, if it is near enough to count.
+/// The bound of a particle that closes on a face: to half a radius of overlap, or half a radius
+/// more. What would vote more than `longest` need not be near, nor listed.
 template <int Dim>
 void take_speed_vote(const Present<Dim>& now, const FacePlane<Dim>& plane,
-                     const SearchBox<Dim>& box, const Vec<Dim>& face_velocity, Real dt,
+                     const SearchBox<Dim>& box, const Vec<Dim>& face_velocity, Real longest,
                      StepVote& vote) {
   const Vec<Dim> relative = now.v - face_velocity;
   const Real closing = -relative.dot(plane.normal);
   if (!(closing > 0)) return;
   const Real r = now.particle.radius;
-  const Real step = 0.5 * r / closing;
-  if (step > vote.step) return;
   const Real before = plane.normal.dot(now.x - plane.center);
-  if (before < -kDepthRadii * r || before - r - plane.warp > 2 * closing * dt) return;
-  if (!in_box<Dim>(box, now.x, r + 2 * relative.norm() * dt)) return;
+  if (before < -kDepthRadii * r) return;
+  const Real step = (std::max(before - r - plane.warp, 0.0) + 0.5 * r) / closing;
+  if (step > std::min(longest, vote.step)) return;
+  if (!in_box<Dim>(box, now.x, r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
@@ -115,8 +116,8 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
 template <int Dim>
 void evaluate_particles(const Entities<Dim>& entities,
                         std::span<const ParticleCandidate> candidates,
-                        std::span<const std::size_t> starts, const Section& section, Real dt,
-                        typename Records<Dim>::Part& part) {
+                        std::span<const std::size_t> starts, const Section& section,
+                        const EvaluationStep& step, typename Records<Dim>::Part& part) {
   for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
     const auto& particle =
         entities.particles[static_cast<std::size_t>(candidates[starts[s]].particle)];
@@ -128,7 +129,8 @@ void evaluate_particles(const Entities<Dim>& entities,
     for (std::size_t i = starts[s]; i < starts[s + 1]; ++i) {
       const auto f = static_cast<std::size_t>(candidates[i].face);
       const auto& plane = entities.planes[f];
-      take_speed_vote(now, plane, entities.boxes[f], entities.face_velocity[f], dt, part.vote);
+      take_speed_vote(now, plane, entities.boxes[f], entities.face_velocity[f], step.longest,
+                      part.vote);
       if (!in_reach<Dim>(plane, entities.boxes[f], x, particle.radius)) continue;
       auto& hit = part.hits.emplace_back();
       hit.plane = &plane;
@@ -138,15 +140,15 @@ void evaluate_particles(const Entities<Dim>& entities,
       hit.candidate = static_cast<LocalIndex>(i);
       hit.nearest = nearest_point<Dim>(plane, x);
     }
-    if (!part.hits.empty()) record_hits(entities, now, candidates, dt, part);
+    if (!part.hits.empty()) record_hits(entities, now, candidates, step.dt, part);
   }
 }
 
 template void evaluate_particles<2>(const Entities<2>&, std::span<const ParticleCandidate>,
-                                    std::span<const std::size_t>, const Section&, Real,
-                                    Records<2>::Part&);
+                                    std::span<const std::size_t>, const Section&,
+                                    const EvaluationStep&, Records<2>::Part&);
 template void evaluate_particles<3>(const Entities<3>&, std::span<const ParticleCandidate>,
-                                    std::span<const std::size_t>, const Section&, Real,
-                                    Records<3>::Part&);
+                                    std::span<const std::size_t>, const Section&,
+                                    const EvaluationStep&, Records<3>::Part&);
 
 }  // namespace brunt

@@ -62,6 +62,21 @@ void refresh(FacePlane<Dim>& face) {
   }
 }
 
+template <int Dim>
+SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
+  SearchBox<Dim> box;
+  for (int c = 0; c < Dim; ++c) {
+    Real lo = face.corner[0][c], hi = lo;
+    for (int i = 1; i < face.n_corners; ++i) {
+      lo = std::min(lo, face.corner[static_cast<std::size_t>(i)][c]);
+      hi = std::max(hi, face.corner[static_cast<std::size_t>(i)][c]);
+    }
+    box.lo[static_cast<std::size_t>(c)] = lo - reach;
+    box.hi[static_cast<std::size_t>(c)] = hi + reach;
+  }
+  return box;
+}
+
 SplitFace split(const FacePlane<3>& face) {
   const auto& x = face.corner;
   const auto twice = [&](int a, int b, int c) {
@@ -89,5 +104,7 @@ SplitFace split(const FacePlane<3>& face) {
 
 template void refresh<2>(FacePlane<2>&);
 template void refresh<3>(FacePlane<3>&);
+template SearchBox<2> box_of<2>(const FacePlane<2>&, Real);
+template SearchBox<3> box_of<3>(const FacePlane<3>&, Real);
 
 }  // namespace brunt

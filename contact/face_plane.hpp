@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "core/search/search.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
@@ -24,6 +25,10 @@ inline constexpr Real kWarpLimit = 0.05;
 /// Fills all but `corner` and `n_corners`. A face without area or with a NaN gets area 0.
 template <int Dim>
 void refresh(FacePlane<Dim>& face);
+
+/// Box about the corners, wider by reach [m] on all sides.
+template <int Dim>
+SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach);
 
 /// A quad as two triangles, along the diagonal that leaves both with the quad's orientation, else
 /// along the shorter one; a tie goes to corners 0 and 2. corners[i][c] is the quad's corner.

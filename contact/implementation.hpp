@@ -15,8 +15,11 @@ struct ContactManager<Dim>::Implementation {
         entities(surfaces, pairs, section),
         candidates(options.search, options.skin) {}
 
+  /// The longest step that may follow one of dt, 0 for the first: that of the springs, and four
+  /// times dt where particles must look ahead.
+  StepVote longest_after(Real dt) const;
   /// Records and votes of the lists at the present motion.
-  void evaluate(Real dt);
+  void evaluate(Real dt, const StepVote& longest);
 
   Section section;
   std::vector<Surface<Dim>*> surfaces;
@@ -25,8 +28,8 @@ struct ContactManager<Dim>::Implementation {
   Candidates<Dim> candidates;
   Records<Dim> records;
   StepVote vote;
-  Real dt_last = 0;      // [s] of the last evaluation
-  bool started = false;  // forces have been evaluated
+  Real longest_last = 0;  // [s] that the lists had to serve at the last evaluation
+  bool started = false;   // forces have been evaluated
 };
 
 }  // namespace brunt

@@ -1,14 +1,28 @@
 #include "contact/manager.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "contact/implementation.hpp"
 
 namespace brunt {
 
+namespace {
+/// How much longer than the last a step may be where particles look ahead for what is near.
+constexpr Real kStepGrowth = 4;
+}  // namespace
+
 template <int Dim>
-void ContactManager<Dim>::Implementation::evaluate(Real dt) {
+StepVote ContactManager<Dim>::Implementation::longest_after(Real dt) const {
+  StepVote longest = entities.stiffness_vote();
+  if (dt > 0 && !entities.particles.empty()) {
+    const auto& first = entities.particles.front();
+    longest.take({kStepGrowth * dt, "contact look-ahead", first.body, first.id});
+  }
+  return longest;
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& longest) {
   records.clear();
   const auto on_faces = candidates.faces();
   records.for_parts(on_faces.size(), kWorthThreads,
@@ -22,10 +36,10 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt) {
     records.for_parts(
         starts.size() - 1, kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
           evaluate_particles<Dim>(entities, on_particles, starts.subspan(first, last - first + 1),
-                                  section, dt, part);
+                                  section, {dt, longest.step}, part);
         });
   }
-  vote = entities.stiffness_vote();
+  vote = longest;
   vote.take(records.vote());
 }
 
@@ -60,14 +74,12 @@ void ContactManager<Dim>::rearrange() {
   own.entities = std::move(fresh);
   own.entities.refresh_planes();
   if (own.started) {
-    own.candidates.build(own.entities, own.pairs, own.dt_last);
+    own.candidates.build(own.entities, own.pairs, own.longest_last);
     return;
   }
-  // The first votes: near is what the longest step that contact allows would bring near.
-  const Real longest = own.entities.stiffness_vote().step;
-  const Real dt = std::isfinite(longest) ? longest : 0.0;
-  own.candidates.build(own.entities, own.pairs, dt);
-  own.evaluate(dt);
+  const StepVote longest = own.longest_after(0);
+  own.candidates.build(own.entities, own.pairs, longest.step);
+  own.evaluate(0, longest);
   own.records.clear();
 }
 
@@ -76,12 +88,13 @@ void ContactManager<Dim>::add_forces(Real dt) {
   auto& own = *implementation_;
   own.entities.nodes.read_motion(own.surfaces);
   own.entities.refresh_planes();
-  if (!own.candidates.complete(own.entities, dt)) {
-    own.candidates.build(own.entities, own.pairs, dt);
+  const StepVote longest = own.longest_after(dt);
+  if (!own.candidates.complete(own.entities, longest.step)) {
+    own.candidates.build(own.entities, own.pairs, longest.step);
   }
-  own.evaluate(dt);
+  own.evaluate(dt, longest);
   apply(own.records, dt, own.surfaces, own.entities.nodes);
-  own.dt_last = dt;
+  own.longest_last = longest.step;
   own.started = true;
 }
 

@@ -111,6 +111,18 @@ Thickness thickness_of(Geometry geometry, Real depth) {
 }
 
 template <int Dim>
+std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& thickness) {
+  std::vector<LocalIndex> nodes;
+  if (thickness.radial == 0) return nodes;
+  Real largest = 0;
+  for (const auto& x : points.x) largest = std::max(largest, std::abs(x[0]));
+  for (LocalIndex k = 0; k < points.size(); ++k) {
+    if (std::abs(points.x[k][0]) <= 1e-12 * largest) nodes.push_back(k);
+  }
+  return nodes;
+}
+
+template <int Dim>
 std::array<Real, Shape<Dim>::kGauss> gauss_volumes(const Corners<Dim>& x,
                                                    const Thickness& thickness) {
   std::array<Real, Shape<Dim>::kGauss> volume;
@@ -187,6 +199,8 @@ std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim
   return mass;
 }
 
+template std::vector<LocalIndex> axis_nodes(const Points<2>&, const Thickness&);
+template std::vector<LocalIndex> axis_nodes(const Points<3>&, const Thickness&);
 template std::array<Real, 4> gauss_volumes<2>(const Corners<2>&, const Thickness&);
 template std::array<Real, 8> gauss_volumes<3>(const Corners<3>&, const Thickness&);
 template Real element_volume<2>(const Corners<2>&, bool, const Thickness&);

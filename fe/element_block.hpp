@@ -31,6 +31,11 @@ struct Thickness {
 };
 Thickness thickness_of(Geometry geometry, Real depth);
 
+/// Nodes on the axis of an axisymmetric scene, ascending: radius below 1e-12 of the largest. They
+/// stay there: no radial force acts on them.
+template <int Dim>
+std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& thickness);
+
 /// The elements of one set with their state, padded to whole tiles of kTile material points by
 /// repeating the last element. Point g of element e stands at (e/4) 4G + 4 g + e mod 4, so that
 /// four elements fill a Pack and a tile holds kTile/G elements, G the points of an element.

@@ -68,8 +68,9 @@ BRUNT_INLINE void load_tensor(const std::array<std::vector<Real>, 6>& from, std:
   for (int k = kTensorSize<Dim>; k < 6; ++k) s[k] = broadcast<Pack>(0);
 }
 
-/// Largest eigenvalue of a symmetric positive matrix, never below the true one beyond round-off.
-/// 3 x 3: mean + r y, y^3 - 3 y = det(deviator)/r^3 by Newton steps, which come down from above.
+/// Largest eigenvalue of a symmetric positive matrix, from above to round-off (1e-8 at a double
+/// root). 3 x 3: mean + r y, y^3 - 3 y = det(deviator)/r^3 by Newton steps, which come down from
+/// above.
 template <class V>
 BRUNT_INLINE V largest_eigenvalue(const V (&g)[3][3]) {
   const V mean = (1.0 / 3) * (g[0][0] + g[1][1] + g[2][2]);

@@ -9,7 +9,7 @@
 namespace brunt {
 namespace {
 
-constexpr int kWorthThreads = 32;  // tiles; of some 5 us each
+[[maybe_unused]] constexpr int kWorthThreads = 32;  // tiles; of some 5 us each
 
 template <int Dim>
 void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather& gather,
@@ -106,8 +106,9 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   gather_ = make_corner_gather(blocks_, points_.size());
   set_masses(blocks_, gather_, thickness_, corners, points_);
   points_.x_start = points_.x;
+  axis_ = axis_nodes(points_, thickness_);
   surface_.points = &points_;
-  surface_.facets = outer_facets(blocks_, points_, thickness_);
+  surface_.facets = outer_facets(blocks_, points_, axis_);
   for (auto& block : blocks_) {
     const ElementStep<Dim> step = element_step(block, 1.0);
     for (int t = 0; t < block.n_tiles(); ++t) refresh_stable_steps(block, t, step);
@@ -135,6 +136,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
     }
   }
   gather_.template add<Dim>(corner_force_.data(), points_.f);
+  for (const LocalIndex node : axis_) points_.f[node][0] = 0;
 }
 
 template <int Dim>

@@ -44,6 +44,7 @@ class FiniteElements final : public Solid<Dim> {
   Thickness thickness_;
   std::vector<ElementBlock<Dim>> blocks_;
   CornerGather gather_;
+  std::vector<LocalIndex> axis_;    ///< nodes on the axis of an axisymmetric scene
   std::vector<Real> corner_force_;  ///< [N] [element][corner][Dim], blocks one after another
   Surface<Dim> surface_;
 };

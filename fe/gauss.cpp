@@ -1,101 +1,10 @@
 /// Elements with 2^Dim Gauss points: full integration, and q1p0, where one dilatation and one
 /// pressure serve the element (mean dilatation, Nagtegaal, Parks & Rice 1974; B-bar, Hughes 1980).
 #include "fe/element_step.hpp"
+#include "fe/gauss_point.hpp"
 
 namespace brunt {
 namespace {
-
-template <int Dim>
-constexpr int kGauss = Shape<Dim>::kGauss;
-
-/// Slopes [g][mode][j] and values [g][mode] of the modes at the Gauss points.
-template <int Dim>
-struct GaussTable {
-  std::array<std::array<Real, Dim>, Shape<Dim>::kModes - 1> slope[kGauss<Dim>];
-  std::array<Real, Shape<Dim>::kModes> value[kGauss<Dim>];
-};
-template <int Dim>
-constexpr GaussTable<Dim> make_table() {
-  GaussTable<Dim> table{};
-  for (int g = 0; g < kGauss<Dim>; ++g) {
-    table.slope[g] = Shape<Dim>::mode_slopes(gauss_place<Dim>(g));
-    table.value[g] = Shape<Dim>::mode_values(gauss_place<Dim>(g));
-  }
-  return table;
-}
-template <int Dim>
-constexpr GaussTable<Dim> kTable = make_table<Dim>();
-
-BRUNT_INLINE void cofactors(const Pack (&J)[3][3], Pack (&cof)[3][3]) {
-  for (int i = 0; i < 3; ++i) {
-    const int a = (i + 1) % 3, b = (i + 2) % 3;
-    set_cross(J[a], J[b], cof[i]);
-  }
-}
-BRUNT_INLINE void cofactors(const Pack (&J)[2][2], Pack (&cof)[2][2]) {
-  cof[0][0] = J[1][1], cof[1][1] = J[0][0];
-  cof[0][1] = -J[1][0], cof[1][0] = -J[0][1];
-}
-
-/// sum_m c_m (x) d phi_m/d xi at Gauss point g.
-template <int Dim>
-BRUNT_INLINE void slopes(const Modal<Dim, Pack>& c, int g, Pack (&J)[Dim][Dim]) {
-  const auto& slope = kTable<Dim>.slope[g];
-  for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) {
-      J[i][j] = c.m[j][i];
-      for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) J[i][j] += slope[m][j] * c.m[m][i];
-    }
-  }
-}
-
-/// One Gauss point at one configuration; volumes are those of its share of the element.
-template <int Dim>
-struct GaussPoint {
-  Pack cof[Dim][Dim];  ///< determinant times inverse transpose of dx/dxi
-  Pack determinant;
-  Pack thickness;    ///< [m] depth or 2 pi r; 1 in 3D
-  Pack G[Dim][Dim];  ///< [m^Dim] determinant times gradient of the displacement of the step
-  Pack hoop;         ///< [m] thickness times hoop strain
-
-  Pack volume() const { return Dim == 3 ? determinant : determinant * thickness; }
-  Pack dilatation() const {
-    if constexpr (Dim == 3) return trace(G);
-    return thickness * trace(G) + determinant * hoop;
-  }
-  /// Work of the stress s on the displacement of the step [J].
-  Pack work(const Pack (&s)[6]) const {
-    if constexpr (Dim == 3) return double_dot(s, G);
-    return thickness * double_dot(s, G) + determinant * s[zz] * hoop;
-  }
-};
-
-template <int Dim>
-BRUNT_INLINE void evaluate(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u,
-                           const Thickness& option, int g, GaussPoint<Dim>& at) {
-  Pack J[Dim][Dim], A[Dim][Dim];
-  slopes(c, g, J);
-  slopes(u, g, A);
-  cofactors(J, at.cof);
-  at.determinant = J[0][0] * at.cof[0][0];
-  for (int j = 1; j < Dim; ++j) at.determinant += J[0][j] * at.cof[0][j];
-  for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) {
-      at.G[i][j] = A[i][0] * at.cof[j][0];
-      for (int k = 1; k < Dim; ++k) at.G[i][j] += A[i][k] * at.cof[j][k];
-    }
-  }
-  if constexpr (Dim == 2) {
-    const auto& value = kTable<Dim>.value[g];
-    Pack r = c.m[3][0], u_r = u.m[3][0];
-    for (int m = 0; m < 3; ++m) {
-      r += value[m] * c.m[m][0];
-      u_r += value[m] * u.m[m][0];
-    }
-    at.thickness = option.constant + option.radial * r;
-    at.hoop = option.radial * u_r;
-  }
-}
 
 /// Work of pressures on the dilatation of the step: one mean pressure, or each its own.
 struct PressureWork {
@@ -227,25 +136,31 @@ BRUNT_INLINE Pack largest_bulk(const Group<Dim>& group) {
 
 /// Square of the hoop gradient of an axisymmetric element with Gauss points [1/m^2], such that
 /// corners times it bounds the hoop work of a corner's motion over the corner's mass:
-/// max_I (sum_g w N_I / r^2) / (sum_g w N_I) / corners.
+/// max_I (sum_g w N_I / r^2) / (sum_g w N_I) / corners, over the corners off the axis: those on it
+/// do not move radially.
 BRUNT_INLINE Pack hoop_norm(const Modal<2, Pack>& c, const Thickness& option) {
   Pack work[4], weight[4];
   for (int I = 0; I < 4; ++I) work[I] = weight[I] = broadcast<Pack>(0);
   for (int g = 0; g < 4; ++g) {
     Pack J[2][2], thickness = option.constant + option.radial * c.m[3][0];
     slopes(c, g, J);
-    for (int m = 0; m < 3; ++m) thickness += (option.radial * kTable<2>.value[g][m]) * c.m[m][0];
+    for (int m = 0; m < 3; ++m)
+      thickness += (option.radial * kGaussTable<2>.value[g][m]) * c.m[m][0];
     const Pack volume = thickness * (J[0][0] * J[1][1] - J[0][1] * J[1][0]);
     const Pack gradient = option.radial / thickness;
     for (int I = 0; I < 4; ++I) {
-      const Real N = (1 + Shape<2>::kSign[I][0] * kTable<2>.value[g][0]) *
-                     (1 + Shape<2>::kSign[I][1] * kTable<2>.value[g][1]);
+      const Real N = (1 + Shape<2>::kSign[I][0] * kGaussTable<2>.value[g][0]) *
+                     (1 + Shape<2>::kSign[I][1] * kGaussTable<2>.value[g][1]);
       weight[I] += N * volume;
       work[I] += N * volume * (gradient * gradient);
     }
   }
-  Pack most = work[0] / weight[0];
-  for (int I = 1; I < 4; ++I) most = vmax(most, work[I] / weight[I]);
+  Pack corner[4][2], most = broadcast<Pack>(0);
+  to_corners(c, 0, corner);
+  for (int I = 0; I < 4; ++I) {
+    const auto on_axis = corner[I][0] <= 1e-9 * c.m[3][0];
+    most = vmax(most, select(on_axis, broadcast<Pack>(0), work[I] / weight[I]));
+  }
   return 0.25 * most;
 }
 
@@ -268,8 +183,8 @@ BRUNT_INLINE OperatorNorm<Pack> gauss_norm(const Modal<Dim, Pack>& c, const Thic
     }
     sum += square / determinant;
   }
-  const Pack scale = vmax(broadcast<Pack>(1),
-                          sum / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
+  const Pack scale =
+      vmax(broadcast<Pack>(1), sum / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
   norm.trace *= scale;
   norm.largest *= scale;
   if constexpr (Dim == 2) {
@@ -313,7 +228,7 @@ BRUNT_INLINE void subtract_stress(const GaussPoint<Dim>& point, const Pack (&s)[
                                   const Thickness& option, int g, Modal<Dim, Pack>& f) {
   Pack sigma[Dim][Dim];
   stress_matrix(s, p, sigma);
-  const auto& slope = kTable<Dim>.slope[g];
+  const auto& slope = kGaussTable<Dim>.slope[g];
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j) {
       Pack P = sigma[i][0] * point.cof[0][j];
@@ -325,7 +240,7 @@ BRUNT_INLINE void subtract_stress(const GaussPoint<Dim>& point, const Pack (&s)[
   }
   if constexpr (Dim == 2) {
     const Pack hoop = option.radial * point.determinant * (s[zz] - p);
-    for (int m = 0; m < Shape<2>::kModes; ++m) f.m[m][0] -= kTable<2>.value[g][m] * hoop;
+    for (int m = 0; m < Shape<2>::kModes; ++m) f.m[m][0] -= kGaussTable<2>.value[g][m] * hoop;
   }
 }
 

@@ -5,8 +5,6 @@ namespace brunt {
 namespace {
 
 template <int Dim>
-constexpr Real kCorners = Shape<Dim>::kCorners;
-template <int Dim>
 constexpr Real kRootCorners = Dim == 3 ? 2.82842712474619009760 : 2.0;
 
 /// Gradients of the displacement of the step at one configuration.

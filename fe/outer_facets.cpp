@@ -64,19 +64,39 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   return facet;
 }
 
+/// An element between two outer faces is a plate one element thick: each face lets go at its
+/// middle, or a body that has come in from one side would be pushed out of the other.
+template <int Dim>
+void halve_plates(std::vector<Facet<Dim>>& facets) {
+  const auto opposite = [](GlobalId id) {
+    const auto number = static_cast<int>(id & 7);
+    const int other = Dim == 2     ? (number + 2) % 4
+                      : number < 2 ? 1 - number
+                                   : (number - 2 + 2) % 4 + 2;
+    return (id & ~GlobalId{7}) | static_cast<GlobalId>(other);
+  };
+  std::vector<GlobalId> ids;
+  for (const auto& facet : facets) ids.push_back(facet.id);
+  for (auto& facet : facets) {
+    if (std::binary_search(ids.begin(), ids.end(), opposite(facet.id))) facet.depth *= 0.5;
+  }
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& blocks,
-                                     const Points<Dim>& points, const Thickness& thickness) {
+                                     const Points<Dim>& points,
+                                     const std::vector<LocalIndex>& axis) {
   const std::vector<Face<Dim>> faces = all_faces(blocks);
   std::vector<Facet<Dim>> facets;
   for (std::size_t k = 0; k < faces.size();) {
     std::size_t end = k + 1;
     while (end < faces.size() && faces[end].sorted == faces[k].sorted) ++end;
-    const auto on_axis = [&points](LocalIndex node) { return points.x[node][0] == 0; };
-    const bool inner = thickness.radial != 0 &&
-                       std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
+    const auto on_axis = [&axis](LocalIndex node) {
+      return std::binary_search(axis.begin(), axis.end(), node);
+    };
+    const bool inner = std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
     if (end == k + 1 && !inner) {
       facets.push_back(facet_of(blocks[faces[k].block], faces[k], points));
     }
@@ -84,12 +104,13 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
   }
   std::sort(facets.begin(), facets.end(),
             [](const Facet<Dim>& a, const Facet<Dim>& b) { return a.id < b.id; });
+  halve_plates<Dim>(facets);
   return facets;
 }
 
 template std::vector<Facet<2>> outer_facets(const std::vector<ElementBlock<2>>&, const Points<2>&,
-                                            const Thickness&);
+                                            const std::vector<LocalIndex>&);
 template std::vector<Facet<3>> outer_facets(const std::vector<ElementBlock<3>>&, const Points<3>&,
-                                            const Thickness&);
+                                            const std::vector<LocalIndex>&);
 
 }  // namespace brunt

@@ -1,19 +1,21 @@
 #pragma once
 /// Smoothing kernels of support 2 h:
 ///   W(r) = alpha / h^Dim f(q),  q = r/h;   grad_i W = alpha / h^(Dim+2) (f'(q)/q) (x_i - x_j).
-/// Written on V = Real or Pack, for q in [0, 2], without branches and without pow.
+/// Written on V = Real or Pack, for q in [0, 2], without branches and without pow. slope_over_q is
+/// f'/q, out of q and 1/q where the kernel divides by it.
 #include "core/simd.hpp"
 #include "sph/options.hpp"
 
 namespace brunt {
 
-/// Where f' is not 0 at q = 0, f'/q is that of this q below it: the force of a pair stays finite
+/// Where a kernel divides by q, 1/q is taken at this q below it: the force of a pair stays finite
 /// and vanishes with the distance.
 inline constexpr Real kSmallestRatio = 1e-12;
 
 /// Monaghan & Lattanzio 1985.
 struct CubicKernel {
   static constexpr Real kStepFactor = 1.81;  ///< undamped stable step in h/c
+  static constexpr bool kDivides = true;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 10.0 / (7.0 * kPi) : 1.0 / kPi;
 
@@ -23,15 +25,16 @@ struct CubicKernel {
     return select(q < 1.0, 1.0 + q * q * (0.75 * q - 1.5), 0.25 * rest * rest * rest);
   }
   template <class V>
-  static BRUNT_INLINE V slope_over_q(V q) {
+  static BRUNT_INLINE V slope_over_q(V q, V inverse_q) {
     const V rest = 2.0 - q;
-    return select(q < 1.0, 2.25 * q - 3.0, -0.75 * rest * rest / q);
+    return select(q < 1.0, 2.25 * q - 3.0, -0.75 * rest * rest * inverse_q);
   }
 };
 
 /// Johnson, Stryk & Beissel 1996.
 struct QuadraticKernel {
   static constexpr Real kStepFactor = 2.05;
+  static constexpr bool kDivides = true;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 2.0 / kPi : 5.0 / (4.0 * kPi);
 
@@ -41,14 +44,15 @@ struct QuadraticKernel {
     return 0.1875 * rest * rest;
   }
   template <class V>
-  static BRUNT_INLINE V slope_over_q(V q) {
-    return (0.375 * q - 0.75) / vmax(q, broadcast<V>(kSmallestRatio));
+  static BRUNT_INLINE V slope_over_q(V q, V inverse_q) {
+    return (0.375 * q - 0.75) * inverse_q;
   }
 };
 
 /// Yang, Peng & Liu 2014: f'' >= 0 everywhere, so that particles never pair under compression.
 struct HyperbolicKernel {
   static constexpr Real kStepFactor = 1.80;
+  static constexpr bool kDivides = true;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 1.0 / (3.0 * kPi) : 15.0 / (62.0 * kPi);
 
@@ -58,16 +62,17 @@ struct HyperbolicKernel {
     return select(q < 1.0, q * (q * q - 6.0) + 6.0, rest * rest * rest);
   }
   template <class V>
-  static BRUNT_INLINE V slope_over_q(V q) {
+  static BRUNT_INLINE V slope_over_q(V q, V inverse_q) {
     const V rest = 2.0 - q;
     const V slope = select(q < 1.0, 3.0 * q * q - 6.0, -3.0 * rest * rest);
-    return slope / vmax(q, broadcast<V>(kSmallestRatio));
+    return slope * inverse_q;
   }
 };
 
 /// Wendland 1995, twice differentiable.
 struct WendlandC2Kernel {
   static constexpr Real kStepFactor = 1.73;
+  static constexpr bool kDivides = false;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 7.0 / (4.0 * kPi) : 21.0 / (16.0 * kPi);
 
@@ -77,7 +82,7 @@ struct WendlandC2Kernel {
     return square * square * (1.0 + 2.0 * q);
   }
   template <class V>
-  static BRUNT_INLINE V slope_over_q(V q) {
+  static BRUNT_INLINE V slope_over_q(V q, V) {
     const V rest = 1.0 - 0.5 * q;
     return -5.0 * (rest * rest * rest);
   }
@@ -86,6 +91,7 @@ struct WendlandC2Kernel {
 /// Wendland 1995, four times differentiable.
 struct WendlandC4Kernel {
   static constexpr Real kStepFactor = 1.51;
+  static constexpr bool kDivides = false;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 9.0 / (4.0 * kPi) : 495.0 / (256.0 * kPi);
 
@@ -95,7 +101,7 @@ struct WendlandC4Kernel {
     return cube * cube * (1.0 + q * (3.0 + (35.0 / 12.0) * q));
   }
   template <class V>
-  static BRUNT_INLINE V slope_over_q(V q) {
+  static BRUNT_INLINE V slope_over_q(V q, V) {
     const V rest = 1.0 - 0.5 * q, square = rest * rest;
     return (-14.0 / 3.0) * (1.0 + 2.5 * q) * (square * square * rest);
   }

@@ -37,10 +37,7 @@ template <int Dim, class Kernel>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, LocalIndex i,
                                              std::span<const LocalIndex> row) {
   Pack moment[kSymmetric<Dim>] = {}, rate[Dim * Dim] = {};
-  for (std::size_t k = 0; k < row.size(); k += kLanes) {
-    const FourPairs<Dim> pair(motion, motion[i].data, row.data() + k);
-    Pack q;
-    const Pack weight = pair.template weight<Kernel>(&q);
+  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*) {
     for (int b = 0; b < Dim; ++b) {
       const Pack gradient = weight * pair.arm[b];
       for (int a = 0; a <= b; ++a) {
@@ -51,7 +48,8 @@ BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, Lo
         rate[Dim * a + b] = rate[Dim * a + b] + pair.velocity[a] * gradient;
       }
     }
-  }
+  };
+  for_each_four<Dim, Kernel, false>(motion, i, row, add);
   GradientSums<Dim> sums;
   for (int k = 0; k < kSymmetric<Dim>; ++k) sums.moment[k] = sum_lanes(moment[k]);
   for (int k = 0; k < Dim * Dim; ++k) sums.rate[k] = sum_lanes(rate[k]);
@@ -127,10 +125,13 @@ struct ViscousPart {
       speed2 = speed2 + pair.velocity[a] * pair.velocity[a];
     }
     const Pack h = pair.h;
-    const Pack mu = vmin(h * approach / (pair.r2 + (0.01 * h) * h), broadcast<Pack>(0.0));
     const Real own_density = own[StressRecord<Dim>::kDensity];
+    // one division gives mu = h approach/(r^2 + 0.01 h^2) and 2 rho_i rho_j/(rho_i + rho_j)
+    const Pack distance2 = pair.r2 + (0.01 * h) * h, densities = density + own_density;
+    const Pack inverse = 1.0 / (distance2 * densities);
+    const Pack mu = vmin(h * approach * (densities * inverse), broadcast<Pack>(0.0));
+    const Pack both = 2.0 * own_density * density * (distance2 * inverse);
     const Pack c = 0.5 * (sound_speed + own[StressRecord<Dim>::kSoundSpeed]);
-    const Pack both = 2.0 * own_density * density / (density + own_density);
     const Pack push = -(both * weight) * (mu * (options.beta * mu - options.alpha * c));
     for (int a = 0; a < Dim; ++a) force[a] = force[a] + push * pair.arm[a];
     power = power + push * approach;
@@ -181,11 +182,8 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIn
   StressPart<Dim> stress;
   ViscousPart<Dim> viscous;
   ArtificialPart<Dim> artificial;
-  for (std::size_t k = 0; k < row.size(); k += kLanes) {
-    const LocalIndex* j = row.data() + k;
-    const FourPairs<Dim> pair(records.motion, records.motion[i].data, j);
-    Pack q;
-    const Pack weight = pair.template weight<Kernel>(&q);
+  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real* value,
+                       const LocalIndex* j) {
     Pack part[Record::kSize];
     for (int g = 0; g < Record::kSize; g += 4) {
       load_transposed(records.stress[j[0]].data + g, records.stress[j[1]].data + g,
@@ -194,10 +192,11 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIn
     stress.add(pair, weight, part);
     viscous.add(pair, weight, own, part[Record::kSoundSpeed], part[Record::kDensity], options);
     if (own_tension || any(part[Record::kTension] != 0.0)) {
-      artificial.add(pair, weight, options.inverse_spacing_value * Kernel::value(q),
+      artificial.add(pair, weight, options.inverse_spacing_value * load(value),
                      records.artificial[i].data, records.artificial, j);
     }
-  }
+  };
+  for_each_four<Dim, Kernel, true>(records.motion, i, row, add);
   ForceSums<Dim> sums;
   for (int a = 0; a < Dim; ++a) {
     sums.stress[a] = sum_lanes(stress.force[a]);

@@ -36,6 +36,7 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
     MaterialState state =
         material.initial_state(set.particle.size(), set.temperature, set.adiabatic);
     blocks_.push_back({std::move(set), std::move(state)});
+    for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
   }
   std::vector<Label> bodies(points_.body);
   std::sort(bodies.begin(), bodies.end());
@@ -49,12 +50,15 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   seed_votes();
 }
 
+/// Smoothing length and contact radius follow the volume.
 template <int Dim>
-Real SphParticles<Dim>::smoothing_length(std::size_t i) const {
+void SphParticles<Dim>::set_size(std::size_t i) {
   const SphOptions& options = blocks_[block_of_[i]].set.options;
-  const Real start = options.smoothing * state_[i].spacing;
-  if (!options.adaptive_h) return start;
-  return start * (Dim == 2 ? std::sqrt(state_[i].ratio) : std::cbrt(state_[i].ratio));
+  auto& state = state_[i];
+  Real size = state.spacing;
+  if (options.adaptive_h) size *= Dim == 2 ? std::sqrt(state.ratio) : std::cbrt(state.ratio);
+  state.smoothing_length = options.smoothing * size;
+  surface_.particles[i].radius = 0.5 * size;
 }
 
 template <int Dim>
@@ -66,7 +70,7 @@ void SphParticles<Dim>::refresh_motion() {
       record[d] = points_.x[i][d];
       record[Record::kVelocity + d] = points_.v[i][d];
     }
-    record[Record::kSmoothing] = smoothing_length(i);
+    record[Record::kSmoothing] = state_[i].smoothing_length;
     record[Record::kVolume] = state_[i].volume / depth_;
     stress_[i].data[StressRecord<Dim>::kDensity] = points_.mass[i] / state_[i].volume;
   });

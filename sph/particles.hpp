@@ -36,6 +36,7 @@ struct ParticleState {
   Real start_volume = 0;                         ///< [m^3] mass over reference density
   Real ratio = 1;                                ///< [1] volume over start volume
   Real volume = 0;                               ///< [m^3] at n+1
+  Real smoothing_length = 0;                     ///< [m] h, of the volume at n+1 where it adapts
   Real sound_speed = 0;                          ///< [m/s]
   Real speed = 0;                                ///< [m/s] max |v_ij| over neighbours
   Real mu = 0;                                   ///< [m/s] max |mu_ij| over neighbours
@@ -96,7 +97,7 @@ class SphParticles final : public Solid<Dim> {
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
   void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
   bool list_covers(Real dt) const;
-  Real smoothing_length(std::size_t i) const;
+  void set_size(std::size_t i);
   void seed_votes();
 
   Points<Dim> points_;

@@ -54,7 +54,7 @@ bool SphParticles<Dim>::list_covers(Real dt) const {
       [&](std::vector<BodyMotion<Dim>>& own, std::size_t i) {
         auto& body = own[body_rank_[i]];
         body.bounds.take(points_.x[i] - listed_at_[i], points_.v[i], points_.a[i]);
-        body.growth = std::max(body.growth, smoothing_length(i) - listed_reach_[i]);
+        body.growth = std::max(body.growth, state_[i].smoothing_length - listed_reach_[i]);
       },
       [](std::vector<BodyMotion<Dim>>& all, const std::vector<BodyMotion<Dim>>& own) {
         for (std::size_t b = 0; b < all.size(); ++b) all[b].take(own[b]);
@@ -81,7 +81,7 @@ void SphParticles<Dim>::rearrange() {
   const std::size_t n = state_.size();
   listed_at_ = points_.x;
   listed_reach_.resize(n);
-  for_each(n, [&](std::size_t i) { listed_reach_[i] = smoothing_length(i); });
+  for_each(n, [&](std::size_t i) { listed_reach_[i] = state_[i].smoothing_length; });
   Real longest = 0;
   for (const Real h : listed_reach_) longest = std::max(longest, h);
   skin_ = skin_ratio_ * longest;
@@ -115,7 +115,7 @@ StepVote SphParticles<Dim>::stable_step() const {
   const auto bound = [&](std::size_t i) {
     const SphOptions& options = blocks_[block_of_[i]].set.options;
     const auto& state = state_[i];
-    const Real h = smoothing_length(i);
+    const Real h = state_[i].smoothing_length;
     const Real factor =
         with_kernel(options.kernel, [](auto kernel) { return decltype(kernel)::kStepFactor; });
     const Real viscous =

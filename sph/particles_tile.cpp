@@ -150,10 +150,7 @@ void SphParticles<Dim>::publish(ParticleBlock& block, std::size_t first, const T
     Real* stress = stress_[i].data;
     for (int c = 0; c < Dim * Dim; ++c) stress[c] = tile.corrected[c][slot];
     stress[Record::kSoundSpeed] = tile.sound_speed[slot];
-    if (block.set.options.adaptive_h) {
-      const Real size = Dim == 2 ? std::sqrt(state.ratio) : std::cbrt(state.ratio);
-      surface_.particles[i].radius = 0.5 * state.spacing * size;
-    }
+    set_size(i);
     if (!artificial) continue;
     bool tension = false;
     for (int c = 0; c < kSymmetric<Dim>; ++c) {

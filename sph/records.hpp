@@ -1,7 +1,11 @@
 #pragma once
 /// What a particle shows to its neighbours, one record a pass: read four at a time and transposed,
 /// so that lane k holds neighbour k. Volumes are areal in 2D (volume over depth), as kernels are.
+#include <algorithm>
+#include <span>
+
 #include "core/simd.hpp"
+#include "sph/kernels.hpp"
 
 namespace brunt {
 
@@ -86,17 +90,65 @@ struct FourPairs {
     h = 0.5 * (first[Record::kSmoothing] + own[Record::kSmoothing]);
     volume = second[Record::kVolume - 4];
   }
-
-  /// w in V_j grad_i W = w (x_j - x_i), w >= 0 [1/m^2]; q = r/h
-  template <class Kernel>
-  BRUNT_INLINE Pack weight(Pack* q) const {
-    const Pack inverse = 1.0 / h;
-    *q = vsqrt(r2) * inverse;
-    Pack scale = inverse * inverse;
-    scale = scale * scale;
-    if constexpr (Dim == 3) scale = scale * inverse;
-    return (-Kernel::template kAlpha<Dim> * volume) * (scale * Kernel::slope_over_q(*q));
-  }
 };
+
+/// Kernel factors of a stretch of a row, ahead of its sums: roots and divisions of many pairs run
+/// side by side instead of each holding up the sums of its own pair.
+struct RowFactors {
+  static constexpr std::size_t kLength = 64;
+  alignas(32) Real weight[kLength];  ///< [1/m^(Dim+2)] w in grad_i W = w (x_j - x_i), w >= 0
+  alignas(32) Real value[kLength];   ///< [1] f(q), where asked for
+};
+
+/// Fills the factors of n pairs (i, j), n a multiple of kLanes up to RowFactors::kLength.
+template <int Dim, class Kernel, bool with_value>
+BRUNT_INLINE void weigh(const MotionRecord<Dim>* records, const Real* own, const LocalIndex* j,
+                        std::size_t n, RowFactors& factors) {
+  constexpr int smoothing = MotionRecord<Dim>::kSmoothing;
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    Pack part[4];
+    load_transposed(records[j[k]].data, records[j[k + 1]].data, records[j[k + 2]].data,
+                    records[j[k + 3]].data, part);
+    Pack r2 = (part[0] - own[0]) * (part[0] - own[0]);
+    for (int d = 1; d < Dim; ++d) r2 = r2 + (part[d] - own[d]) * (part[d] - own[d]);
+    const Pack h = 0.5 * (part[smoothing] + own[smoothing]);
+    const Pack r = vsqrt(r2);
+    Pack inverse_h, inverse_q = {};
+    if constexpr (Kernel::kDivides) {
+      // one division gives both
+      const Pack distance = vmax(r, kSmallestRatio * h);
+      const Pack inverse = 1.0 / (h * distance);
+      inverse_h = inverse * distance;
+      inverse_q = h * h * inverse;
+    } else {
+      inverse_h = 1.0 / h;
+    }
+    const Pack q = r * inverse_h;
+    Pack scale = inverse_h * inverse_h;
+    scale = scale * scale;
+    if constexpr (Dim == 3) scale = scale * inverse_h;
+    const Pack slope = Kernel::slope_over_q(q, inverse_q);
+    store(factors.weight + k, (-Kernel::template kAlpha<Dim> * scale) * slope);
+    if constexpr (with_value) store(factors.value + k, Kernel::value(q));
+  }
+}
+
+/// Calls add(pair, w, f, j) for each four pairs of a row: V_j grad_i W = w (x_j - x_i), f(q),
+/// places.
+template <int Dim, class Kernel, bool with_value, class Add>
+BRUNT_INLINE void for_each_four(const MotionRecord<Dim>* records, LocalIndex i,
+                                std::span<const LocalIndex> row, Add add) {
+  const Real* own = records[i].data;
+  RowFactors factors;
+  for (std::size_t first = 0; first < row.size(); first += RowFactors::kLength) {
+    const std::size_t n = std::min(RowFactors::kLength, row.size() - first);
+    const LocalIndex* j = row.data() + first;
+    weigh<Dim, Kernel, with_value>(records, own, j, n, factors);
+    for (std::size_t k = 0; k < n; k += kLanes) {
+      const FourPairs<Dim> pair(records, own, j + k);
+      add(pair, pair.volume * load(factors.weight + k), factors.value + k, j + k);
+    }
+  }
+}
 
 }  // namespace brunt

@@ -8,17 +8,18 @@ namespace brunt {
 
 namespace {
 
-/// Even steps of viridis (van der Walt and Smith 2015) and of the blue-white-red map of Moreland
-/// 2009.
-constexpr std::array<Colour, 9> kSequential = {{{68, 1, 84},
-                                                {71, 44, 122},
-                                                {59, 81, 139},
-                                                {44, 113, 142},
-                                                {33, 144, 141},
-                                                {39, 173, 129},
-                                                {92, 200, 99},
-                                                {170, 220, 50},
-                                                {253, 231, 37}}};
+/// From pale to dark by even steps of lightness: what is at rest stays pale, and mesh lines are
+/// seen.
+constexpr std::array<Colour, 9> kSequential = {{{240, 240, 236},
+                                                {250, 228, 184},
+                                                {253, 204, 124},
+                                                {250, 170, 84},
+                                                {240, 130, 68},
+                                                {220, 88, 70},
+                                                {186, 50, 82},
+                                                {138, 26, 86},
+                                                {82, 12, 74}}};
+/// Even steps of the blue-white-red map of Moreland 2009.
 constexpr std::array<Colour, 9> kDiverging = {{{59, 76, 192},
                                                {98, 130, 234},
                                                {141, 176, 254},

@@ -132,7 +132,9 @@ std::vector<Real> ticks(const Range& range, int count) {
   }
   std::vector<Real> result;
   const Real first = std::ceil(range.low / step - 1e-9);
-  for (Real k = first; k * step <= range.high + 1e-9 * width; k += 1) result.push_back(k * step);
+  for (Real k = first; k * step <= range.high + 1e-9 * width; k += 1) {
+    result.push_back(k * step + 0.0);  // no -0
+  }
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// Which number colours a picture, and how it is named and scaled. Plain data, no VTK.
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,12 +19,13 @@ struct Colouring {
 /// Reads "NAME" or "NAME.COMPONENT"; a vector without a component means its magnitude.
 Colouring parse_colouring(const std::string& text);
 
-/// Smallest and largest value.
+/// Smallest and largest of what is finite: the last frame of a broken run may hold NaN.
 struct Range {
   Real low = kInfinity;
   Real high = -kInfinity;
   bool empty() const { return low > high; }
   void take(Real value) {
+    if (!std::isfinite(value)) return;
     if (value < low) low = value;
     if (value > high) high = value;
   }

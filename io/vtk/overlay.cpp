@@ -113,7 +113,7 @@ void draw_scalar_bar(Overlay& overlay, int width, int height, const Colouring& c
   }
   const auto unit =
       display_unit(std::max(std::fabs(range.low), std::fabs(range.high)), unit_of(colouring.field));
-  for (const Real value : ticks(range, 6)) {
+  for (const Real value : ticks(range, 8)) {
     const Real y = low + (high - low) * (value - range.low) / (range.high - range.low);
     overlay.line(x + bar, y, x + bar + 6, y, 1.5, kInk);
     overlay.text(rounded(value * unit.factor, 6), x + bar + 12, y, kTextSize, Anchor::left);

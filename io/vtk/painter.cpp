@@ -5,6 +5,8 @@
 #include <vtkCellData.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
@@ -29,7 +31,8 @@ namespace {
 constexpr int kOversampling = 2;
 constexpr std::size_t kCellsWithEdges = 20000;
 constexpr const char* kScalars = "scalars";
-constexpr Colour kRigid = {190, 193, 198};
+constexpr Colour kRigid = {214, 218, 224};
+constexpr Colour kRigidLine = {120, 126, 134};
 /// Pale colours of bodies that deform but have not the field that colours the picture.
 constexpr std::array<Colour, 4> kPlain = {
     {{166, 189, 219}, {204, 187, 160}, {180, 205, 175}, {210, 180, 200}}};
@@ -42,7 +45,7 @@ vtkSmartPointer<vtkLookupTable> lookup_table(const Range& range) {
     table->SetTableValue(static_cast<vtkIdType>(i), map[i][0] / 255.0, map[i][1] / 255.0,
                          map[i][2] / 255.0);
   }
-  table->SetTableRange(range.low, range.high);
+  if (!range.empty()) table->SetTableRange(range.low, range.high);
   return table;
 }
 
@@ -52,7 +55,6 @@ vtkSmartPointer<vtkUnstructuredGrid> shape_of(const BodyView& body, const Scalar
   bare.position = body.position;
   bare.connectivity = body.connectivity;
   bare.corners = body.corners;
-  bare.point_radius = body.point_radius;
   if (!scalars.values.empty()) {
     (scalars.on_cells ? bare.cell_fields : bare.point_fields)
         .push_back({kScalars, 1, scalars.values});
@@ -84,14 +86,40 @@ vtkSmartPointer<vtkPolyDataMapper> mapper_of(const BodyView& body, const Scalars
   auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
   vtkNew<vtkPolyData> points;
   points->SetPoints(grid->GetPoints());
-  points->GetPointData()->ShallowCopy(grid->GetPointData());
+  points->SetVerts(grid->GetCells());  // the mapper takes its bounds from cells
+  if (auto* numbers = grid->GetPointData()->GetArray(kScalars)) {
+    points->GetPointData()->AddArray(numbers);
+  }
+  vtkNew<vtkFloatArray> radius;  // the mapper reads floats, whatever the array holds
+  radius->SetName("radius");
+  for (const Real r : body.point_radius) radius->InsertNextValue(static_cast<float>(r));
+  points->GetPointData()->AddArray(radius);
   mapper->SetInputData(points);
-  mapper->SetScaleArray("radius");
+  mapper->SetScaleArray(radius->GetName());
   return mapper;
 }
 
 void set_colour(vtkProperty& property, Colour colour) {
   property.SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+}
+
+/// The outline of a rigid surface: its rims and its sharp edges.
+void add_outline(vtkRenderer& renderer, vtkPolyData* surface) {
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->SetFeatureAngle(35);
+  edges->ManifoldEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(edges->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  set_colour(*actor->GetProperty(), kRigidLine);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(1.2 * kOversampling);
+  renderer.AddActor(actor);
 }
 
 std::size_t cells_of(const BodyView& body) {
@@ -122,17 +150,19 @@ void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
   actor->SetMapper(mapper);
   auto& property = *actor->GetProperty();
   set_colour(property, rigid ? kRigid : kPlain[index % kPlain.size()]);
-  property.SetAmbient(flat ? 1.0 : 0.25);
-  property.SetDiffuse(flat ? 0.0 : 0.80);
+  if (rigid && body.corners == 2) set_colour(property, kRigidLine);
+  property.SetAmbient(flat ? 1.0 : 0.34);
+  property.SetDiffuse(flat ? 0.0 : 0.78);
   property.SetSpecular(flat ? 0.0 : 0.08);
   property.SetSpecularPower(20);
   property.SetLineWidth(3 * kOversampling);
   if (!rigid && body.corners > 2 && cells_of(body) < kCellsWithEdges) {
     property.EdgeVisibilityOn();
-    property.SetEdgeColor(0.18, 0.18, 0.20);
+    property.SetEdgeColor(0.30, 0.30, 0.33);
     property.SetLineWidth(0.6 * kOversampling);
   }
   renderer.AddActor(actor);
+  if (rigid && body.corners > 2) add_outline(renderer, mapper->GetInput());
 }
 
 void set_camera(vtkRenderer& renderer, const PictureStyle& style) {

@@ -20,7 +20,8 @@ void expect_pressure_forces() {
     SCOPED_TRACE(name_of(variant));
     ElementOptions options;
     options.bulk_viscosity = {0, 0};
-    auto body = make_body(cell_mesh<Dim>(Vec<Dim>::Ones(), 0.2, 3, 1.0), material, variant, options);
+    auto body =
+        make_body(cell_mesh<Dim>(Vec<Dim>::Ones(), 0.2, 3, 1.0), material, variant, options);
     Points<Dim>& points = body->points();
     for (auto& x : points.x) x *= 0.9;
     body->add_internal_forces(1e-3);

@@ -58,9 +58,7 @@ Mesh<Dim> box_mesh(std::array<int, Dim> cells, Vec<Dim> corner, Vec<Dim> size,
   Mesh<Dim> mesh;
   std::array<int, 3> n = {0, 0, 0};
   for (int j = 0; j < Dim; ++j) n[j] = cells[j];
-  const auto index = [&](int i, int j, int k) {
-    return (k * (n[1] + 1) + j) * (n[0] + 1) + i;
-  };
+  const auto index = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
   mesh.points.resize((n[0] + 1) * (n[1] + 1) * (n[2] + 1));
   std::mt19937_64 random(7);
   std::uniform_real_distribution<Real> uniform(-1, 1);
@@ -124,9 +122,8 @@ std::unique_ptr<FiniteElements<Dim>> make_body(Mesh<Dim> mesh, const Material& m
   mesh.set.material = &material;
   mesh.set.options = options;
   mesh.set.options.integration = variant.integration;
-  return std::make_unique<FiniteElements<Dim>>(std::move(mesh.points),
-                                               std::vector<ElementSet<Dim>>{mesh.set},
-                                               variant.geometry, depth);
+  return std::make_unique<FiniteElements<Dim>>(
+      std::move(mesh.points), std::vector<ElementSet<Dim>>{mesh.set}, variant.geometry, depth);
 }
 
 /// Velocity Verlet without supports or loads.

@@ -34,7 +34,8 @@ void expect_conservation() {
   cells.fill(3);
   Vec<Dim> corner = Vec<Dim>::Zero();
   for (const Variant& variant : variants_of(Dim)) {
-    for (const Hourglass hourglass : {Hourglass{StiffnessHourglass{}}, Hourglass{ViscousHourglass{}}}) {
+    for (const Hourglass hourglass :
+         {Hourglass{StiffnessHourglass{}}, Hourglass{ViscousHourglass{}}}) {
       SCOPED_TRACE(name_of(variant) + (hourglass.index() == 1 ? " viscous" : " stiffness"));
       const bool ring = variant.geometry == Geometry::axisymmetric;
       corner[0] = ring ? 1 : 0;
@@ -132,6 +133,25 @@ void expect_same_bits() {
 }
 TEST(finite_elements, bits_do_not_depend_on_threads_or_order_3d) { expect_same_bits<3>(); }
 TEST(finite_elements, bits_do_not_depend_on_threads_or_order_2d) { expect_same_bits<2>(); }
+
+TEST(finite_elements, what_lies_on_the_axis_stays_there) {
+  // A cylinder stretched along r would pull its axis outwards: no radial force acts there.
+  const Material material = elastic(200e9, 0.3, 7850);
+  for (const Variant& variant : variants_of(2)) {
+    if (variant.geometry != Geometry::axisymmetric) continue;
+    auto body = make_body(box_mesh<2>({2, 2}, Vec<2>::Zero(), {1.0, 1.0}, 0.1), material, variant);
+    std::vector<Vec<2>> x = body->points().x;
+    for (auto& place : x) place[0] *= 1.01;
+    step_to(*body, x, 1e-6);
+    for (LocalIndex k = 0; k < body->points().size(); ++k) {
+      if (x[k][0] == 0) {
+        EXPECT_EQ(body->points().f[k][0], 0);
+      } else if (x[k][0] > 1) {
+        EXPECT_LT(body->points().f[k][0], 0);
+      }
+    }
+  }
+}
 
 TEST(finite_elements, a_squeezed_element_is_named) {
   // The top of a unit cube moves down by 0.1 a step: flat after ten, inverted after eleven.

@@ -29,8 +29,12 @@ std::array<Real, 6> patch_stress(const Mat3& A, const Material& material) {
   const Real p = material.bulk * (1 / (Mat3::Identity() + A).determinant() - 1);
   const Real third = D.trace() / 3;
   const Real G = 2 * material.shear;
-  return {G * (D(0, 0) - third) - p, G * (D(1, 1) - third) - p, G * (D(2, 2) - third) - p,
-          G * D(0, 1), G * D(1, 2), G * D(2, 0)};
+  return {G * (D(0, 0) - third) - p,
+          G * (D(1, 1) - third) - p,
+          G * (D(2, 2) - third) - p,
+          G * D(0, 1),
+          G * D(1, 2),
+          G * D(2, 0)};
 }
 
 template <int Dim>
