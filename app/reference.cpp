@@ -1,10 +1,56 @@
 #include "app/reference.hpp"
 
+#include <cstdio>
+
+#include "app/deck/deck.hpp"
+#include "app/deck/library.hpp"
+#include "app/deck/reference.hpp"
 #include "app/run_arguments.hpp"
+#include "io/deck/key_tree.hpp"
+#include "io/deck/suggest.hpp"
 
 namespace brunt {
 
-int explain_command(const std::string&) { return kDone; }
-int schema_command(bool) { return kDone; }
+namespace {
+
+int explain_library() {
+  const Node library = deck::library();
+  for (const Entry& entry : library.entries) {
+    std::printf("%s: %s\n", entry.key.c_str(), entry.value.find("summary")->text.c_str());
+    for (const Node& source : entry.value.find("sources")->items) {
+      std::printf("  %s\n", source.text.c_str());
+    }
+    std::printf("%s\n", to_yaml(*entry.value.find("values")).c_str());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+int explain_command(const std::string& key) {
+  if (key == "library") return explain_library();
+  const KeyInfo root = deck::deck_keys();
+  const KeyInfo* found = find_key(root, key);
+  if (!found) {
+    std::vector<std::string> known;
+    for (const KeyInfo& child : root.children) known.push_back(child.name);
+    const std::string first = key.substr(0, key.find('.'));
+    const bool first_known = find_key(root, first) != nullptr;
+    std::fprintf(
+        stderr, "brunt: there is no key '%s'%s\n", key.c_str(),
+        first_known ? ("; see brunt explain " + first).c_str() : suggestion(first, known).c_str());
+    return kDeckWrong;
+  }
+  std::fputs(explain_text(*found, key).c_str(), stdout);
+  return kDone;
+}
+
+int schema_command(bool markdown) {
+  const KeyInfo root = deck::deck_keys();
+  const std::string text = markdown ? manual_text(root, "The keys of a deck")
+                                    : json_schema_text(root, "A deck of brunt");
+  std::fputs(text.c_str(), stdout);
+  return kDone;
+}
 
 }  // namespace brunt

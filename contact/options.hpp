@@ -21,12 +21,13 @@ inline void describe(Schema& s, PairOptions& pair) {
                                            "joint", "heat",        "friction_heat", "bonded"};
   Real friction = 0;  // contact without friction is all that there is
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
-  s.real({"friction", "coefficient of friction; only 0 in this version, friction comes later"},
-         friction, {"1", between(0, 0)});
+  s.real({"friction", "coefficient of friction; only 0 in this version"}, friction,
+         {"1", at_least(0)});
   s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
          {"1", positive(), between(0.01, 10)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
   s.later(kLater);
+  s.require(friction == 0, "friction", "contact slides freely in this version: friction must be 0");
 }
 
 /// Contact as the scene hands it to the manager: options resolved for each pair of body labels.

@@ -14,6 +14,8 @@ std::span<const char* const> axes_of(const Schema& s) {
   return {kAxes, s.geometry() == Geometry::three_d ? 3u : 2u};
 }
 
+}  // namespace
+
 void describe(Schema& s, Time& time) {
   static constexpr const char* kLater[] = {"mass_scaling", "process_speed"};
   s.real({"end", "time at which the run ends", Need::required}, time.end,
@@ -83,8 +85,6 @@ void describe(Schema& s, Output& output) {
   s.flag({"pictures", "writes pictures at the end"}, output.pictures);
   s.later(kLater);
 }
-
-}  // namespace
 
 }  // namespace deck
 

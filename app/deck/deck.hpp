@@ -65,6 +65,14 @@ struct Output {
   bool pictures = false;
 };
 
+void describe(Schema& s, Time& time);
+void describe(Schema& s, ContactPair& pair);
+void describe(Schema& s, Contact& contact);
+void describe(Schema& s, AtRest& rest);
+void describe(Schema& s, Beyond& beyond);
+void describe(Schema& s, Stop& stop);
+void describe(Schema& s, Output& output);
+
 }  // namespace deck
 
 struct Deck {

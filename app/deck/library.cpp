@@ -1,5 +1,6 @@
 /// The library of materials. Sources and confidence (high, medium, low) stand with each part; a
-/// value of medium or low confidence is checked against the original before it decides anything.
+/// value that is of medium or low confidence, or was not looked up, is to be checked against the
+/// original before it decides anything.
 #include "app/deck/library.hpp"
 
 #include "io/deck/yaml_reader.hpp"
@@ -12,7 +13,7 @@ al-6082-t6:
   summary: aluminium 6082-T6
   sources: ["elastic constants: tables of a public explicit FE program (high)",
     "Johnson-Cook: Frattura ed Integrita Strutturale 48 (2019), table 1 (medium)",
-    "thermal: handbook values (medium)"]
+    "thermal: usual values, not looked up (medium)"]
   values:
     density: 2700 kg/m^3
     elastic: {E: 70 GPa, nu: 0.33}
@@ -22,9 +23,10 @@ al-6082-t6:
     thermal: {cp: 900 J/kg/K, k: 170 W/m/K, taylor_quinney: 0.9}
 al-6061-t6:
   summary: aluminium 6061-T6
-  sources: ["elastic constants: handbook values (high)",
-    "Johnson-Cook: Johnson & Holmquist 1988; Lesuer et al. 2001 (high)",
-    "Mie-Gruneisen: Marsh 1980 (high)", "thermal: handbook values (high)"]
+  sources: ["elastic constants: usual values, not looked up (high)",
+    "Johnson-Cook: Johnson & Holmquist 1988; Lesuer 2001 (high)",
+    "Mie-Gruneisen: Marsh, LASL shock Hugoniot data (high)",
+      "thermal: usual values, not looked up (high)"]
   values:
     density: 2703 kg/m^3
     elastic: {E: 68.9 GPa, nu: 0.33}
@@ -35,9 +37,10 @@ al-6061-t6:
     thermal: {cp: 896 J/kg/K, k: 167 W/m/K, taylor_quinney: 0.9}
 al-2024-t351:
   summary: aluminium 2024-T351
-  sources: ["elastic constants: handbook values (high)",
-    "Johnson-Cook: Teng & Wierzbicki 2004; Mabrouki et al. 2008 (high)",
-    "Mie-Gruneisen: Marsh 1980 (high)", "thermal: handbook values (high)"]
+  sources: ["elastic constants: usual values, not looked up (high)",
+    "Johnson-Cook: Teng & Wierzbicki; Mabrouki et al. (high)",
+    "Mie-Gruneisen: usual values, not looked up (high)",
+      "thermal: usual values, not looked up (high)"]
   values:
     density: 2785 kg/m^3
     elastic: {E: 73 GPa, nu: 0.33}
@@ -48,9 +51,9 @@ al-2024-t351:
     thermal: {cp: 875 J/kg/K, k: 121 W/m/K, taylor_quinney: 0.9}
 copper-ofhc:
   summary: oxygen-free copper
-  sources: ["elastic constants: Johnson & Cook 1983; handbook values (high)",
-    "Johnson-Cook: Johnson & Cook 1983 (high)", "Mie-Gruneisen: Marsh 1980 (high)",
-    "thermal: handbook values (high)"]
+  sources: ["elastic constants: tables of a public SPH program (high)",
+    "Johnson-Cook: Johnson & Cook 1983 (high)", "Mie-Gruneisen: usual values, not looked up (high)",
+    "thermal: usual values, not looked up (high)"]
   values:
     density: 8960 kg/m^3
     elastic: {E: 124 GPa, nu: 0.34}
@@ -61,10 +64,10 @@ copper-ofhc:
     thermal: {cp: 383 J/kg/K, k: 386 W/m/K, taylor_quinney: 0.9}
 armco-iron:
   summary: Armco iron
-  sources: ["elastic constants: handbook values (high)",
+  sources: ["elastic constants: tables of a public SPH program (high)",
     "Johnson-Cook: Johnson & Cook 1983 (high)",
-    "Mie-Gruneisen: Marsh 1980, fit of the high-pressure phase (medium)",
-    "thermal: handbook values (high)"]
+    "Mie-Gruneisen: usual values, not looked up; fit of the high-pressure phase (medium)",
+    "thermal: usual values, not looked up (high)"]
   values:
     density: 7890 kg/m^3
     elastic: {E: 207 GPa, nu: 0.29}
@@ -75,9 +78,10 @@ armco-iron:
     thermal: {cp: 452 J/kg/K, k: 73 W/m/K, taylor_quinney: 0.9}
 steel-4340:
   summary: steel 4340
-  sources: ["elastic constants: handbook values (high)",
-    "Johnson-Cook: Johnson & Cook 1983 (high)", "Mie-Gruneisen: Marsh 1980 (medium)",
-    "thermal: handbook values (high)"]
+  sources: ["elastic constants: tables of a public SPH program (high)",
+    "Johnson-Cook: Johnson & Cook 1983 (high)",
+      "Mie-Gruneisen: usual values, not looked up (medium)",
+    "thermal: usual values, not looked up (high)"]
   values:
     density: 7830 kg/m^3
     elastic: {E: 200 GPa, nu: 0.29}
@@ -112,7 +116,8 @@ steel-1045:
 ti6al4v:
   summary: titanium Ti6Al4V
   sources: ["elastic constants: tables of a public SPH program (high)",
-    "Johnson-Cook: tables of a public SPH program (high)", "Mie-Gruneisen: Marsh 1980 (high)",
+    "Johnson-Cook: tables of a public SPH program (high)",
+      "Mie-Gruneisen: usual values, not looked up (high)",
     "thermal: tables of a public SPH program (high)"]
   values:
     density: 4430 kg/m^3
@@ -124,9 +129,10 @@ ti6al4v:
     thermal: {cp: 526 J/kg/K, k: 6.8 W/m/K, taylor_quinney: 0.9}
 tungsten-alloy:
   summary: tungsten alloy 90W
-  sources: ["elastic constants: handbook values (medium)",
-    "Johnson-Cook: Johnson & Cook 1983 (high)", "Mie-Gruneisen: Marsh 1980 (medium)",
-    "thermal: handbook values (medium)"]
+  sources: ["elastic constants: usual values, not looked up (medium)",
+    "Johnson-Cook: Johnson & Cook 1983 (high)",
+      "Mie-Gruneisen: usual values, not looked up (medium)",
+    "thermal: usual values, not looked up (medium)"]
   values:
     density: 17000 kg/m^3
     elastic: {E: 314 GPa, nu: 0.3}
@@ -137,7 +143,7 @@ tungsten-alloy:
     thermal: {cp: 134 J/kg/K, k: 75 W/m/K, taylor_quinney: 0.9}
 tungsten-carbide:
   summary: tungsten carbide with cobalt, elastic
-  sources: ["elastic constants: handbook values (medium)",
+  sources: ["elastic constants: usual values, not looked up (medium)",
     "thermal: tables of a public SPH program (high)"]
   values:
     density: 15250 kg/m^3
@@ -145,7 +151,8 @@ tungsten-carbide:
     thermal: {cp: 292 J/kg/K, k: 88 W/m/K}
 steel:
   summary: steel, elastic
-  sources: ["elastic constants: handbook values (high)", "thermal: handbook values (high)"]
+  sources: ["elastic constants: usual values, not looked up (high)",
+    "thermal: usual values, not looked up (high)"]
   values:
     density: 7850 kg/m^3
     elastic: {E: 210 GPa, nu: 0.3}

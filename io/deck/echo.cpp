@@ -32,8 +32,8 @@ Node varying_node(const Varying& varying) {
     rows.items.push_back(numbers({varying.abscissa[i], varying.ordinate[i]}));
   }
   Node table = map_node();
-  table.entries.push_back({"table", {}, rows});
-  table.entries.push_back({"over", {}, scalar_node(over_word(varying.over))});
+  add_entry(table, "table", rows);
+  add_entry(table, "over", scalar_node(over_word(varying.over)));
   return table;
 }
 
@@ -42,7 +42,7 @@ Node varying_node(const Varying& varying) {
 Echo::Echo(Geometry geometry) : geometry_(geometry), stack_{map_node()} {}
 
 void Echo::put(const std::string& key, Node value) {
-  stack_.back().entries.push_back({key, {}, std::move(value)});
+  add_entry(stack_.back(), key, std::move(value));
 }
 
 Node Echo::members_of(const Members& members) {
@@ -150,7 +150,7 @@ void Echo::visit_named(const Key& key, bool, std::function<std::size_t()> size,
   if (size() == 0) return;
   Node map = map_node();
   for (std::size_t i = 0; i < size(); ++i) {
-    map.entries.push_back({name(i), {}, members_of([&](Schema& s) { members(i, s); })});
+    add_entry(map, name(i), members_of([&](Schema& s) { members(i, s); }));
   }
   put(key.name, std::move(map));
 }
@@ -167,7 +167,7 @@ void Echo::visit_one_of(const Key& key, std::span<const Alternative> alternative
     put(key.name, scalar_node(name));
   } else {
     Node map = map_node();
-    map.entries.push_back({name, {}, std::move(node)});
+    add_entry(map, name, std::move(node));
     put(key.name, std::move(map));
   }
 }

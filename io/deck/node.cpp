@@ -50,6 +50,20 @@ Node list_node() {
   return node;
 }
 
+void refuse_deck(const SourcePlace& place, const std::string& path, const std::string& message) {
+  std::vector<DeckProblem> problems(1);
+  problems.front().place = place;
+  problems.front().path = path;
+  problems.front().message = message;
+  throw DeckError(std::move(problems));
+}
+
+void add_entry(Node& map, const std::string& key, Node value) {
+  Entry& entry = map.entries.emplace_back();
+  entry.key = key;
+  entry.value = std::move(value);
+}
+
 std::size_t count_nodes(const Node& node) {
   std::size_t n = 1;
   for (const Node& item : node.items) n += count_nodes(item);

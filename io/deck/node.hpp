@@ -43,7 +43,12 @@ struct Entry {
 Node scalar_node(std::string text);
 Node map_node();
 Node list_node();
+/// Adds a key without a place.
+void add_entry(Node& map, const std::string& key, Node value);
 
+/// Throws a DeckError of one problem.
+[[noreturn]] void refuse_deck(const SourcePlace& place, const std::string& path,
+                              const std::string& message);
 /// Number of nodes of a tree.
 std::size_t count_nodes(const Node& node);
 /// What stands there, short, for messages: '2700 kg', a map, a list, nothing.

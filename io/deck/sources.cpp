@@ -19,16 +19,16 @@ std::string read_text(const std::string& path, const SourcePlace& asked_at) {
   const std::string where = asked_at.file.empty() ? "" : "include";
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
-    throw DeckError({{asked_at.file.empty() ? SourcePlace{path, 0, 0} : asked_at, where,
-                      "there is no file '" + path + "'"}});
+    refuse_deck(asked_at.file.empty() ? SourcePlace{path, 0, 0} : asked_at, where,
+                "there is no file '" + path + "'");
   }
   if (fs::file_size(path, error) > kMaxDeckBytes) {
-    throw DeckError({{{path, 0, 0}, "", "the deck is larger than 16 MiB"}});
+    refuse_deck({path, 0, 0}, "", "the deck is larger than 16 MiB");
   }
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
-  if (!file) throw DeckError({{asked_at, where, "cannot read the file '" + path + "'"}});
+  if (!file) refuse_deck(asked_at, where, "cannot read the file '" + path + "'");
   return text.str();
 }
 
@@ -38,7 +38,7 @@ Node read_included(const std::string& path, const SourcePlace& asked_at,
                    std::vector<std::string>& open) {
   const std::string canonical = fs::weakly_canonical(path).string();
   if (std::find(open.begin(), open.end(), canonical) != open.end()) {
-    throw DeckError({{asked_at, "include", "'" + path + "' includes itself"}});
+    refuse_deck(asked_at, "include", "'" + path + "' includes itself");
   }
   open.push_back(canonical);
   Node node = with_includes(read_yaml(read_text(path, asked_at), path), path, open);
@@ -52,19 +52,19 @@ Node with_includes(Node deck, const std::string& name, std::vector<std::string>&
     deck.place = {name, 1, 1};
   }
   if (!deck.is_map()) {
-    throw DeckError({{deck.place, "", "a deck is a map of keys, got " + what_stands(deck)}});
+    refuse_deck(deck.place, "", "a deck is a map of keys, got " + what_stands(deck));
   }
   const Node* include = deck.find("include");
   if (!include) return deck;
   if (!include->is_list()) {
-    throw DeckError({{include->place, "include",
-                      "expects a list of files: [materials.yaml], got " + what_stands(*include)}});
+    refuse_deck(include->place, "include",
+                "expects a list of files: [materials.yaml], got " + what_stands(*include));
   }
   Node merged = map_node();
   merged.place = deck.place;
   for (const Node& item : include->items) {
     if (!item.is_scalar() || item.text.empty()) {
-      throw DeckError({{item.place, "include", "expects a file, got " + what_stands(item)}});
+      refuse_deck(item.place, "include", "expects a file, got " + what_stands(item));
     }
     const fs::path path = fs::path(name).parent_path() / item.text;
     merge(merged, read_included(path.string(), item.place, open));
@@ -176,6 +176,7 @@ void apply_override(Node& root, const Override& change, std::vector<DeckProblem>
 void expand_library(Node& map, const std::string& path, const Node& library,
                     const std::vector<std::string>& alternatives,
                     std::vector<DeckProblem>& problems) {
+  std::vector<std::string> unknown;
   for (Entry& entry : map.entries) {
     Node& own = entry.value;
     const Node* name = own.is_map() ? own.find("library") : nullptr;
@@ -187,7 +188,7 @@ void expand_library(Node& map, const std::string& path, const Node& library,
       problems.push_back({name->place, join_path(join_path(path, entry.key), "library"),
                           "the library has no " + what_stands(*name) +
                               suggestion(name->is_scalar() ? name->text : std::string(), known)});
-      own.erase("library");
+      unknown.push_back(entry.key);
       continue;
     }
     Node values = *found->find("values");
@@ -205,6 +206,8 @@ void expand_library(Node& map, const std::string& path, const Node& library,
     merge(values, own);
     own = std::move(values);
   }
+  // What an entry with a wrong name lacks is not told a second time.
+  for (const std::string& name : unknown) map.erase(name);
 }
 
 std::string join_path(const std::string& path, const std::string& key) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxNodes = 4'000'000;
 
 [[noreturn]] void refuse(const SourcePlace& place, const std::string& message) {
-  throw DeckError({{place, "", message}});
+  refuse_deck(place, "", message);
 }
 
 /// Builds the tree from the events of one document.
@@ -227,7 +227,7 @@ Node read_yaml_value(const std::string& text, const std::string& source) {
   try {
     node = read_yaml(text, source);
   } catch (const DeckError& error) {
-    throw DeckError({{{source, 0, 0}, "", error.problems().front().message}});
+    refuse_deck({source, 0, 0}, "", error.problems().front().message);
   }
   set_place(node, {source, 0, 0});
   return node;
