@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/schema.hpp"
 #include "core/search/search.hpp"
 
 namespace brunt {
@@ -14,6 +15,19 @@ struct PairOptions {
   Real stiffness = 0.5;  ///< phi: fraction of the springs of both sides in series
   Real damping = 0.1;    ///< zeta: fraction of critical
 };
+
+inline void describe(Schema& s, PairOptions& pair) {
+  static constexpr const char* kLater[] = {"tied",  "shear_limit", "cohesion",      "tension",
+                                           "joint", "heat",        "friction_heat", "bonded"};
+  Real friction = 0;  // contact without friction is all that there is
+  s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
+  s.real({"friction", "coefficient of friction; only 0 in this version, friction comes later"},
+         friction, {"1", between(0, 0)});
+  s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
+         {"1", positive(), between(0.01, 10)});
+  s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
+  s.later(kLater);
+}
 
 /// Contact as the scene hands it to the manager: options resolved for each pair of body labels.
 struct ContactOptions {

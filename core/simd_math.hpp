@@ -30,7 +30,7 @@ inline constexpr Real kLn2Low = 1.90821492927058770002e-10;
 /// 2^k of a whole number k in [-1022, 1023].
 template <class V>
 BRUNT_INLINE V power_of_two(V k) {
-  return from_bits<V>((bits_of<V>(k + kRound) << 52) + bits_of<V>(broadcast<V>(1.0)));
+  return from_bits<V>((bits_of<V>(k + kRound) + 1023) << 52);  // the shift drops kRound's own bits
 }
 }  // namespace detail
 

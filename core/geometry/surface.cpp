@@ -191,7 +191,7 @@ FacetMesh<2> ogive_surface2(const Ogive& ogive) {
 }
 
 /// Sizing of a rigid body that names none: one cell along straight sides, kAround about an axis.
-Sizing or_coarse(const Sizing& sizing, const Shape& shape) {
+Sizing or_coarse(const Sizing& sizing, const BodyShape& shape) {
   if (sizing.size || sizing.cells) return sizing;
   Sizing coarse;
   const bool round = std::holds_alternative<Cylinder>(shape.kind) ||
@@ -203,7 +203,7 @@ Sizing or_coarse(const Sizing& sizing, const Shape& shape) {
 }  // namespace
 
 template <int Dim>
-FacetMesh<Dim> surface_of_shape(const Shape& shape, const Sizing& sizing, Geometry geometry) {
+FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry) {
   FacetMesh<Dim> surface;
   if (const auto* plane = std::get_if<Plane>(&shape.kind)) {
     surface = flat<Dim>(*plane, sizing);
@@ -221,7 +221,7 @@ FacetMesh<Dim> surface_of_shape(const Shape& shape, const Sizing& sizing, Geomet
   return surface;
 }
 
-template FacetMesh<2> surface_of_shape<2>(const Shape&, const Sizing&, Geometry);
-template FacetMesh<3> surface_of_shape<3>(const Shape&, const Sizing&, Geometry);
+template FacetMesh<2> surface_of_shape<2>(const BodyShape&, const Sizing&, Geometry);
+template FacetMesh<3> surface_of_shape<3>(const BodyShape&, const Sizing&, Geometry);
 
 }  // namespace brunt

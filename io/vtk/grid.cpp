@@ -104,7 +104,8 @@ void set_cells(const BodyView& view, std::size_t n_points, vtkUnstructuredGrid& 
     int n = 0;
     for (std::size_t c = first; c < first + corners; ++c) {
       const auto point = connectivity[c];
-      if (point < 0 && corners == 4 && c == first + 3) continue;
+      const bool fourth = corners == 4 && c == first + 3;
+      if (fourth && (point < 0 || point == connectivity[c - 1])) continue;  // a triangle
       if (point < 0 || point >= static_cast<std::int64_t>(n_points)) misfit("connectivity");
       cell[static_cast<std::size_t>(n++)] = point;
     }

@@ -9,9 +9,9 @@
 namespace brunt {
 
 /// The body with all its fields: particles as vertices, cells by their number of corners (a quad
-/// whose fourth corner is -1 is a triangle). Adds the point array "radius" [m] for particles and
-/// the field data "TimeValue" [s]. Tensors have named components. Throws std::invalid_argument
-/// where a field's length does not fit.
+/// whose fourth corner is -1 or repeats the third is a triangle). Adds the point array "radius" [m]
+/// for particles and the field data "TimeValue" [s]. Tensors have named components. Throws
+/// std::invalid_argument where a field's length does not fit.
 vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view);
 
 /// Contact planes as polygons and particle contacts as vertices, with normal, pressure,

@@ -176,7 +176,9 @@ TEST(RadialReturn, RatesFromNothingToABillionAreMonotone) {
     p.increment = 1e-7 * p.hi;
     p.active = true;
     int iterations = 0;
-    for (; p.active && iterations < 50; ++iterations) newton_step(p, near, kShear, inverse_dt);
+    for (; p.active && iterations < 50; ++iterations) {
+      newton_step(p, near, kShear, inverse_dt, iterations);
+    }
     EXPECT_FALSE(p.active) << rate;
     most = std::max(most, iterations);
     const Real q = p.q_trial - 3 * kShear * p.increment;

@@ -63,7 +63,7 @@ Real worst_jacobian(const Mesh<3>& mesh) {
 
 struct Solid3 {
   const char* name;
-  Shape shape;
+  BodyShape shape;
   Real h, volume, tolerance;
 };
 
@@ -157,7 +157,7 @@ TEST(Shapes, QuadMeshesAreCounterClockwise) {
   Sphere ball;
   ball.radius = 1, ball.center = {0, 0};
   struct Case {
-    Shape shape;
+    BodyShape shape;
     Geometry geometry;
     Real area;
   };

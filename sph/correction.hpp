@@ -1,0 +1,132 @@
+#pragma once
+/// Gradient correction of a particle and the small tensors of its motion.
+#include "core/simd.hpp"
+#include "sph/records.hpp"
+
+namespace brunt {
+
+/// Scalar product in a fixed order.
+template <int Dim>
+BRUNT_INLINE Real dot(const Vec<Dim>& a, const Vec<Dim>& b) {
+  Real sum = a[0] * b[0];
+  for (int d = 1; d < Dim; ++d) sum += a[d] * b[d];
+  return sum;
+}
+
+/// Largest condition number (Frobenius norm) of a moment matrix that is still inverted.
+inline constexpr Real kLargestCondition = 1e3;
+
+template <int Dim>
+BRUNT_INLINE Real frobenius_square(const Real (&m)[kSymmetric<Dim>]) {
+  Real sum = 0;
+  for (int k = 0; k < kSymmetric<Dim>; ++k) sum += (k < Dim ? 1.0 : 2.0) * (m[k] * m[k]);
+  return sum;
+}
+
+/// correction <- moment^-1; the identity where that is not usable or ill conditioned, as on an
+/// isolated particle, a straight row or, in space, a flat sheet.
+/// moment, correction  [1] symmetric
+template <int Dim>
+BRUNT_INLINE void invert_moment(const Real (&moment)[kSymmetric<Dim>], bool usable,
+                                Real (&correction)[kSymmetric<Dim>]) {
+  const Real* m = moment;
+  Real cofactor[kSymmetric<Dim>], determinant;
+  if constexpr (Dim == 3) {
+    cofactor[xx] = m[yy] * m[zz] - m[yz] * m[yz];
+    cofactor[yy] = m[xx] * m[zz] - m[zx] * m[zx];
+    cofactor[zz] = m[xx] * m[yy] - m[xy] * m[xy];
+    cofactor[xy] = m[yz] * m[zx] - m[xy] * m[zz];
+    cofactor[yz] = m[xy] * m[zx] - m[yz] * m[xx];
+    cofactor[zx] = m[xy] * m[yz] - m[zx] * m[yy];
+    determinant = m[xx] * cofactor[xx] + m[xy] * cofactor[xy] + m[zx] * cofactor[zx];
+  } else {
+    cofactor[0] = m[1], cofactor[1] = m[0], cofactor[2] = -m[2];
+    determinant = m[0] * m[1] - m[2] * m[2];
+  }
+  // |K| |K^-1| = |K| |cofactors| / |det|
+  const Real norms = frobenius_square<Dim>(moment) * frobenius_square<Dim>(cofactor);
+  const Real limit = kLargestCondition * determinant;
+  if (usable && determinant > 0 && norms <= limit * limit) {
+    const Real inverse = 1.0 / determinant;
+    for (int k = 0; k < kSymmetric<Dim>; ++k) correction[k] = cofactor[k] * inverse;
+  } else {
+    for (int k = 0; k < kSymmetric<Dim>; ++k) correction[k] = k < Dim ? 1.0 : 0.0;
+  }
+}
+
+/// velocity_gradient <- rate B, by rows [1/s].
+template <int Dim>
+BRUNT_INLINE void correct_rate(const Real (&rate)[Dim * Dim],
+                               const Real (&correction)[kSymmetric<Dim>],
+                               Real (&velocity_gradient)[Dim * Dim]) {
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      Real sum = 0;
+      for (int c = 0; c < Dim; ++c) {
+        sum += rate[Dim * a + c] * correction[symmetric_place<Dim>(c, b)];
+      }
+      velocity_gradient[Dim * a + b] = sum;
+    }
+  }
+}
+
+/// Motion of a step about its middle, out of the gradient G = dx (x) grad at its end.
+template <int Dim, class V>
+struct MidStep {
+  V gradient[Dim][Dim];  ///< [1] L dt = G (I - G/2)^-1
+  V volume_ratio;        ///< [1] V(n+1)/V(n) = 1/det(I - G), exact where the motion is affine
+};
+
+template <class V>
+BRUNT_INLINE V determinant(const V (&m)[2][2]) {
+  return m[0][0] * m[1][1] - m[0][1] * m[1][0];
+}
+template <class V>
+BRUNT_INLINE V determinant(const V (&m)[3][3]) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+template <class V>
+BRUNT_INLINE void invert(const V (&m)[2][2], V (&inverse)[2][2]) {
+  const V scale = 1.0 / determinant(m);
+  inverse[0][0] = scale * m[1][1], inverse[1][1] = scale * m[0][0];
+  inverse[0][1] = -(scale * m[0][1]), inverse[1][0] = -(scale * m[1][0]);
+}
+template <class V>
+BRUNT_INLINE void invert(const V (&m)[3][3], V (&inverse)[3][3]) {
+  const V scale = 1.0 / determinant(m);
+  for (int i = 0; i < 3; ++i) {
+    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j) {
+      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      inverse[j][i] = scale * (m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1]);
+    }
+  }
+}
+
+template <int Dim, class V>
+BRUNT_INLINE MidStep<Dim, V> mid_step(const V (&end)[Dim][Dim]) {
+  V half[Dim][Dim], full[Dim][Dim], inverse[Dim][Dim];
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) {
+      const Real unit = i == j ? 1.0 : 0.0;
+      half[i][j] = unit - 0.5 * end[i][j];
+      full[i][j] = unit - end[i][j];
+    }
+  }
+  invert(half, inverse);
+  MidStep<Dim, V> mid;
+  mid.volume_ratio = 1.0 / determinant(full);
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) {
+      V sum = end[i][0] * inverse[0][j];
+      for (int k = 1; k < Dim; ++k) sum = sum + end[i][k] * inverse[k][j];
+      mid.gradient[i][j] = sum;
+    }
+  }
+  return mid;
+}
+
+}  // namespace brunt

@@ -1,0 +1,58 @@
+#include "sph/neighbour_rows.hpp"
+
+#include <utility>
+
+namespace brunt {
+
+template <int Dim>
+void NeighbourRows<Dim>::assign(NeighbourList list) {
+  list_ = std::move(list);
+  const std::size_t n = list_.offset.size() - 1;
+  first_.resize(n);
+  count_.assign(n, 0);
+  std::int64_t next = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    first_[i] = next;
+    next += (list_.offset[i + 1] - list_.offset[i] + kLanes - 1) / kLanes * kLanes;
+  }
+  near_.resize(static_cast<std::size_t>(next));
+}
+
+template <int Dim>
+void NeighbourRows<Dim>::refresh(const MotionRecord<Dim>* records, LocalIndex i) {
+  constexpr int smoothing = MotionRecord<Dim>::kSmoothing;
+  const auto k = static_cast<std::size_t>(i);
+  const LocalIndex* candidate = list_.neighbour.data() + list_.offset[k];
+  const auto n = static_cast<int>(list_.offset[k + 1] - list_.offset[k]);
+  const Real* own = records[i].data;
+  LocalIndex* out = near_.data() + first_[k];
+  int found = 0, c = 0;
+  for (; c + kLanes <= n; c += kLanes) {
+    const LocalIndex* j = candidate + c;
+    Pack part[4];
+    load_transposed(records[j[0]].data, records[j[1]].data, records[j[2]].data, records[j[3]].data,
+                    part);
+    Pack r2 = (part[0] - own[0]) * (part[0] - own[0]);
+    for (int d = 1; d < Dim; ++d) r2 = r2 + (part[d] - own[d]) * (part[d] - own[d]);
+    const Pack reach = part[smoothing] + own[smoothing];
+    const PackMask inside = r2 < reach * reach;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      out[found] = j[lane];
+      found -= static_cast<int>(inside[lane]);  // an inside lane is -1
+    }
+  }
+  for (; c < n; ++c) {
+    const Real* other = records[candidate[c]].data;
+    Real r2 = (other[0] - own[0]) * (other[0] - own[0]);
+    for (int d = 1; d < Dim; ++d) r2 = r2 + (other[d] - own[d]) * (other[d] - own[d]);
+    const Real reach = other[smoothing] + own[smoothing];
+    if (r2 < reach * reach) out[found++] = candidate[c];
+  }
+  count_[k] = found;
+  while (found % kLanes != 0) out[found++] = i;
+}
+
+template class NeighbourRows<2>;
+template class NeighbourRows<3>;
+
+}  // namespace brunt

@@ -1,0 +1,37 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/search/search.hpp"
+#include "sph/records.hpp"
+
+namespace brunt {
+
+/// Candidates within the skin, and out of them the true neighbours of the present positions, in
+/// rows padded to whole packs by the particle itself: sums run over the true neighbours in the
+/// order of their ids, so that nothing depends on what the skin lets in.
+template <int Dim>
+class NeighbourRows {
+ public:
+  /// list  candidates, ascending within a row
+  void assign(NeighbourList list);
+  /// Finds j with |x_i - x_j| < h_i + h_j among the candidates of i.
+  void refresh(const MotionRecord<Dim>* records, LocalIndex i);
+
+  /// Places of the true neighbours of i, padded by i.
+  std::span<const LocalIndex> row(LocalIndex i) const {
+    const auto k = static_cast<std::size_t>(i);
+    const auto padded = static_cast<std::size_t>((count_[k] + kLanes - 1) / kLanes * kLanes);
+    return {near_.data() + first_[k], padded};
+  }
+  int count(LocalIndex i) const { return count_[static_cast<std::size_t>(i)]; }
+  std::size_t n_candidates() const { return list_.neighbour.size(); }
+
+ private:
+  NeighbourList list_;
+  std::vector<std::int64_t> first_;  // start of each padded row
+  std::vector<LocalIndex> near_;
+  std::vector<int> count_;
+};
+
+}  // namespace brunt

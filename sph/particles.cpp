@@ -1,0 +1,150 @@
+#include "sph/particles.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "sph/correction.hpp"
+#include "sph/parallel.hpp"
+
+namespace brunt {
+
+template <int Dim>
+SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacing,
+                                std::vector<ParticleSet> sets, Real depth)
+    : points_(std::move(points)), depth_(Dim == 2 ? depth : 1.0) {
+  const std::size_t n = points_.x.size();
+  assert(spacing.size() == n && std::is_sorted(points_.id.begin(), points_.id.end()));
+  block_of_.resize(n);
+  state_.resize(n);
+  motion_.resize(n);
+  stress_.resize(n);
+  artificial_.resize(n);
+  surface_.points = &points_;
+  surface_.particles.resize(n);
+  for (auto& set : sets) {
+    const Material& material = *set.material;
+    for (const LocalIndex i : set.particle) {
+      const auto k = static_cast<std::size_t>(i);
+      block_of_[k] = static_cast<std::uint16_t>(blocks_.size());
+      auto& state = state_[k];
+      state.spacing = spacing[k];
+      state.start_volume = state.volume = points_.mass[k] / material.density;
+      state.sound_speed = std::sqrt(material.modulus() / material.density);
+      surface_.particles[k] = {i, 0.5 * spacing[k], material.modulus()};
+    }
+    MaterialState state =
+        material.initial_state(set.particle.size(), set.temperature, set.adiabatic);
+    blocks_.push_back({std::move(set), std::move(state)});
+    for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
+  }
+  std::vector<Label> bodies(points_.body);
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  n_bodies_ = static_cast<Label>(bodies.size());
+  for (const Label body : points_.body) {
+    const auto place = std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin();
+    body_rank_.push_back(static_cast<Label>(place));
+  }
+  rearrange();
+  seed_votes();
+}
+
+/// Smoothing length and contact radius follow the volume.
+template <int Dim>
+void SphParticles<Dim>::set_size(std::size_t i) {
+  const SphOptions& options = blocks_[block_of_[i]].set.options;
+  auto& state = state_[i];
+  Real size = state.spacing;
+  if (options.adaptive_h) size *= Dim == 2 ? std::sqrt(state.ratio) : std::cbrt(state.ratio);
+  state.smoothing_length = options.smoothing * size;
+  surface_.particles[i].radius = 0.5 * size;
+}
+
+template <int Dim>
+void SphParticles<Dim>::refresh_motion() {
+  using Record = MotionRecord<Dim>;
+  for_each(state_.size(), [&](std::size_t i) {
+    Real* record = motion_[i].data;
+    for (int d = 0; d < Dim; ++d) {
+      record[d] = points_.x[i][d];
+      record[Record::kVelocity + d] = points_.v[i][d];
+    }
+    record[Record::kSmoothing] = state_[i].smoothing_length;
+    record[Record::kVolume] = state_[i].volume / depth_;
+    stress_[i].data[StressRecord<Dim>::kDensity] = points_.mass[i] / state_[i].volume;
+  });
+}
+
+template <int Dim>
+void SphParticles<Dim>::refresh_gradients() {
+  for (const auto& block : blocks_) {
+    const bool corrected = block.set.options.correction;
+    with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
+        const LocalIndex i = block.set.particle[slot];
+        rows_.refresh(motion_.data(), i);
+        const auto sums = sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i));
+        auto& state = state_[static_cast<std::size_t>(i)];
+        const bool usable = corrected && rows_.count(i) >= Dim + 1;
+        invert_moment<Dim>(sums.moment, usable, state.correction);
+        correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
+      });
+    });
+  }
+}
+
+template <int Dim>
+void SphParticles<Dim>::update_state(Real dt) {
+  for_each(state_.size(), [&](std::size_t i) {
+    auto& state = state_[i];
+    const Vec<Dim> half = 0.5 * dt * points_.v[i];
+    state.stress_work -= dot<Dim>(state.stress_force, half);
+    state.viscous_work -= dot<Dim>(state.viscous_force, half);
+    state.artificial_work -= dot<Dim>(state.artificial_force, half);
+  });
+  refresh_motion();
+  if (!list_covers(0)) rearrange();
+  move_with_neighbours(dt);
+  refresh_gradients();
+  for (auto& block : blocks_) {
+    const std::size_t n_tiles = block.state.size() / kTile;
+    for_each(n_tiles, [&](std::size_t tile) { update_tile(block, tile * kTile, dt); });
+  }
+}
+
+template <int Dim>
+void SphParticles<Dim>::add_internal_forces(Real dt) {
+  const ForceRecords<Dim> records{motion_.data(), stress_.data(), artificial_.data()};
+  for (const auto& block : blocks_) {
+    const SphOptions& options = block.set.options;
+    with_kernel(options.kernel, [&]<class Kernel>(Kernel) {
+      const SphPairOptions pair{options.viscosity.alpha, options.viscosity.beta,
+                             1.0 / Kernel::value(1.0 / options.smoothing)};
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
+        const LocalIndex i = block.set.particle[slot];
+        const auto k = static_cast<std::size_t>(i);
+        const auto sums = sum_forces<Dim, Kernel>(records, i, rows_.row(i), pair);
+        auto& state = state_[k];
+        const Real volume = depth_ * motion_[k].data[MotionRecord<Dim>::kVolume];
+        for (int d = 0; d < Dim; ++d) {
+          state.stress_force[d] = volume * sums.stress[d];
+          state.viscous_force[d] = volume * sums.viscosity[d];
+          state.artificial_force[d] = volume * sums.artificial[d];
+          points_.f[k][d] +=
+              (state.stress_force[d] + state.viscous_force[d]) + state.artificial_force[d];
+        }
+        state.viscous_power = volume * sums.viscosity_power;
+        state.viscous_work += 0.5 * dt * state.viscous_power;
+        state.artificial_work += 0.5 * dt * volume * sums.artificial_power;
+        state.speed = sums.speed;
+        state.mu = sums.mu;
+      });
+    });
+  }
+}
+
+template class SphParticles<2>;
+template class SphParticles<3>;
+
+}  // namespace brunt

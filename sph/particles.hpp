@@ -1,0 +1,125 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/materials/material.hpp"
+#include "core/search/search.hpp"
+#include "core/solid.hpp"
+#include "sph/neighbour_rows.hpp"
+#include "sph/options.hpp"
+#include "sph/pair_sums.hpp"
+#include "sph/records.hpp"
+
+namespace brunt {
+
+/// Particles of one or more bodies with the same material and options.
+struct ParticleSet {
+  const Material* material = nullptr;  ///< outlives the particles
+  SphOptions options;
+  Real temperature = 0;              ///< [K] at time 0; what laws see where heat is off
+  bool adiabatic = false;            ///< plastic work heats the particle
+  std::vector<LocalIndex> particle;  ///< ascending; a body lies in one set as a whole
+};
+
+/// A set with the state of its material points, in the order of `set.particle`.
+struct ParticleBlock {
+  ParticleSet set;
+  MaterialState state;
+};
+
+/// What one particle carries from phase to phase and from step to step.
+template <int Dim>
+struct ParticleState {
+  Real velocity_gradient[Dim * Dim] = {};        ///< [1/s] L at x(n+1) with v(n+1/2), by rows
+  Real correction[kSymmetric<Dim>] = {};         ///< [1] B
+  Real spacing = 0;                              ///< [m] dp at time 0
+  Real start_volume = 0;                         ///< [m^3] mass over reference density
+  Real ratio = 1;                                ///< [1] volume over start volume
+  Real volume = 0;                               ///< [m^3] at n+1
+  Real smoothing_length = 0;                     ///< [m] h, of the volume at n+1 where it adapts
+  Real sound_speed = 0;                          ///< [m/s]
+  Real speed = 0;                                ///< [m/s] max |v_ij| over neighbours
+  Real mu = 0;                                   ///< [m/s] max |mu_ij| over neighbours
+  Real viscous_power = 0;                        ///< [W] half of what its pairs dissipate
+  Vec<Dim> stress_force = Vec<Dim>::Zero();      ///< [N] last added, by channel
+  Vec<Dim> viscous_force = Vec<Dim>::Zero();     ///< [N]
+  Vec<Dim> artificial_force = Vec<Dim>::Zero();  ///< [N]
+  Real stress_work = 0;                          ///< [J] booked since time 0, by channel
+  Real viscous_work = 0;                         ///< [J]
+  Real artificial_work = 0;                      ///< [J]
+};
+
+/// Updated-Lagrangian SPH for solids, all particles of a scene: one group. Only particles of the
+/// same body interact here; bodies touch through contact.
+///   L_i = sum V_j (v_j - v_i) (x) B_i grad W        B_i = [sum V_j (x_j - x_i) (x) grad W]^-1
+///   f_i = sum V_i V_j (sigma_i B_i + sigma_j B_j) grad W
+/// Randles & Libersky 1996; Bonet & Lok 1999. The two are conjugate: the neighbours' weights V_j
+/// are those of the step's start in both, and each particle's own V_i is that of its stress, so
+/// that the power of the forces is exactly minus the sum of V_i sigma_i : L_i.
+template <int Dim>
+class SphParticles final : public Solid<Dim> {
+ public:
+  /// points  with positions, velocities, masses, labels; ids ascending
+  /// spacing  dp of each particle [m]
+  /// sets  each particle in exactly one of them
+  /// depth  [m] of a 2D scene, contained in the masses; 1 in 3D
+  SphParticles(Points<Dim> points, std::span<const Real> spacing, std::vector<ParticleSet> sets,
+               Real depth = 1);
+  SphParticles(const SphParticles&) = delete;
+  SphParticles& operator=(const SphParticles&) = delete;
+
+  Points<Dim>& points() override { return points_; }
+  const Points<Dim>& points() const override { return points_; }
+  Surface<Dim>& surface() override { return surface_; }
+  void update_state(Real dt) override;
+  void add_internal_forces(Real dt) override;
+  StepVote stable_step() const override;
+  bool must_rearrange(Real dt) const override;
+  void rearrange() override;
+  void add_totals(Totals<Dim>& totals) const override;
+  void check(Real time, const std::vector<std::string>& body_names) const override;
+  BodyView view(Label body) const override;
+  std::size_t n_elements() const override { return 0; }
+  std::size_t n_particles() const override { return points_.x.size(); }
+
+  /// Skin of the neighbour lists, in units of the largest smoothing length of the group.
+  void set_skin(Real skin);
+  void set_search(SearchMode mode) { search_ = mode; }
+  std::span<ParticleBlock> blocks() { return blocks_; }
+  std::span<const ParticleState<Dim>> states() const { return state_; }
+  std::int64_t n_searches() const { return n_searches_; }
+
+ private:
+  struct TileStress;
+  void refresh_motion();
+  void refresh_gradients();
+  void move_with_neighbours(Real dt);
+  void update_tile(ParticleBlock& block, std::size_t first, Real dt);
+  void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
+  bool list_covers(Real dt) const;
+  void set_size(std::size_t i);
+  void seed_votes();
+
+  Points<Dim> points_;
+  Surface<Dim> surface_;
+  std::vector<ParticleBlock> blocks_;
+  std::vector<std::uint16_t> block_of_;
+  std::vector<ParticleState<Dim>> state_;
+  Real depth_;  // [m]
+
+  std::vector<MotionRecord<Dim>> motion_;
+  std::vector<StressRecord<Dim>> stress_;
+  std::vector<ArtificialRecord<Dim>> artificial_;
+
+  NeighbourRows<Dim> rows_;
+  std::vector<Vec<Dim>> listed_at_;  // [m] positions when the list was built
+  std::vector<Real> listed_reach_;   // [m] smoothing lengths when the list was built
+  std::vector<Label> body_rank_;     // bodies of the group, numbered from 0
+  Label n_bodies_ = 0;
+  Real skin_ratio_ = 0.2;  // [1] of the largest smoothing length
+  Real skin_ = 0;          // [m]
+  SearchMode search_ = SearchMode::grid;
+  std::int64_t n_searches_ = 0;
+};
+
+}  // namespace brunt

@@ -1,0 +1,150 @@
+/// Neighbour lists and what bounds them, and the bound on the time step.
+#include <algorithm>
+
+#include "sph/correction.hpp"
+#include "sph/parallel.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt {
+
+namespace {
+
+/// What round-off may add to a bound of the list, as a part of the skin.
+constexpr Real kSpareSkin = 1e-6;
+
+/// Merges results of chunks of particles, in any order: each thread has its own.
+template <class Result, class Add, class Merge>
+Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
+  Result all = blank;
+#pragma omp parallel if (n >= 4096)
+  {
+    Result own = blank;
+#pragma omp for schedule(static) nowait
+    for (std::size_t i = 0; i < n; ++i) add(own, i);
+#pragma omp critical(brunt_sph_chunks)
+    merge(all, own);
+  }
+  return all;
+}
+
+/// Motion of the particles of one body since the list was built.
+template <int Dim>
+struct BodyMotion {
+  MotionBounds<Dim> bounds;
+  Real growth = 0;  // [m] largest of h
+
+  void take(const BodyMotion& other) {
+    bounds.u_min = bounds.u_min.cwiseMin(other.bounds.u_min);
+    bounds.u_max = bounds.u_max.cwiseMax(other.bounds.u_max);
+    bounds.v_min = bounds.v_min.cwiseMin(other.bounds.v_min);
+    bounds.v_max = bounds.v_max.cwiseMax(other.bounds.v_max);
+    bounds.a_min = bounds.a_min.cwiseMin(other.bounds.a_min);
+    bounds.a_max = bounds.a_max.cwiseMax(other.bounds.a_max);
+    growth = std::max(growth, other.growth);
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+bool SphParticles<Dim>::list_covers(Real dt) const {
+  std::vector<BodyMotion<Dim>> blank(n_bodies_);
+  const auto motion = over_chunks(
+      state_.size(), blank,
+      [&](std::vector<BodyMotion<Dim>>& own, std::size_t i) {
+        auto& body = own[body_rank_[i]];
+        body.bounds.take(points_.x[i] - listed_at_[i], points_.v[i], points_.a[i]);
+        body.growth = std::max(body.growth, state_[i].smoothing_length - listed_reach_[i]);
+      },
+      [](std::vector<BodyMotion<Dim>>& all, const std::vector<BodyMotion<Dim>>& own) {
+        for (std::size_t b = 0; b < all.size(); ++b) all[b].take(own[b]);
+      });
+  return std::all_of(motion.begin(), motion.end(), [&](const BodyMotion<Dim>& body) {
+    const Real approach = std::sqrt(Real{Dim}) * body.bounds.relative_displacement(dt);
+    return approach + 2 * body.growth <= (1 - kSpareSkin) * skin_;
+  });
+}
+
+template <int Dim>
+bool SphParticles<Dim>::must_rearrange(Real dt) const {
+  return !list_covers(dt);
+}
+
+template <int Dim>
+void SphParticles<Dim>::set_skin(Real skin) {
+  skin_ratio_ = skin;
+  rearrange();
+}
+
+template <int Dim>
+void SphParticles<Dim>::rearrange() {
+  const std::size_t n = state_.size();
+  listed_at_ = points_.x;
+  listed_reach_.resize(n);
+  for_each(n, [&](std::size_t i) { listed_reach_[i] = state_[i].smoothing_length; });
+  Real longest = 0;
+  for (const Real h : listed_reach_) longest = std::max(longest, h);
+  skin_ = skin_ratio_ * longest;
+  rows_.assign(neighbours_within<Dim>(points_.x, listed_reach_, points_.body, skin_, search_));
+  ++n_searches_;
+}
+
+/// Speeds of approach of the start, which the first vote asks for.
+template <int Dim>
+void SphParticles<Dim>::seed_votes() {
+  refresh_motion();
+  const SphPairOptions inviscid;
+  const ForceRecords<Dim> records{motion_.data(), stress_.data(), artificial_.data()};
+  for (const auto& block : blocks_) {
+    with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
+        const LocalIndex i = block.set.particle[slot];
+        rows_.refresh(motion_.data(), i);
+        const auto sums = sum_forces<Dim, Kernel>(records, i, rows_.row(i), inviscid);
+        state_[static_cast<std::size_t>(i)].speed = sums.speed;
+        state_[static_cast<std::size_t>(i)].mu = sums.mu;
+      });
+    });
+  }
+}
+
+/// Half of a h/c_eff with c_eff = c + |v_ij| + 1.2 (alpha c + beta max |mu_ij|), a from the
+/// dispersion of the kernel on a lattice, half for disorder; and 0.25 sqrt(h/|a_i|).
+template <int Dim>
+StepVote SphParticles<Dim>::stable_step() const {
+  const auto bound = [&](std::size_t i) {
+    const SphOptions& options = blocks_[block_of_[i]].set.options;
+    const auto& state = state_[i];
+    const Real h = state_[i].smoothing_length;
+    const Real factor =
+        with_kernel(options.kernel, [](auto kernel) { return decltype(kernel)::kStepFactor; });
+    const Real viscous =
+        options.viscosity.alpha * state.sound_speed + options.viscosity.beta * state.mu;
+    const Real speed = state.sound_speed + state.speed + 1.2 * viscous;
+    const Real acceleration = std::sqrt(dot<Dim>(points_.a[i], points_.a[i]));
+    const Real acoustic = 0.5 * factor * h / speed;
+    return acceleration > 0 ? std::min(acoustic, 0.25 * std::sqrt(h / acceleration)) : acoustic;
+  };
+  return over_chunks(
+      state_.size(), StepVote{},
+      [&](StepVote& own, std::size_t i) {
+        const Real step = bound(i);  // a step that is not a number collapses the run at once
+        own.take({step > 0 ? step : 0.0, "particle", points_.body[i], points_.id[i]});
+      },
+      [](StepVote& all, const StepVote& own) { all.take(own); });
+}
+
+template bool SphParticles<2>::list_covers(Real) const;
+template bool SphParticles<3>::list_covers(Real) const;
+template bool SphParticles<2>::must_rearrange(Real) const;
+template bool SphParticles<3>::must_rearrange(Real) const;
+template void SphParticles<2>::set_skin(Real);
+template void SphParticles<3>::set_skin(Real);
+template void SphParticles<2>::rearrange();
+template void SphParticles<3>::rearrange();
+template void SphParticles<2>::seed_votes();
+template void SphParticles<3>::seed_votes();
+template StepVote SphParticles<2>::stable_step() const;
+template StepVote SphParticles<3>::stable_step() const;
+
+}  // namespace brunt

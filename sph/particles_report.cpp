@@ -1,0 +1,160 @@
+/// What the particles show: totals, checks, fields.
+#include <algorithm>
+#include <string>
+
+#include "core/errors.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt {
+
+namespace {
+
+/// Bits of the state of a slot.
+std::uint64_t hash_of(const MaterialState& state, std::size_t slot, std::uint64_t hash) {
+  for (const auto& component : state.deviator) hash = mix(hash, component[slot]);
+  for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.temperature,
+                            &state.heat, &state.energy}) {
+    if (!field->empty()) hash = mix(hash, (*field)[slot]);
+  }
+  return hash;
+}
+
+bool is_finite(Real value) { return value - value == 0; }
+
+Real von_mises(const MaterialState& state, std::size_t slot) {
+  Real sum = 0;
+  for (std::size_t c = 0; c < 6; ++c) {
+    const Real s = state.deviator[c][slot];
+    sum += (c < 3 ? 1.0 : 2.0) * (s * s);
+  }
+  return std::sqrt(1.5 * sum);
+}
+
+/// Fields of one body while they fill.
+class FieldList {
+ public:
+  /// Adds values to the field of this name; the first call of a name makes it.
+  void add(const char* name, std::initializer_list<Real> values) {
+    auto field = std::find_if(fields_.begin(), fields_.end(),
+                              [&](const Field& f) { return f.name == name; });
+    if (field == fields_.end()) {
+      fields_.push_back({name, static_cast<int>(values.size()), {}});
+      field = fields_.end() - 1;
+    }
+    field->values.insert(field->values.end(), values);
+  }
+  template <int Dim>
+  void add(const char* name, const Vec<Dim>& v) {
+    if constexpr (Dim == 2) {
+      add(name, {v[0], v[1], 0.0});
+    } else {
+      add(name, {v[0], v[1], v[2]});
+    }
+  }
+  std::vector<Field> take() { return std::move(fields_); }
+
+ private:
+  std::vector<Field> fields_;
+};
+
+void add_material(FieldList& fields, const MaterialState& state, std::size_t slot) {
+  const Real p = state.pressure[slot];
+  const auto& s = state.deviator;
+  fields.add("stress", {s[xx][slot] - p, s[yy][slot] - p, s[zz][slot] - p, s[xy][slot], s[yz][slot],
+                        s[zx][slot]});
+  fields.add("pressure", {p});
+  fields.add("von_mises", {von_mises(state, slot)});
+  if (!state.eps_p.empty()) fields.add("eps_p", {state.eps_p[slot]});
+  if (!state.strain_rate.empty()) fields.add("strain_rate", {state.strain_rate[slot]});
+  if (!state.temperature.empty()) fields.add("temperature", {state.temperature[slot]});
+}
+
+}  // namespace
+
+template <int Dim>
+void SphParticles<Dim>::add_totals(Totals<Dim>& totals) const {
+  for (const auto& block : blocks_) {
+    const auto& heat = block.state.heat;
+    for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
+      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      const auto& state = state_[i];
+      const Real plastic = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
+      const Real internal = state.stress_work - plastic;
+      totals.add(Column::internal, internal);
+      totals.add(Column::plastic_heat, plastic);
+      totals.add(Column::viscosity, state.viscous_work);
+      totals.add(Column::artificial_stress, state.artificial_work);
+      if (points_.body[i] < totals.bodies.size()) {
+        totals.bodies[points_.body[i]].internal.add(internal);
+        totals.bodies[points_.body[i]].heat.add(plastic);
+      }
+      std::uint64_t hash = hash_of(block.state, slot, mix(0, points_.id[i]));
+      for (int d = 0; d < Dim; ++d) hash = mix(mix(hash, points_.x[i][d]), points_.v[i][d]);
+      for (const Real value : {state.ratio, state.stress_work, state.viscous_work,
+                               state.artificial_work, state.viscous_power}) {
+        hash = mix(hash, value);
+      }
+      totals.state_hash += hash;
+    }
+  }
+}
+
+template <int Dim>
+void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_names) const {
+  const auto fail = [&](std::size_t i, const char* quantity, Real value, const char* cause) {
+    const Label body = points_.body[i];
+    throw PhysicsError({time, body < body_names.size() ? body_names[body] : std::to_string(body),
+                        "particle " + std::to_string(points_.id[i]), quantity, value, cause});
+  };
+  for (const auto& block : blocks_) {
+    for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
+      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      const Real density = block.set.material->density / state_[i].ratio;
+      if (!(density > 0) || !is_finite(density)) {
+        fail(i, "density [kg/m^3]", density,
+             "the particle turned inside out within one step: its neighbours move too fast; try a "
+             "smaller time.safety or a smaller spacing");
+      }
+      const Real stress = von_mises(block.state, slot) + block.state.pressure[slot];
+      if (!is_finite(stress)) {
+        fail(i, "stress [Pa]", stress,
+             "it is not a finite number any more: look at the last frame for particles that "
+             "left the body or were crushed");
+      }
+    }
+  }
+}
+
+template <int Dim>
+BodyView SphParticles<Dim>::view(Label body) const {
+  BodyView view;
+  FieldList fields;
+  for (const auto& block : blocks_) {
+    for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
+      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      if (points_.body[i] != body) continue;
+      for (int d = 0; d < 3; ++d) view.position.push_back(d < Dim ? points_.x[i][d] : 0.0);
+      fields.add<Dim>("displacement", points_.x[i] - points_.x_start[i]);
+      fields.add<Dim>("velocity", points_.v[i]);
+      fields.add<Dim>("acceleration", points_.a[i]);
+      fields.add<Dim>("force", points_.f[i]);
+      add_material(fields, block.state, slot);
+      fields.add("density", {block.set.material->density / state_[i].ratio});
+      fields.add("id", {static_cast<Real>(points_.id[i])});
+      fields.add("piece", {static_cast<Real>(points_.piece[i])});
+      view.point_mass.push_back(points_.mass[i]);
+      view.point_radius.push_back(surface_.particles[i].radius);
+    }
+  }
+  view.point_fields = fields.take();
+  return view;
+}
+
+template void SphParticles<2>::add_totals(Totals<2>&) const;
+template void SphParticles<3>::add_totals(Totals<3>&) const;
+template void SphParticles<2>::check(Real, const std::vector<std::string>&) const;
+template void SphParticles<3>::check(Real, const std::vector<std::string>&) const;
+template BodyView SphParticles<2>::view(Label) const;
+template BodyView SphParticles<3>::view(Label) const;
+
+}  // namespace brunt

@@ -1,0 +1,199 @@
+/// The material points of a tile: rotation, law, and what neighbours will read of the stress.
+#include "core/geometry/rotation.hpp"
+#include "sph/correction.hpp"
+#include "sph/parallel.hpp"
+#include "sph/particles.hpp"
+#include "sph/principal_tension.hpp"
+
+namespace brunt {
+
+namespace {
+
+/// Spin of the step's middle [rad] turns the deviator; D dt of the middle strains the point.
+template <int Dim>
+BRUNT_INLINE void rotate_and_strain(const MidStep<Dim, Pack>& mid, Pack (&s)[6],
+                                    Pack (&strain)[6]) {
+  const auto& g = mid.gradient;
+  const Pack zero = broadcast<Pack>(0.0);
+  for (auto& component : strain) component = zero;
+  for (int i = 0; i < Dim; ++i) strain[i] = g[i][i];
+  strain[xy] = 0.5 * (g[0][1] + g[1][0]);
+  if constexpr (Dim == 3) {
+    strain[yz] = 0.5 * (g[1][2] + g[2][1]);
+    strain[zx] = 0.5 * (g[2][0] + g[0][2]);
+    rotate_symmetric(hughes_winget<Pack>(0.5 * (g[2][1] - g[1][2]), 0.5 * (g[0][2] - g[2][0]),
+                                         0.5 * (g[1][0] - g[0][1])),
+                     s);
+  } else {
+    rotate_symmetric(hughes_winget<Pack>(0.5 * (g[1][0] - g[0][1])), s);
+  }
+}
+
+/// Cauchy stress in the plane or in space.
+template <int Dim>
+BRUNT_INLINE void load_stress(const MaterialState& state, std::size_t at, Pack (&sigma)[Dim][Dim]) {
+  const Pack p = load(state.pressure.data() + at);
+  const auto component = [&](std::size_t k) { return load(state.deviator[k].data() + at); };
+  for (int i = 0; i < Dim; ++i) sigma[i][i] = component(static_cast<std::size_t>(i)) - p;
+  sigma[0][1] = sigma[1][0] = component(xy);
+  if constexpr (Dim == 3) {
+    sigma[1][2] = sigma[2][1] = component(yz);
+    sigma[0][2] = sigma[2][0] = component(zx);
+  }
+}
+
+}  // namespace
+
+/// What the particles of a tile publish, by slot of the tile.
+template <int Dim>
+struct SphParticles<Dim>::TileStress {
+  alignas(32) Real gradient[Dim * Dim][kTile];  // [1] L dt at x(n+1)
+  alignas(32) Real correction[kSymmetric<Dim>][kTile];
+  alignas(32) Real growth[kTile];                       // [1] V(n+1)/V(n)
+  alignas(32) Real corrected[Dim * Dim][kTile];         // [Pa] V(n+1)/V(n) sigma B
+  alignas(32) Real artificial[kSymmetric<Dim>][kTile];  // [Pa]
+  alignas(32) Real power[kTile];                        // [Pa] sigma : L dt
+  alignas(32) Real sound_speed[kTile];                  // [m/s]
+};
+
+namespace {
+
+/// sigma B, the artificial stress -epsilon times the tensile part of sigma, and sigma : L dt of
+/// four points.
+template <int Dim, class Tile>
+BRUNT_INLINE void form_pair_stress(const Pack (&sigma)[Dim][Dim], Real epsilon, Tile& tile, int i) {
+  const Pack growth = load(tile.growth + i);
+  Pack power = broadcast<Pack>(0.0), tension[Dim][Dim];
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      Pack sum = broadcast<Pack>(0.0);
+      for (int c = 0; c < Dim; ++c) {
+        sum = sum + sigma[a][c] * load(tile.correction[symmetric_place<Dim>(c, b)] + i);
+      }
+      store(tile.corrected[Dim * a + b] + i, growth * sum);
+      power = power + sigma[a][b] * load(tile.gradient[Dim * a + b] + i);
+    }
+  }
+  store(tile.power + i, power);
+  if (epsilon == 0) return;
+  principal_tension<Dim>(sigma, tension);
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = a; b < Dim; ++b) {
+      store(tile.artificial[symmetric_place<Dim>(a, b)] + i, (-epsilon * growth) * tension[a][b]);
+    }
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Real dt) {
+  const Material& material = *block.set.material;
+  const std::size_t n = block.set.particle.size();
+  TileStress stress;
+  MaterialTile tile;
+  tile.state = &block.state;
+  tile.first = first;
+  tile.count = kTile;
+  tile.fixed_temperature = block.set.temperature;
+  tile.adiabatic = block.set.adiabatic;
+  const ParticleState<Dim> resting;
+  for (int slot = 0; slot < kTile; ++slot) {
+    const std::size_t k = first + static_cast<std::size_t>(slot);
+    const auto& state = k < n ? state_[static_cast<std::size_t>(block.set.particle[k])] : resting;
+    for (int c = 0; c < Dim * Dim; ++c) {
+      stress.gradient[c][slot] = dt * state.velocity_gradient[c];
+    }
+    for (int c = 0; c < kSymmetric<Dim>; ++c) stress.correction[c][slot] = state.correction[c];
+    tile.ratio_old[slot] = state.ratio;
+    tile.viscous_work[slot] = k < n ? dt * state.viscous_power / state.start_volume : 0.0;
+  }
+  for (int i = 0; i < kTile; i += kLanes) {
+    const std::size_t at = first + static_cast<std::size_t>(i);
+    Pack end[Dim][Dim], s[6], strain[6];
+    for (int c = 0; c < Dim * Dim; ++c) end[c / Dim][c % Dim] = load(stress.gradient[c] + i);
+    for (std::size_t c = 0; c < 6; ++c) s[c] = load(block.state.deviator[c].data() + at);
+    const auto mid = mid_step<Dim>(end);
+    rotate_and_strain(mid, s, strain);
+    for (std::size_t c = 0; c < 6; ++c) {
+      store(block.state.deviator[c].data() + at, s[c]);
+      store(tile.strain[c] + i, strain[c]);
+    }
+    store(stress.growth + i, mid.volume_ratio);
+    store(tile.ratio + i, load(tile.ratio_old + i) * mid.volume_ratio);
+  }
+  material.update(tile, dt);
+  for (int i = 0; i < kTile; i += kLanes) {
+    const std::size_t at = first + static_cast<std::size_t>(i);
+    Pack sigma[Dim][Dim];
+    load_stress<Dim>(block.state, at, sigma);
+    form_pair_stress<Dim>(sigma, block.set.options.artificial_stress, stress, i);
+    const Pack modulus = load(block.state.bulk.data() + at) + (4.0 / 3.0) * material.shear;
+    const Pack density = material.density / load(tile.ratio + i);
+    store(stress.sound_speed + i, vsqrt(modulus / density));
+  }
+  publish(block, first, stress);
+}
+
+template <int Dim>
+void SphParticles<Dim>::publish(ParticleBlock& block, std::size_t first, const TileStress& tile) {
+  using Record = StressRecord<Dim>;
+  const bool artificial = block.set.options.artificial_stress != 0;
+  const std::size_t n = std::min(block.set.particle.size() - first, std::size_t{kTile});
+  for (std::size_t slot = 0; slot < n; ++slot) {
+    const auto i = static_cast<std::size_t>(block.set.particle[first + slot]);
+    auto& state = state_[i];
+    state.ratio *= tile.growth[slot];
+    state.volume = state.start_volume * state.ratio;
+    state.sound_speed = tile.sound_speed[slot];
+    state.stress_work += 0.5 * state.volume * tile.power[slot];
+    Real* stress = stress_[i].data;
+    for (int c = 0; c < Dim * Dim; ++c) stress[c] = tile.corrected[c][slot];
+    stress[Record::kSoundSpeed] = tile.sound_speed[slot];
+    set_size(i);
+    if (!artificial) continue;
+    bool tension = false;
+    for (int c = 0; c < kSymmetric<Dim>; ++c) {
+      artificial_[i].data[c] = tile.artificial[c][slot];
+      tension = tension || tile.artificial[c][slot] != 0;
+    }
+    stress[Record::kTension] = tension ? 1.0 : 0.0;
+  }
+}
+
+/// XSPH (Monaghan 1989): positions move with a mean of the neighbours' velocities,
+/// x_i += dt xsph sum m_j/rho_ij (v_j - v_i) W, which keeps the centre of mass.
+template <int Dim>
+void SphParticles<Dim>::move_with_neighbours(Real dt) {
+  std::vector<Vec<Dim>> shift;
+  for (const auto& block : blocks_) {
+    const Real strength = block.set.options.xsph;
+    if (strength == 0) continue;
+    shift.resize(state_.size(), Vec<Dim>::Zero());
+    with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
+        const LocalIndex i = block.set.particle[slot];
+        const auto k = static_cast<std::size_t>(i);
+        rows_.refresh(motion_.data(), i);
+        const auto mean =
+            mean_velocity<Dim, Kernel>(motion_.data(), stress_.data(), i, rows_.row(i));
+        shift[k] = (dt * strength) * mean;
+      });
+    });
+  }
+  if (shift.empty()) return;
+  for_each(state_.size(), [&](std::size_t i) { points_.x[i] += shift[i]; });
+  refresh_motion();
+  if (!list_covers(0)) rearrange();
+}
+
+template struct SphParticles<2>::TileStress;
+template struct SphParticles<3>::TileStress;
+template void SphParticles<2>::update_tile(ParticleBlock&, std::size_t, Real);
+template void SphParticles<3>::update_tile(ParticleBlock&, std::size_t, Real);
+template void SphParticles<2>::publish(ParticleBlock&, std::size_t, const TileStress&);
+template void SphParticles<3>::publish(ParticleBlock&, std::size_t, const TileStress&);
+template void SphParticles<2>::move_with_neighbours(Real);
+template void SphParticles<3>::move_with_neighbours(Real);
+
+}  // namespace brunt

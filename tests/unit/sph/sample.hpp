@@ -1,0 +1,100 @@
+#pragma once
+/// Small scenes of particles for the tests: lattices, materials, and the loop of the scheme.
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "core/materials/catalog.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt::test {
+
+inline std::unique_ptr<Material> elastic_material(Real density, Real E, Real nu) {
+  auto material = std::make_unique<Material>();
+  material->name = "elastic";
+  material->density = density;
+  material->bulk = E / (3 * (1 - 2 * nu));
+  material->shear = E / (2 * (1 + nu));
+  material->strength = make_strength(NoStrength{}, {material->shear, 0, 0});
+  material->eos = make_eos(LinearEos{}, {density, material->bulk});
+  return material;
+}
+
+/// OFHC copper of Johnson & Cook 1983, adiabatic.
+inline std::unique_ptr<Material> copper() {
+  auto material = elastic_material(8960, 124e9, 0.34);
+  material->name = "copper";
+  material->thermal = true;
+  material->specific_heat = 383;
+  JohnsonCook law;
+  law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025, law.m = 1.09, law.T_melt = 1356;
+  material->strength = make_strength(law, {material->shear, material->density * 383, 0.9});
+  return material;
+}
+
+/// n particles along each axis from 0.5 dp on, displaced by up to `noise` dp along each axis.
+template <int Dim>
+Points<Dim> lattice(std::array<int, Dim> n, Real dp, Real mass, Real noise = 0, unsigned seed = 1) {
+  Points<Dim> points;
+  LocalIndex count = 1;
+  for (const int k : n) count *= k;
+  points.resize(count);
+  std::mt19937_64 random(seed);
+  const auto deviate = [&] { return 2 * (static_cast<Real>(random() >> 11) * 0x1p-53) - 1; };
+  for (LocalIndex i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    LocalIndex rest = i;
+    for (int d = 0; d < Dim; ++d) {
+      const int cells = n[static_cast<std::size_t>(d)];
+      points.x[k][d] = dp * (rest % cells + 0.5 + noise * deviate());
+      rest /= cells;
+    }
+    points.x_start[k] = points.x[k];
+    points.id[k] = static_cast<GlobalId>(i);
+    points.mass[k] = mass;
+  }
+  return points;
+}
+
+template <int Dim>
+std::unique_ptr<SphParticles<Dim>> particles(Points<Dim> points, Real dp, const Material& material,
+                                             const SphOptions& options, Real depth = 1) {
+  ParticleSet set;
+  set.material = &material, set.options = options;
+  set.temperature = 298, set.adiabatic = material.thermal;
+  for (LocalIndex i = 0; i < points.size(); ++i) set.particle.push_back(i);
+  const std::vector<Real> spacing(points.x.size(), dp);
+  std::vector<ParticleSet> sets;
+  sets.push_back(std::move(set));
+  return std::make_unique<SphParticles<Dim>>(std::move(points), spacing, std::move(sets), depth);
+}
+
+/// One step of velocity Verlet; `impose` sets positions and velocities between predict and forces.
+template <int Dim>
+void step(SphParticles<Dim>& solid, Real dt,
+          const std::function<void(Points<Dim>&)>& impose = nullptr) {
+  if (solid.must_rearrange(dt)) solid.rearrange();
+  auto& points = solid.points();
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    points.v[i] += 0.5 * dt * points.a[i];
+    points.x[i] += dt * points.v[i];
+    points.f[i].setZero();
+  }
+  if (impose) impose(points);
+  solid.update_state(dt);
+  solid.add_internal_forces(dt);
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    points.a[i] = points.f[i] / points.mass[i];
+    points.v[i] += 0.5 * dt * points.a[i];
+  }
+}
+
+template <int Dim>
+Totals<Dim> totals(const SphParticles<Dim>& solid) {
+  Totals<Dim> totals;
+  totals.bodies.resize(1);
+  solid.add_totals(totals);
+  return totals;
+}
+
+}  // namespace brunt::test
