@@ -37,7 +37,8 @@ template <int Dim, class Kernel>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, LocalIndex i,
                                              std::span<const LocalIndex> row) {
   Pack moment[kSymmetric<Dim>] = {}, rate[Dim * Dim] = {};
-  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*) {
+  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*)
+      __attribute__((always_inline)) {
     for (int b = 0; b < Dim; ++b) {
       const Pack gradient = weight * pair.arm[b];
       for (int a = 0; a <= b; ++a) {
@@ -70,10 +71,8 @@ BRUNT_INLINE Vec<Dim> mean_velocity(const MotionRecord<Dim>* motion,
     for (int lane = 0; lane < kLanes; ++lane) {
       density[lane] = stress[j[lane]].data[StressRecord<Dim>::kDensity];
     }
-    const Pack inverse = 1.0 / pair.h;
-    const Pack q = vsqrt(pair.r2) * inverse;
-    Pack value = Kernel::template kAlpha<Dim> * Kernel::value(q);
-    for (int d = 0; d < Dim; ++d) value = value * inverse;
+    Pack value = Kernel::template kAlpha<Dim> * Kernel::value(vsqrt(pair.q2));
+    for (int d = 0; d < Dim; ++d) value = value * pair.inverse_h;
     const Pack weight = pair.volume * density * value / (0.5 * (density + own));
     for (int d = 0; d < Dim; ++d) sum[d] = sum[d] + weight * pair.velocity[d];
   }
@@ -111,7 +110,7 @@ struct StressPart {
 };
 
 /// Monaghan 1992: Pi = (-alpha c mu + beta mu^2)/rho where pairs approach,
-/// mu = h v_ij.x_ij/(r^2 + 0.01 h^2), c, rho and h means of the pair.
+/// mu = h v_ij.x_ij/(r^2 + 0.01 h^2), c, rho and h means of the pair (h: harmonic).
 template <int Dim>
 struct ViscousPart {
   Pack force[Dim] = {};
@@ -124,12 +123,11 @@ struct ViscousPart {
       approach = approach + pair.velocity[a] * pair.arm[a];
       speed2 = speed2 + pair.velocity[a] * pair.velocity[a];
     }
-    const Pack h = pair.h;
     const Real own_density = own[StressRecord<Dim>::kDensity];
-    // one division gives mu = h approach/(r^2 + 0.01 h^2) and 2 rho_i rho_j/(rho_i + rho_j)
-    const Pack distance2 = pair.r2 + (0.01 * h) * h, densities = density + own_density;
+    // one division gives mu = approach/h / (q^2 + 0.01) and 2 rho_i rho_j/(rho_i + rho_j)
+    const Pack distance2 = pair.q2 + 0.01, densities = density + own_density;
     const Pack inverse = 1.0 / (distance2 * densities);
-    const Pack mu = vmin(h * approach * (densities * inverse), broadcast<Pack>(0.0));
+    const Pack mu = vmin(pair.inverse_h * approach * (densities * inverse), broadcast<Pack>(0.0));
     const Pack both = 2.0 * own_density * density * (distance2 * inverse);
     const Pack c = 0.5 * (sound_speed + own[StressRecord<Dim>::kSoundSpeed]);
     const Pack push = -(both * weight) * (mu * (options.beta * mu - options.alpha * c));
@@ -183,7 +181,7 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIn
   ViscousPart<Dim> viscous;
   ArtificialPart<Dim> artificial;
   const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real* value,
-                       const LocalIndex* j) {
+                       const LocalIndex* j) __attribute__((always_inline)) {
     Pack part[Record::kSize];
     for (int g = 0; g < Record::kSize; g += 4) {
       load_transposed(records.stress[j[0]].data + g, records.stress[j[1]].data + g,

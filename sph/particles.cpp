@@ -70,7 +70,7 @@ void SphParticles<Dim>::refresh_motion() {
       record[d] = points_.x[i][d];
       record[Record::kVelocity + d] = points_.v[i][d];
     }
-    record[Record::kSmoothing] = state_[i].smoothing_length;
+    record[Record::kInverse] = 1.0 / state_[i].smoothing_length;
     record[Record::kVolume] = state_[i].volume / depth_;
     stress_[i].data[StressRecord<Dim>::kDensity] = points_.mass[i] / state_[i].volume;
   });
