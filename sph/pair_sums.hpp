@@ -33,10 +33,18 @@ struct ForceSums {
   Real mu;                ///< [m/s] max |mu_ij|
 };
 
+/// One by one: a whole array at once becomes a call that costs more than the sums of a neighbour.
+template <std::size_t n>
+BRUNT_INLINE void clear(Pack (&sums)[n]) {
+  for (std::size_t k = 0; k < n; ++k) sums[k] = broadcast<Pack>(0.0);
+}
+
 template <int Dim, class Kernel>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, LocalIndex i,
                                              std::span<const LocalIndex> row) {
-  Pack moment[kSymmetric<Dim>] = {}, rate[Dim * Dim] = {};
+  Pack moment[kSymmetric<Dim>], rate[Dim * Dim];
+  clear(moment);
+  clear(rate);
   const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*)
       __attribute__((always_inline)) {
     for (int b = 0; b < Dim; ++b) {
@@ -92,9 +100,13 @@ struct ForceRecords {
 /// Stress divergence of four pairs: the part of i is the sum of w (x_j - x_i), applied at the end.
 template <int Dim>
 struct StressPart {
-  Pack force[Dim] = {};  // sum w T_j (x_j - x_i)
-  Pack arm[Dim] = {};    // sum w (x_j - x_i)
+  Pack force[Dim];  // sum w T_j (x_j - x_i)
+  Pack arm[Dim];    // sum w (x_j - x_i)
 
+  BRUNT_INLINE StressPart() {
+    clear(force);
+    clear(arm);
+  }
   BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, const Pack* stress) {
     Pack gradient[Dim];
     for (int a = 0; a < Dim; ++a) {
@@ -113,9 +125,10 @@ struct StressPart {
 /// mu = h v_ij.x_ij/(r^2 + 0.01 h^2), c, rho and h means of the pair (h: harmonic).
 template <int Dim>
 struct ViscousPart {
-  Pack force[Dim] = {};
+  Pack force[Dim];
   Pack power = {}, largest_mu = {}, largest_speed2 = {};
 
+  BRUNT_INLINE ViscousPart() { clear(force); }
   BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, const Real* own, Pack sound_speed,
                         Pack density, const PairOptions& options) {
     Pack approach = pair.velocity[0] * pair.arm[0], speed2 = pair.velocity[0] * pair.velocity[0];
@@ -141,9 +154,10 @@ struct ViscousPart {
 /// Gray, Monaghan & Swift 2001: the artificial stresses S_i + S_j, times (W(r)/W(dp))^4.
 template <int Dim>
 struct ArtificialPart {
-  Pack force[Dim] = {};
+  Pack force[Dim];
   Pack power = {};
 
+  BRUNT_INLINE ArtificialPart() { clear(force); }
   BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, Pack relative_value,
                         const Real* own, const ArtificialRecord<Dim>* records,
                         const LocalIndex* j) {
