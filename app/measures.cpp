@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "io/deck/expression.hpp"
@@ -153,9 +154,12 @@ struct Evaluate {
     return center_speed(source.view(m.body)) / center_speed(source.start->at(m.body));
   }
   Real operator()(const deck::ExpressionMeasure& m) const {
-    std::map<std::string, Real> values;
-    for (const auto& measure : before) values[measure.name] = measure.value;
-    return evaluate_numbers(m.formula, values);
+    return evaluate_formula(m.formula, [this](const std::string& name) -> std::optional<Real> {
+      for (const auto& measure : before) {
+        if (measure.name == name) return measure.value;
+      }
+      return std::nullopt;
+    });
   }
 };
 }  // namespace

@@ -14,11 +14,19 @@ namespace brunt {
 
 /// What history.csv prints of one pair of bodies; sums are exact.
 struct PairReport {
-  std::string name;              ///< the deck's, or "a-b"
-  std::array<Real, 3> force{};   ///< [N] on the first body
-  Real area = 0;                 ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
-  Real max_penetration = 0;      ///< [m]
-  std::int64_t planes = 0;       ///< common planes and particle contacts that carry force
+  std::string name;             ///< the deck's, or "a-b"
+  std::array<Real, 3> force{};  ///< [N] on the first body
+  Real area = 0;             ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
+  Real max_penetration = 0;  ///< [m]
+  std::int64_t planes = 0;   ///< common planes and particle contacts that carry force
+};
+
+/// How much work the contact lists were; it says nothing about the answer.
+struct ContactWork {
+  std::size_t builds = 0;      ///< of the lists, since time 0
+  std::size_t candidates = 0;  ///< in the present lists
+  std::size_t contacts = 0;    ///< that carry force now
+  Real skin = 0;               ///< [m]
 };
 
 /// The one contact manager: automatic pairing of all surfaces, common planes for face on face, the
@@ -27,20 +35,27 @@ template <int Dim>
 class ContactManager {
  public:
   /// surfaces stay owned by their solids and outlive the manager; body_names by label.
+  /// depth [m] is that of a plane strain deck; axisymmetric forces are those of the whole ring.
   ContactManager(ContactOptions options, Geometry geometry, std::vector<Surface<Dim>*> surfaces,
-                 std::vector<std::string> body_names);
+                 std::vector<std::string> body_names, Real depth = 1);
   ~ContactManager();
 
   /// Votes before the step, from each face's own spring and from near pairs (physics.md A5).
   StepVote stable_step(Real dt_last) const;
+  /// True if the lists may miss a contact after a step of dt; add_forces looks again and builds
+  /// them itself where motion was more than this foresaw.
   bool must_rearrange(Real dt) const;
+  /// Reads the surfaces anew and rebuilds the lists; what is booked stays with the points' ids.
   void rearrange();
   /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping.
   void add_forces(Real dt);
   void add_totals(Totals<Dim>& totals) const;
   std::vector<PairReport> reports() const;
+  /// Contacts of the last evaluation; positions relative to the scene's origin; normal from
+  /// body_a to body_b, force on body_b.
   ContactView view() const;
   std::size_t n_facets() const;
+  ContactWork work() const;
 
  private:
   struct Implementation;

@@ -8,6 +8,7 @@ namespace brunt {
 namespace {
 constexpr int kBias = 1074;  // the least significant bit of digit 0 is 2^-1074
 constexpr std::int64_t kMask = 0xffffffffLL;
+__extension__ using Wide = unsigned __int128;
 }  // namespace
 
 void ExactSum::add(Real value) {
@@ -26,7 +27,7 @@ void ExactSum::add(Real value) {
   // value = mantissa 2^(exponent - 1075): its lowest bit is bit (exponent - 1) of the accumulator
   const int shift = exponent - 1;
   const int first = shift / 32;
-  const auto wide = static_cast<unsigned __int128>(mantissa) << (shift % 32);
+  const auto wide = static_cast<Wide>(mantissa) << (shift % 32);
   const std::int64_t sign = bits >> 63 ? -1 : 1;
   digit_[static_cast<std::size_t>(first)] += sign * static_cast<std::int64_t>(wide & kMask);
   digit_[static_cast<std::size_t>(first) + 1] +=
@@ -64,7 +65,7 @@ Real ExactSum::value() const {
   while (top >= 0 && sum.digit_[static_cast<std::size_t>(top)] == 0) --top;
   if (top < 0) return 0.0;
   // 64 leading bits and a sticky bit hold all that one rounding to 53 bits needs
-  unsigned __int128 lead = 0;
+  Wide lead = 0;
   for (int i = top; i > top - 3; --i) {
     lead = (lead << 32) |
            static_cast<std::uint64_t>(i >= 0 ? sum.digit_[static_cast<std::size_t>(i)] : 0);

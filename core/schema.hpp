@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -36,7 +37,8 @@ constexpr Range positive() { return {0, kInfinity, true, false}; }
 constexpr Range at_least(Real min) { return {min, kInfinity, false, false}; }
 constexpr Range between(Real min, Real max) { return {min, max, false, false}; }
 
-/// unit: the SI unit whose dimension the value must have ("1" for a number, "rad" for an angle);
+/// unit: the SI unit whose dimension the value must have ("1" for a number, "rad" for an angle,
+/// "any" where the dimension follows from elsewhere);
 /// plausible: outside of it the value is accepted with a warning.
 struct Quantity {
   const char* unit = "1";
@@ -77,13 +79,27 @@ class Schema {
  public:
   virtual ~Schema() = default;
 
+  /// The geometry of the deck, on which numbers of components and some needs depend.
+  virtual Geometry geometry() const { return Geometry::three_d; }
+
   virtual void real(const Key& key, Real& value, const Quantity& quantity) = 0;
   virtual void real(const Key& key, std::optional<Real>& value, const Quantity& quantity) = 0;
   virtual void integer(const Key& key, int& value, const Range& range) = 0;
   virtual void flag(const Key& key, bool& value) = 0;
   virtual void text(const Key& key, std::string& value) = 0;
-  /// A word out of `words`; index into them. Words may have synonyms: "off|false".
+  /// A quantity, or `word` where there is none: skin: auto.
+  virtual void real_or_word(const Key& key, std::optional<Real>& value, const Quantity& quantity,
+                            const char* word) = 0;
+  /// A word out of `words`; index into them. Words may have synonyms: "off|false". A word that
+  /// begins with "!" is known and refused: "!conduct|heat is not conducted yet".
   virtual void choice(const Key& key, int& index, std::span<const char* const> words) = 0;
+  template <class E>
+  requires std::is_enum_v<E>
+  void choice(const Key& key, E& value, std::span<const char* const> words) {
+    int index = static_cast<int>(value);
+    choice(key, index, words);
+    value = static_cast<E>(index);
+  }
   /// A list of quantities of one dimension. size: 0 any; components: 2 in a 2D deck and 3 in a 3D
   /// one where size is kVector; a component may be the word `free` (NaN) where allow_free.
   static constexpr int kVector = -1;
@@ -91,7 +107,7 @@ class Schema {
                     bool allow_free = false) = 0;
   virtual void list(const Key& key, std::optional<std::vector<Real>>& value,
                     const Quantity& quantity, int size, bool allow_free = false) = 0;
-  /// A letter x, y, z or a vector; read as a unit vector.
+  /// A letter x, y, z or a vector; read as a unit vector. In 2D z is the axis out of the plane.
   virtual void direction(const Key& key, std::vector<Real>& value) = 0;
   /// One quantity for all axes, or one an axis: size: 1 mm or [1 mm, 1 mm, 2 mm].
   virtual void per_axis(const Key& key, std::optional<std::vector<Real>>& value,
@@ -109,6 +125,9 @@ class Schema {
   virtual void names(const Key& key, std::vector<std::string>& value, int size) = 0;
   virtual void varying(const Key& key, std::optional<Varying>& value, const Quantity& quantity,
                        std::span<const Varying::Over> over) = 0;
+  /// A vector whose components may vary; an absent component is `free`.
+  virtual void components(const Key& key, std::optional<std::vector<std::optional<Varying>>>& value,
+                          const Quantity& quantity, std::span<const Varying::Over> over) = 0;
 
   template <class T>
   void object(const Key& key, T& value) {
@@ -124,20 +143,24 @@ class Schema {
           describe(s, value ? *value : blank);
         });
   }
+  /// Entries begin as copies of `initial`.
   template <class T>
-  void named(const Key& key, std::vector<Named<T>>& entries, bool list_allowed = false) {
+  void named(const Key& key, std::vector<Named<T>>& entries, bool list_allowed = false,
+             const T& initial = T{}) {
     visit_named(
         key, list_allowed, [&] { return entries.size(); },
         [&](std::size_t i) { return entries[i].name; },
         [&](const std::string& name) {
-          entries.push_back({name, T{}});
+          entries.push_back({name, initial});
         },
         [&](std::size_t i, Schema& s) { describe(s, entries[i].value); },
-        [](Schema& s) {
-          T blank{};
+        [&](Schema& s) {
+          T blank = initial;
           describe(s, blank);
         });
   }
+  /// A key with an empty name: the alternative stands among the keys of the map itself,
+  /// shape: {box: {...}, translate: [...]}.
   template <class... Ts>
   void one_of(const Key& key, std::variant<Ts...>& value) {
     static constexpr Alternative alternatives[] = {{Ts::deck_name, Ts::deck_help}...};
@@ -156,8 +179,23 @@ class Schema {
           (blank(Ts{}), ...);
         });
   }
-  /// The bare value of an alternative: hourglass: {viscous: 0.1}.
+  /// The bare value of an alternative: hourglass: {viscous: 0.1}, side: min-x; a text is taken as
+  /// it stands, without its parameters: expression: "= $a / $b".
   virtual void value(Real& value, const Quantity& quantity, const char* help) = 0;
+  virtual void value(int& index, std::span<const char* const> words, const char* help) = 0;
+  virtual void value(std::string& text, const char* help) = 0;
+  template <class E>
+  requires std::is_enum_v<E>
+  void value(E& value, std::span<const char* const> words, const char* help) {
+    int index = static_cast<int>(value);
+    this->value(index, words, help);
+    value = static_cast<E>(index);
+  }
+  /// Keys that mean something only where `applies`: elsewhere they are refused with `when`,
+  /// as in "only with method: sph".
+  virtual void section(bool applies, const char* when, std::function<void(Schema&)> members) = 0;
+  /// Keys of the contract that this version does not have yet.
+  virtual void later(std::span<const char* const> keys) = 0;
   /// A rule across keys, tested once they are read: message when it does not hold. `at` is the
   /// key to which the message points.
   virtual void require(bool holds, const char* at, const std::string& message) = 0;

@@ -48,7 +48,14 @@ BRUNT_INLINE void store(Real* p, Real v) { *p = v; }
 BRUNT_INLINE Real select(bool m, Real a, Real b) { return m ? a : b; }
 BRUNT_INLINE Pack select(PackMask m, Pack a, Pack b) { return m ? a : b; }
 BRUNT_INLINE bool any(bool m) { return m; }
-BRUNT_INLINE bool any(PackMask m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+BRUNT_INLINE bool any(PackMask m) {
+#ifdef __AVX__
+  return __builtin_ia32_movmskpd256(reinterpret_cast<Pack>(m)) !=
+         0;  // one instruction; same answer
+#else
+  return (m[0] | m[1] | m[2] | m[3]) != 0;
+#endif
+}
 BRUNT_INLINE bool lane_of(bool m, int) { return m; }
 BRUNT_INLINE bool lane_of(PackMask m, int lane) { return m[lane] != 0; }
 BRUNT_INLINE Real lane_of(Real a, int) { return a; }

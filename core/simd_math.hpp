@@ -30,7 +30,7 @@ inline constexpr Real kLn2Low = 1.90821492927058770002e-10;
 /// 2^k of a whole number k in [-1022, 1023].
 template <class V>
 BRUNT_INLINE V power_of_two(V k) {
-  return from_bits<V>((bits_of<V>(k + kRound) << 52) + bits_of<V>(broadcast<V>(1.0)));
+  return from_bits<V>((bits_of<V>(k + kRound) + 1023) << 52);  // the shift drops kRound's own bits
 }
 }  // namespace detail
 
@@ -53,19 +53,15 @@ BRUNT_INLINE V vexp(V x) {
   return (result * detail::power_of_two(half)) * detail::power_of_two(k - half);
 }
 
-/// ln x within one unit in the last place. ln 0 = -infinity, NaN below 0, ln infinity = infinity;
-/// subnormal numbers are exact as all others.
+namespace detail {
+/// ln(x 2^-shift) of a positive normal number x.
 template <class V>
-BRUNT_INLINE V vlog(V x) {
-  constexpr Real kTwo54 = 18014398509481984.0;
+BRUNT_INLINE V log_of_normal(V x, V shift) {
   constexpr long long kMantissa = 0xfffffffffffffLL, kHalf = 0x3feLL << 52;
-  const auto subnormal = x < std::numeric_limits<Real>::min();
-  const V scaled = select(subnormal, x * kTwo54, x);
-  const BitsOf<V> bits = bits_of<V>(scaled);
+  const BitsOf<V> bits = bits_of<V>(x);
   // the exponent's bits, below those of 2^52, read as a number; x = mantissa 2^exponent
   const V biased = from_bits<V>(((bits >> 52) & 0x7ffLL) | bits_of<V>(broadcast<V>(0x1p52)));
-  V exponent =
-      (biased - (0x1p52 + 1022.0)) - select(subnormal, broadcast<V>(54.0), broadcast<V>(0));
+  V exponent = (biased - (0x1p52 + 1022.0)) - shift;
   V mantissa = from_bits<V>((bits & kMantissa) | kHalf);
   const auto low = mantissa < 0.70710678118654752440;
   mantissa = select(low, mantissa + mantissa, mantissa);
@@ -76,11 +72,21 @@ BRUNT_INLINE V vlog(V x) {
   const V a = 2.0 / 3 + z * (2.0 / 5), b = 2.0 / 7 + z * (2.0 / 9), c = 2.0 / 11 + z * (2.0 / 13);
   const V d = 2.0 / 15 + z * (2.0 / 17), e = 2.0 / 19 + z * (2.0 / 21);
   const V series = z * ((a + z2 * b) + z4 * ((c + z2 * d) + z4 * e));
-  const V finite =
-      exponent * detail::kLn2High - ((s * (f - series) - exponent * detail::kLn2Low) - f);
-  const V below = select(x < 0.0, broadcast<V>(std::numeric_limits<Real>::quiet_NaN()), x);
-  const V special = select(x == 0.0, broadcast<V>(-kInfinity), below);
-  return select(0.0 < x, select(x < kInfinity, finite, x), special);
+  return exponent * kLn2High - ((s * (f - series) - exponent * kLn2Low) - f);
+}
+}  // namespace detail
+
+/// ln x within one unit in the last place. ln 0 = -infinity, NaN below 0, ln infinity = infinity;
+/// subnormal numbers are exact as all others.
+template <class V>
+BRUNT_INLINE V vlog(V x) {
+  const V zero = broadcast<V>(0.0);
+  const auto subnormal = x < std::numeric_limits<Real>::min();
+  const V finite = detail::log_of_normal(select(subnormal, x * 0x1p54, x),
+                                         select(subnormal, broadcast<V>(54.0), zero));
+  const V below = select(x < zero, broadcast<V>(std::numeric_limits<Real>::quiet_NaN()), x);
+  const V special = select(x == zero, broadcast<V>(-kInfinity), below);
+  return select(zero < x, select(x < kInfinity, finite, x), special);
 }
 
 /// x^y for x >= 0: e^(y ln x). Relative error below (1 + |y ln x|) 5e-16, so 1e-14 where

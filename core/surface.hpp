@@ -18,7 +18,9 @@ struct Facet {
   Label piece = 0;
   Real stiffness = 0;   ///< [Pa/m] M/h of the element behind, M = K + 4G/3; 0: rigid
   Real areal_mass = 0;  ///< [kg/m^2] rho h / 2 of the element behind; 0: rigid
-  Real depth = 0;       ///< [m] h, depth of the element normal to the face at its birth; rigid: 0
+  /// [m] penetration at which it lets go: depth of the element normal to the face at its birth,
+  /// half of it where the element's other face is free too; rigid: 0
+  Real depth = 0;
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }
 };

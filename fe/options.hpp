@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "core/schema.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -21,7 +22,8 @@ struct StiffnessHourglass {
 /// What the material asks for: viscous 0.1 where it yields, else stiffness 0.05.
 struct AutomaticHourglass {
   static constexpr const char* deck_name = "auto";
-  static constexpr const char* deck_help = "viscous 0.1 where the material yields, else stiffness 0.05";
+  static constexpr const char* deck_help =
+      "viscous 0.1 where the material yields, else stiffness 0.05";
 };
 using Hourglass = std::variant<AutomaticHourglass, ViscousHourglass, StiffnessHourglass>;
 
@@ -36,5 +38,26 @@ struct ElementOptions {
   Hourglass hourglass;
   BulkViscosity bulk_viscosity;
 };
+
+inline void describe(Schema&, AutomaticHourglass&) {}
+inline void describe(Schema& s, ViscousHourglass& hourglass) {
+  s.value(hourglass.coefficient, {"1", at_least(0), between(0, 0.2)}, "viscous coefficient");
+}
+inline void describe(Schema& s, StiffnessHourglass& hourglass) {
+  s.value(hourglass.coefficient, {"1", at_least(0), between(0, 0.2)}, "stiffness coefficient");
+}
+inline void describe(Schema& s, BulkViscosity& viscosity) {
+  s.real({"linear", "linear coefficient of the artificial bulk viscosity"}, viscosity.linear,
+         {"1", at_least(0), between(0, 1)});
+  s.real({"quadratic", "quadratic coefficient, in compression only"}, viscosity.quadratic,
+         {"1", at_least(0), between(0, 10)});
+}
+inline void describe(Schema& s, ElementOptions& element) {
+  static constexpr const char* kIntegrations[] = {"one-point", "q1p0", "full"};
+  s.choice({"integration", "points of integration: one, selectively reduced, or full"},
+           element.integration, kIntegrations);
+  s.one_of({"hourglass", "what resists hourglass modes of one-point elements"}, element.hourglass);
+  s.object({"bulk_viscosity", "artificial viscosity that spreads shocks"}, element.bulk_viscosity);
+}
 
 }  // namespace brunt

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/schema.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -20,5 +21,27 @@ struct SphOptions {
   MonaghanViscosity viscosity;
   Real xsph = 0;
 };
+
+inline void describe(Schema& s, MonaghanViscosity& viscosity) {
+  s.real({"alpha", "linear coefficient of Monaghan's artificial viscosity"}, viscosity.alpha,
+         {"1", at_least(0), between(0, 10)});
+  s.real({"beta", "quadratic coefficient"}, viscosity.beta, {"1", at_least(0), between(0, 20)});
+}
+inline void describe(Schema& s, SphOptions& sph) {
+  static constexpr const char* kKernels[] = {"cubic", "quadratic", "hyperbolic", "wendland-c2",
+                                             "wendland-c4"};
+  static constexpr const char* kLater[] = {"formulation", "hourglass", "pair_precision"};
+  s.choice({"kernel", "smoothing kernel"}, sph.kernel, kKernels);
+  s.real({"smoothing", "smoothing length over particle spacing"}, sph.smoothing,
+         {"1", positive(), between(0.9, 2.5)});
+  s.flag({"adaptive_h", "the smoothing length follows (m/rho)^(1/dim)"}, sph.adaptive_h);
+  s.flag({"correction", "corrected gradients; without them a spin strains"}, sph.correction);
+  s.real({"artificial_stress", "against clumping in tension (Gray, Monaghan & Swift 2001)"},
+         sph.artificial_stress, {"1", between(0, 1)});
+  s.object({"viscosity", "artificial viscosity that spreads shocks"}, sph.viscosity);
+  s.real({"xsph", "share of the neighbours' velocity with which particles move"}, sph.xsph,
+         {"1", between(0, 1)});
+  s.later(kLater);
+}
 
 }  // namespace brunt

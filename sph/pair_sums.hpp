@@ -16,7 +16,7 @@ struct GradientSums {
 };
 
 /// What a pair needs to know beside its records.
-struct PairOptions {
+struct SphPairOptions {
   Real alpha = 0, beta = 0;        ///< Monaghan viscosity
   Real inverse_spacing_value = 1;  ///< 1/f(dp/h): artificial stress grows as (W(r)/W(dp))^4
 };
@@ -130,7 +130,7 @@ struct ViscousPart {
 
   BRUNT_INLINE ViscousPart() { clear(force); }
   BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, const Real* own, Pack sound_speed,
-                        Pack density, const PairOptions& options) {
+                        Pack density, const SphPairOptions& options) {
     Pack approach = pair.velocity[0] * pair.arm[0], speed2 = pair.velocity[0] * pair.velocity[0];
     for (int a = 1; a < Dim; ++a) {
       approach = approach + pair.velocity[a] * pair.arm[a];
@@ -187,7 +187,7 @@ struct ArtificialPart {
 template <int Dim, class Kernel>
 BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIndex i,
                                        std::span<const LocalIndex> row,
-                                       const PairOptions& options) {
+                                       const SphPairOptions& options) {
   using Record = StressRecord<Dim>;
   const Real* own = records.stress[i].data;
   const bool own_tension = own[Record::kTension] != 0;

@@ -112,7 +112,7 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
   for (const auto& block : blocks_) {
     const SphOptions& options = block.set.options;
     with_kernel(options.kernel, [&]<class Kernel>(Kernel) {
-      const PairOptions pair{options.viscosity.alpha, options.viscosity.beta,
+      const SphPairOptions pair{options.viscosity.alpha, options.viscosity.beta,
                              1.0 / Kernel::value(1.0 / options.smoothing)};
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];

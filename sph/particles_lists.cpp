@@ -51,7 +51,7 @@ void SphParticles<Dim>::rearrange() {
 template <int Dim>
 void SphParticles<Dim>::seed_votes() {
   refresh_motion();
-  const PairOptions inviscid;
+  const SphPairOptions inviscid;
   const ForceRecords<Dim> records{motion_.data(), stress_.data(), artificial_.data()};
   for (const auto& block : blocks_) {
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {

@@ -1,6 +1,7 @@
 #include "app/build/groups.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "app/build/materials.hpp"
@@ -174,6 +175,58 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
                                                scene.depth);
 }
 
+namespace {
+bool same_sph(const SphOptions& a, const SphOptions& b) {
+  return a.kernel == b.kernel && a.smoothing == b.smoothing && a.adaptive_h == b.adaptive_h &&
+         a.correction == b.correction && a.artificial_stress == b.artificial_stress &&
+         a.viscosity.alpha == b.viscosity.alpha && a.viscosity.beta == b.viscosity.beta &&
+         a.xsph == b.xsph;
+}
+
+/// Spacing [m] of the cubic lattice that a body's particles stand for: volume a particle.
+template <int Dim>
+Real mean_spacing(const BodyGeometry<Dim>& body) {
+  return std::pow(body.volume / static_cast<Real>(body.points.size()), 1.0 / Dim);
+}
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                           const std::vector<BodyGeometry<Dim>>& bodies,
+                                           NextIds& next) {
+  const auto chosen = choose(loaded, bodies, [](const deck::Body& body) {
+    return body.method == deck::Method::sph && !body.rigid;
+  });
+  if (chosen.empty()) return nullptr;
+  auto gathered = gather(loaded, scene, bodies, chosen, next);
+  std::vector<Real> spacing(gathered.from.size());
+  std::vector<ParticleSet> sets;
+  for (std::size_t k = 0; k < gathered.from.size(); ++k) {
+    const auto& geometry = bodies[gathered.from[k].body];
+    const auto& body = loaded.deck.bodies[geometry.label].value;
+    bool adiabatic = false;
+    const Material* material = material_of(loaded, scene.materials, body, &adiabatic);
+    const Real temperature = body.temperature.value_or(loaded.deck.ambient);
+    auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& s) {
+      return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
+             same_sph(s.options, body.sph);
+    });
+    if (set == sets.end())
+      set = sets.insert(sets.end(), {material, body.sph, temperature, adiabatic, {}});
+    set->particle.push_back(static_cast<LocalIndex>(k));
+    // Each particle carries its share of the exact mass of the shape.
+    const Real volume = geometry.volume * (Dim == 2 ? scene.depth : 1.0);
+    gathered.points.mass[k] =
+        material->density * volume / static_cast<Real>(geometry.points.size());
+    gathered.points.piece[k] = geometry.piece[gathered.from[k].index];
+    spacing[k] = mean_spacing(geometry);
+  }
+  auto particles = std::make_unique<SphParticles<Dim>>(std::move(gathered.points), spacing,
+                                                       std::move(sets), Dim == 2 ? scene.depth : 1);
+  particles->set_search(loaded.deck.contact.search);
+  return particles;
+}
+
 template <int Dim>
 std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                                const std::vector<BodyGeometry<Dim>>& bodies,
@@ -205,6 +258,10 @@ template std::unique_ptr<Solid<2>> make_elements<2>(const LoadedDeck&, const Sce
                                                     const std::vector<BodyGeometry<2>>&, NextIds&);
 template std::unique_ptr<Solid<3>> make_elements<3>(const LoadedDeck&, const Scene<3>&,
                                                     const std::vector<BodyGeometry<3>>&, NextIds&);
+template std::unique_ptr<Solid<2>> make_particles<2>(const LoadedDeck&, const Scene<2>&,
+                                                     const std::vector<BodyGeometry<2>>&, NextIds&);
+template std::unique_ptr<Solid<3>> make_particles<3>(const LoadedDeck&, const Scene<3>&,
+                                                     const std::vector<BodyGeometry<3>>&, NextIds&);
 template std::unique_ptr<RigidSurfaces<2>> make_rigid<2>(const LoadedDeck&, const Scene<2>&,
                                                          const std::vector<BodyGeometry<2>>&,
                                                          NextIds&);

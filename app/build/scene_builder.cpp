@@ -119,7 +119,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     std::vector<Surface<Dim>*> surfaces;
     for (auto& solid : scene->solids) surfaces.push_back(&solid->surface());
     scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
-                                                           scene->body_names);
+                                                           scene->body_names, deck.depth);
   }
   return scene;
 }

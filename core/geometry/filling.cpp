@@ -116,6 +116,7 @@ Region<2> polygon_region(const Polygon& polygon) {
     const auto& b = points[(i + 1) % points.size()];
     region.volume += 0.5 * (a[0] * b[1] - a[1] * b[0]);
   }
+  require_simple(points);
   region.volume = std::fabs(region.volume);
   region.inside = [points](const Vec<2>& x) { return inside_polygon(points, x); };
   return region;
@@ -210,7 +211,7 @@ void fill_region(const Region<Dim>& region, const std::vector<Real>& spacing, La
 }  // namespace
 
 template <int Dim>
-Filling<Dim> fill_shape(const Shape& shape, const std::vector<Real>& spacing, LatticeKind lattice) {
+Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing, LatticeKind lattice) {
   Filling<Dim> filling;
   if (const auto* wall = std::get_if<BrickWall>(&shape.kind)) {
     for (const auto& brick : bricks_of<Dim>(*wall)) {
@@ -229,7 +230,7 @@ Filling<Dim> fill_shape(const Shape& shape, const std::vector<Real>& spacing, La
   return filling;
 }
 
-template Filling<2> fill_shape<2>(const Shape&, const std::vector<Real>&, LatticeKind);
-template Filling<3> fill_shape<3>(const Shape&, const std::vector<Real>&, LatticeKind);
+template Filling<2> fill_shape<2>(const BodyShape&, const std::vector<Real>&, LatticeKind);
+template Filling<3> fill_shape<3>(const BodyShape&, const std::vector<Real>&, LatticeKind);
 
 }  // namespace brunt

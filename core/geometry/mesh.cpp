@@ -215,7 +215,7 @@ struct Mesher2 {
 }  // namespace
 
 template <int Dim>
-Mesh<Dim> mesh_shape(const Shape& shape, const Sizing& sizing, Geometry geometry) {
+Mesh<Dim> mesh_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry) {
   Mesh<Dim> mesh;
   if constexpr (Dim == 3) {
     (void)geometry;
@@ -255,8 +255,8 @@ std::vector<std::array<int, Facet<Dim>::kNodes>> outer_faces(const Mesh<Dim>& me
   return outer;
 }
 
-template Mesh<2> mesh_shape<2>(const Shape&, const Sizing&, Geometry);
-template Mesh<3> mesh_shape<3>(const Shape&, const Sizing&, Geometry);
+template Mesh<2> mesh_shape<2>(const BodyShape&, const Sizing&, Geometry);
+template Mesh<3> mesh_shape<3>(const BodyShape&, const Sizing&, Geometry);
 template std::vector<std::array<int, 2>> outer_faces<2>(const Mesh<2>&);
 template std::vector<std::array<int, 4>> outer_faces<3>(const Mesh<3>&);
 

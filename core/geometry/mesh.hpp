@@ -50,15 +50,15 @@ enum class LatticeKind : int { cubic, hexagonal };
 
 /// Meshes a shape that deforms. Throws std::invalid_argument with what is wrong and what would do.
 template <int Dim>
-Mesh<Dim> mesh_shape(const Shape& shape, const Sizing& sizing, Geometry geometry);
+Mesh<Dim> mesh_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry);
 
 /// The surface of a shape that is rigid.
 template <int Dim>
-FacetMesh<Dim> surface_of_shape(const Shape& shape, const Sizing& sizing, Geometry geometry);
+FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry);
 
 /// Fills a shape with particles of the given spacing [m], an axis each.
 template <int Dim>
-Filling<Dim> fill_shape(const Shape& shape, const std::vector<Real>& spacing, LatticeKind lattice);
+Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing, LatticeKind lattice);
 
 /// Outer faces of a mesh: those that exactly one element has, normals outward.
 template <int Dim>

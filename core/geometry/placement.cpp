@@ -27,7 +27,7 @@ Frame3 frame_along(const std::vector<Real>& origin, const std::vector<Real>& axi
 }
 
 template <int Dim>
-Vec<Dim> placed(const Shape& shape, const Vec<Dim>& x) {
+Vec<Dim> placed(const BodyShape& shape, const Vec<Dim>& x) {
   Vec<Dim> y = x;
   if (shape.rotate) {
     const Vec3 axis = Dim == 2 ? Vec3::UnitZ() : to_vector<3>(shape.rotate->axis).normalized();
@@ -40,7 +40,7 @@ Vec<Dim> placed(const Shape& shape, const Vec<Dim>& x) {
   return y + to_vector<Dim>(shape.translate);
 }
 
-template Vec<2> placed<2>(const Shape&, const Vec<2>&);
-template Vec<3> placed<3>(const Shape&, const Vec<3>&);
+template Vec<2> placed<2>(const BodyShape&, const Vec<2>&);
+template Vec<3> placed<3>(const BodyShape&, const Vec<3>&);
 
 }  // namespace brunt

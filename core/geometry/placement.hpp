@@ -22,10 +22,10 @@ Frame3 frame_along(const std::vector<Real>& origin, const std::vector<Real>& axi
 
 /// Turns and moves a point as the deck says.
 template <int Dim>
-Vec<Dim> placed(const Shape& shape, const Vec<Dim>& x);
+Vec<Dim> placed(const BodyShape& shape, const Vec<Dim>& x);
 
 template <int Dim>
-void place_all(const Shape& shape, std::vector<Vec<Dim>>& points) {
+void place_all(const BodyShape& shape, std::vector<Vec<Dim>>& points) {
   for (auto& x : points) x = placed<Dim>(shape, x);
 }
 

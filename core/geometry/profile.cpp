@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace brunt {
 
@@ -61,6 +62,24 @@ bool inside_polygon(const std::vector<Vec<2>>& points, const Vec<2>& x) {
     if (x[0] < a[0] + (b[0] - a[0]) * (x[1] - a[1]) / (b[1] - a[1])) inside = !inside;
   }
   return inside;
+}
+
+void require_simple(const std::vector<Vec<2>>& points) {
+  const std::size_t n = points.size();
+  if (n < 3) throw std::invalid_argument("a polygon needs at least three points");
+  const auto turn = [](const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j + 1 == n) continue;  // these two share a point
+      const auto &a = points[i], &b = points[i + 1], &c = points[j], &d = points[(j + 1) % n];
+      if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) {
+        throw std::invalid_argument("the polygon crosses itself: sides " + std::to_string(i) +
+                                    " and " + std::to_string(j));
+      }
+    }
+  }
 }
 
 }  // namespace brunt

@@ -25,4 +25,7 @@ Profile ogive_profile(const Ogive& ogive);
 /// True where x lies inside a simple polygon (crossing number; the rim counts by half-open edges).
 bool inside_polygon(const std::vector<Vec<2>>& points, const Vec<2>& x);
 
+/// Throws std::invalid_argument where two sides of a polygon cross.
+void require_simple(const std::vector<Vec<2>>& points);
+
 }  // namespace brunt

@@ -83,7 +83,7 @@ struct Ogive {
 };
 
 /// Turns by the right-hand rule; in 2D about z, and the axis is not given.
-struct Rotation {
+struct BodyRotation {
   std::vector<Real> axis{0, 0, 1};  ///< unit vector
   Real angle = 0;                   ///< [rad]
   std::vector<Real> about;          ///< [m] a point that stays where it is
@@ -92,9 +92,9 @@ struct Rotation {
 using ShapeKind = std::variant<Box, Cylinder, Tube, Sphere, Polygon, Plane, BrickWall, Ogive>;
 
 /// A shape, then turned, then moved.
-struct Shape {
+struct BodyShape {
   ShapeKind kind;
-  std::optional<Rotation> rotate;
+  std::optional<BodyRotation> rotate;
   std::vector<Real> translate;  ///< [m]; empty: none
 };
 
@@ -106,7 +106,7 @@ void describe(Schema& s, Polygon& shape);
 void describe(Schema& s, Plane& shape);
 void describe(Schema& s, BrickWall& shape);
 void describe(Schema& s, Ogive& shape);
-void describe(Schema& s, Rotation& rotation);
-void describe(Schema& s, Shape& shape);
+void describe(Schema& s, BodyRotation& rotation);
+void describe(Schema& s, BodyShape& shape);
 
 }  // namespace brunt

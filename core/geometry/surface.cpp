@@ -61,6 +61,7 @@ std::vector<Vec<2>> counter_clockwise(const Polygon& polygon) {
   std::vector<Vec<2>> points;
   Real area = 0;
   for (const auto& point : polygon.points) points.push_back(to_vector<2>(point));
+  require_simple(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& a = points[i];
     const auto& b = points[(i + 1) % points.size()];
@@ -104,7 +105,6 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec<2>>& points) {
 FacetMesh<2> polygon_surface2(const Polygon& polygon) {
   FacetMesh<2> surface;
   surface.nodes = counter_clockwise(polygon);
-  triangulate(surface.nodes);  // refuses what crosses itself
   const int n = static_cast<int>(surface.nodes.size());
   for (int i = 0; i < n; ++i) surface.facets.push_back({i, (i + 1) % n});
   return surface;
@@ -191,7 +191,7 @@ FacetMesh<2> ogive_surface2(const Ogive& ogive) {
 }
 
 /// Sizing of a rigid body that names none: one cell along straight sides, kAround about an axis.
-Sizing or_coarse(const Sizing& sizing, const Shape& shape) {
+Sizing or_coarse(const Sizing& sizing, const BodyShape& shape) {
   if (sizing.size || sizing.cells) return sizing;
   Sizing coarse;
   const bool round = std::holds_alternative<Cylinder>(shape.kind) ||
@@ -203,7 +203,7 @@ Sizing or_coarse(const Sizing& sizing, const Shape& shape) {
 }  // namespace
 
 template <int Dim>
-FacetMesh<Dim> surface_of_shape(const Shape& shape, const Sizing& sizing, Geometry geometry) {
+FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry) {
   FacetMesh<Dim> surface;
   if (const auto* plane = std::get_if<Plane>(&shape.kind)) {
     surface = flat<Dim>(*plane, sizing);
@@ -221,7 +221,7 @@ FacetMesh<Dim> surface_of_shape(const Shape& shape, const Sizing& sizing, Geomet
   return surface;
 }
 
-template FacetMesh<2> surface_of_shape<2>(const Shape&, const Sizing&, Geometry);
-template FacetMesh<3> surface_of_shape<3>(const Shape&, const Sizing&, Geometry);
+template FacetMesh<2> surface_of_shape<2>(const BodyShape&, const Sizing&, Geometry);
+template FacetMesh<3> surface_of_shape<3>(const BodyShape&, const Sizing&, Geometry);
 
 }  // namespace brunt

@@ -67,6 +67,7 @@ class NearJ2 {
   NearJ2() = default;
   NearJ2(const J2* law, V eps_p) : law_(law), eps_p_(eps_p) {}
   BRUNT_INLINE V static_stress() const { return law_->hardened(eps_p_).value; }
+  BRUNT_INLINE V hardening() const { return law_->hardened(eps_p_).d_eps_p; }
   BRUNT_INLINE FlowStress<V> at(V increment, V, V) const {
     return law_->hardened(eps_p_ + increment);
   }

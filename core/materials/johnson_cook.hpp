@@ -48,7 +48,7 @@ struct JohnsonCook {
     if (n <= 0.25) power = vsqrt(power);
     const V hot = homologous_temperature(T);
     const V cold = m >= 1.0 ? 1.0 - hot : select(0.0 < hot, broadcast<V>(0.0), 1.0 - hot);
-    return ((1.0 - 1e-12) * (A + B * power)) * cold;  // round-off of vpow lifts nothing above it
+    return ((1.0 - 1e-12) * (A + B * power)) * cold;  // round-off lifts nothing above it
   }
   template <class V>
   BRUNT_INLINE NearJohnsonCook<V> near(V eps_p, V T) const {
@@ -67,12 +67,15 @@ class NearJohnsonCook {
       : law_(&law),
         eps_p_(eps_p),
         inverse_(1.0 / eps_p),
-        power_(vpow(eps_p, law.n)),
+        power_(power_of(eps_p, law.n)),
         hot_(law.homologous_temperature(T)),
         inverse_hot_(1.0 / hot_),
-        softening_(vpow(hot_, law.m)) {}
+        softening_(power_of(hot_, law.m)) {}
 
   BRUNT_INLINE V static_stress() const { return (law_->A + law_->B * power_) * (1.0 - softening_); }
+  BRUNT_INLINE V hardening() const {
+    return (law_->B * law_->n) * (power_ * inverse_) * (1.0 - softening_);
+  }
   BRUNT_INLINE FlowStress<V> at(V increment, V rate, V T) const {
     const JohnsonCook& law = *law_;
     const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
@@ -82,7 +85,7 @@ class NearJohnsonCook {
     V rate_factor = one, rate_slope = zero;
     if (law.C != 0) {
       const V relative_rate = rate * (1.0 / law.rate_ref);
-      rate_factor = 1.0 + law.C * vlog(vmax(relative_rate, one));
+      rate_factor = 1.0 + law.C * detail::log_of_normal(vmax(relative_rate, one), zero);
       rate_slope = select(one < relative_rate, law.C / rate, zero);
     }
     V soft = softening_, soft_slope = zero;

@@ -24,13 +24,28 @@ concept FlowLaw = requires(const Law& law, Real eps_p, Real rate, Real T) {
   { law.static_floor(eps_p, T) } -> std::same_as<Real>;
   /// The law about a point, and its flow stress there at the rate 0.
   { law.near(eps_p, T).static_stress() } -> std::same_as<Real>;
+  /// A guess of d(flow stress)/d(eps_p) there [Pa]; may be infinite.
+  { law.near(eps_p, T).hardening() } -> std::same_as<Real>;
   /// The law at eps_p + increment and another rate and temperature.
   { law.near(eps_p, T).at(eps_p, rate, T) } -> std::same_as<FlowStress<Real>>;
   { law.needs_temperature() } -> std::same_as<bool>;
 };
 
+/// base^exponent for 0 <= base < infinity and exponent > 0, by vpow without its special cases:
+/// below 1e-300 a base counts as 1e-300, whose power vanishes in any sum of a flow stress.
+template <class V>
+BRUNT_INLINE V power_of(V base, Real exponent) {
+  const V normal = vmax(base, broadcast<V>(1e-300));
+  return vexp(exponent * detail::log_of_normal(normal, broadcast<V>(0.0)));
+}
+/// For callers that rarely need it: out of line, so that they keep their registers.
+template <class V>
+__attribute__((noinline)) V power_apart(V base, Real exponent) {
+  return power_of(base, exponent);
+}
+
 /// base^exponent where power = reference^exponent is known: by its binomial series where base is
-/// within 2 % of the reference, else by vpow. Relative error 1e-15.
+/// within 2 % of the reference, else by power_of. Relative error 1e-15.
 /// inverse  1 / reference
 template <class V>
 BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, Real exponent) {
@@ -40,7 +55,7 @@ BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, Real exponent
   const V close = power * series;
   const auto is_close = vabs(x) < 0.02;  // false where the reference alone is 0
   if (!any(!is_close)) return close;
-  return select(is_close, close, vpow(base, exponent));
+  return select(is_close, close, power_apart(base, exponent));
 }
 
 }  // namespace brunt

@@ -23,9 +23,12 @@ struct ReturnPoint {
   V q_trial, q_old;     ///< [Pa] equivalent stress of the trial; old flow stress, for the heating
   V temperature;        ///< [K] before the step
   V heating;            ///< [K/Pa] temperature per mean flow stress and plastic strain
+  V step;               ///< [1] length of the last step
   V increment, lo, hi;  ///< [1] of eps_p
   decltype(V{} < V{}) active;  ///< where it has not converged
 };
+
+inline constexpr int kNewtonOnly = 8;  ///< iterations after which a step must halve the last one
 
 /// Between the brackets, by ratio where they are far apart.
 template <class V>
@@ -36,9 +39,12 @@ BRUNT_INLINE V middle(V lo, V hi) {
 
 /// One safeguarded Newton step of g(d) = q_trial - 3 G d - sigma_y(eps_p + d, d/dt, T + dT(d)) = 0,
 /// dT = heating (q_old + q_trial - 3 G d)/2 d. A point that has converged is frozen: what its
-/// neighbours in the pack need does not change it.
+/// neighbours in the pack need does not change it. Late steps that do not shrink are replaced, so
+/// that a corner of g (at rate_ref, at melting) cannot keep Newton going to and fro.
+/// iteration  from 0
 template <class V, class NearLaw>
-BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear, Real inverse_dt) {
+BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear, Real inverse_dt,
+                              int iteration) {
   const V d = p.increment;
   const V stress = p.q_trial - (3.0 * shear) * d;
   const V both = p.q_old + stress;
@@ -51,12 +57,18 @@ BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear,
   p.lo = select(right, d, p.lo);
   p.hi = select(right, p.hi, d);
   const V newton = d - g / slope;
-  const auto inside = (p.lo <= newton) & (newton <= p.hi);
-  const V next = select(inside, newton, middle(p.lo, p.hi));
-  // Newton converges as the square: the error left is about the square of a step of 1e-6
-  const auto converged = (inside & (vabs(next - d) <= 1e-6 * d)) | (vabs(g) <= 1e-14 * p.q_trial) |
-                         (p.hi - p.lo <= 1e-14 * p.hi);
-  p.increment = select(p.active, next, d);
+  const V longest = iteration < kNewtonOnly ? broadcast<V>(kInfinity) : 0.5 * p.step;
+  const auto good = (p.lo <= newton) & (newton <= p.hi) & (vabs(newton - d) <= longest);
+  V next = newton;
+  if (any(!good)) next = select(good, newton, middle(p.lo, p.hi));
+  // Newton converges as the square: a step of 1e-5 leaves an error of 1e-10 at the most.
+  // An increment below 1e-30 is none: the point has only just reached its yield stress.
+  const auto exact = vabs(g) <= 1e-14 * p.q_trial;
+  const auto converged = exact | (good & (vabs(next - d) <= 1e-5 * d)) |
+                         (p.hi - p.lo <= 1e-14 * p.hi) | (p.hi <= 1e-30);
+  next = select(p.active & !exact, next, d);
+  p.step = vabs(next - d);
+  p.increment = next;
   p.active = p.active & !converged;
 }
 
@@ -178,12 +190,14 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& retur
     p.q_trial = load_as<V>(c.q_trial + i);
     p.temperature = load_as<V>(c.temperature + i);
     p.heating = load_as<V>(c.heating + i);
-    laws[static_cast<std::size_t>(k)] = law_.near(load_as<V>(c.eps_p + i), p.temperature);
-    const V yield = laws[static_cast<std::size_t>(k)].static_stress();
+    const Near near = law_.near(load_as<V>(c.eps_p + i), p.temperature);
+    laws[static_cast<std::size_t>(k)] = near;
+    const V yield = near.static_stress();
     p.q_old = vmax(load_as<V>(c.q_old + i), yield);
-    p.lo = broadcast<V>(0.0);
+    p.lo = p.step = broadcast<V>(0.0);
     p.hi = p.q_trial * (1.0 / (3.0 * shear));
-    p.increment = (p.q_trial - p.q_old) * (1.0 / (3.0 * shear));
+    const V slope = vmin(near.hardening(), broadcast<V>(3.0 * shear));  // infinite where eps_p is 0
+    p.increment = (p.q_trial - p.q_old) / (3.0 * shear + slope);
     p.increment = vmin(vmax(p.increment, 1e-7 * p.hi), 0.999 * p.hi);
     p.active = yield < p.q_trial;
     p.increment = select(p.active, p.increment, broadcast<V>(0.0));
@@ -194,7 +208,7 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& retur
     for (int k = 0; k < packs; ++k) {
       ReturnPoint<V>& p = points[static_cast<std::size_t>(k)];
       if (!any(p.active)) continue;
-      newton_step(p, laws[static_cast<std::size_t>(k)], shear, inverse_dt);
+      newton_step(p, laws[static_cast<std::size_t>(k)], shear, inverse_dt, iteration);
       busy = busy || any(p.active);
     }
   }

@@ -31,6 +31,13 @@ int level_of(Real extent, Real base) {
   return std::max(-kMaxLevel, mantissa == 0.5 ? exponent - 1 : exponent);
 }
 
+template <std::size_t Dim>
+bool same(const std::array<std::int64_t, Dim>& a, const std::array<std::int64_t, Dim>& b) {
+  std::int64_t difference = 0;
+  for (std::size_t c = 0; c < Dim; ++c) difference |= a[c] ^ b[c];
+  return difference == 0;
+}
+
 bool usable(Real extent) { return extent >= 0 && extent < kInfinity; }
 
 /// Starts of rows from their lengths, which stand in counts[1..n]; counts[0] is 0.
@@ -42,10 +49,11 @@ void accumulate_rows(std::vector<LocalIndex>& counts) {
 
 template <int Dim>
 struct CellGrid<Dim>::LevelChoice {
-  Real base = 1;                                   ///< [m] width of the cells of level 0
-  std::array<int, 2 * kMaxLevel + 1> merged{};     ///< level used for each size class
-  std::vector<int> used;                           ///< ascending
-  static constexpr int kOversize = kMaxLevel + 1;  ///< in `merged`: compare with all
+  Real base = 1;                                     ///< [m] width of the cells of level 0
+  std::array<Real, 2 * kMaxLevel + 1> per_length{};  ///< [1/m] cells a length; exact halves
+  std::array<int, 2 * kMaxLevel + 1> merged{};       ///< level used for each size class
+  std::vector<int> used;                             ///< ascending
+  static constexpr int kOversize = kMaxLevel + 1;    ///< in `merged`: compare with all
 };
 
 template <int Dim>
@@ -85,6 +93,10 @@ typename CellGrid<Dim>::LevelChoice CellGrid<Dim>::choose_levels(
     base = std::max(base, median(std::move(distances)) * (base > 0 ? 0x1p-39 : 0x1p-20));
   }
   choice.base = base > 0 ? base : 1;
+  for (int level = -kMaxLevel; level <= kMaxLevel; ++level) {
+    choice.per_length[static_cast<std::size_t>(level + kMaxLevel)] =
+        std::ldexp(1 / choice.base, -level);
+  }
 
   std::array<int, 2 * kMaxLevel + 1> count{};
   for (const Real size : extent) {
@@ -119,9 +131,9 @@ void CellGrid<Dim>::insert_all(std::span<const Vec<Dim>> anchor, std::span<const
     bool inside = level <= kMaxLevel;
     Coords coords{};
     if (inside) {
-      const Real width = std::ldexp(choice.base, level);
+      const Real per_length = choice.per_length[static_cast<std::size_t>(level + kMaxLevel)];
       for (int c = 0; c < Dim; ++c) {
-        const Real coordinate = std::floor(anchor[i][c] / width);
+        const Real coordinate = std::floor(anchor[i][c] * per_length);
         inside = inside && std::fabs(coordinate) <= kLargestCoordinate;
         coords[c] = inside ? static_cast<std::int64_t>(coordinate) : 0;
       }
@@ -130,7 +142,7 @@ void CellGrid<Dim>::insert_all(std::span<const Vec<Dim>> anchor, std::span<const
       oversize_.push_back(i);
       continue;
     }
-    if (last < 0 || cells_[last].level != level || cells_[last].coords != coords) {
+    if (last < 0 || cells_[last].level != level || !same(cells_[last].coords, coords)) {
       last = find_or_add(coords, level);
     }
     cell_of[i] = last;
@@ -164,7 +176,7 @@ LocalIndex CellGrid<Dim>::find(const Coords& coords, int level) const {
   for (std::size_t slot = hash(coords, level) & mask;; slot = (slot + 1) & mask) {
     const LocalIndex cell = table_[slot];
     if (cell < 0) return -1;
-    if (cells_[cell].coords == coords && cells_[cell].level == level) return cell;
+    if (cells_[cell].level == level && same(cells_[cell].coords, coords)) return cell;
   }
 }
 

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
 
 #include "core/search/cell_grid.hpp"
 #include "core/search/search.hpp"
@@ -17,11 +20,11 @@ struct PointQuery {
 };
 
 /// The one expression that decides, in both modes: symmetric in i and j to the last bit.
-template <int Dim>
-BRUNT_INLINE bool within(const std::array<Real, Dim>& d, Real reach_i, Real reach_j, Real skin) {
-  Real square = d[0] * d[0];
+template <class V, int Dim>
+BRUNT_INLINE auto within(const std::array<V, Dim>& d, V reach_i, V reach_j, V skin) {
+  V square = d[0] * d[0];
   for (int c = 1; c < Dim; ++c) square = square + d[c] * d[c];
-  const Real limit = (reach_i + reach_j) + skin;
+  const V limit = (reach_i + reach_j) + skin;
   return square <= limit * limit;
 }
 
@@ -29,7 +32,7 @@ template <int Dim>
 bool are_neighbours(const PointQuery<Dim>& q, LocalIndex i, LocalIndex j) {
   std::array<Real, Dim> d;
   for (int c = 0; c < Dim; ++c) d[c] = q.x[j][c] - q.x[i][c];
-  return q.label[i] == q.label[j] && within<Dim>(d, q.reach[i], q.reach[j], q.skin);
+  return q.label[i] == q.label[j] && within<Real, Dim>(d, q.reach[i], q.reach[j], q.skin);
 }
 
 /// Bounds of the points of one cell. The gap between two such boxes is computed as the distance of
@@ -44,7 +47,7 @@ struct Bounds {
     for (int c = 0; c < Dim; ++c) {
       gap[c] = std::max(0.0, std::max(other.lo[c] - hi[c], lo[c] - other.hi[c]));
     }
-    return within<Dim>(gap, reach, other.reach, skin);
+    return within<Real, Dim>(gap, reach, other.reach, skin);
   }
 };
 
@@ -63,21 +66,18 @@ Bounds<Dim> bounds_of(const PointQuery<Dim>& q, std::span<const LocalIndex> poin
   return b;
 }
 
-/// Everything a cell's points are compared with, side by side for the vector loop.
+/// Everything a cell's points are compared with, side by side; full packs of four.
 template <int Dim>
 struct Candidates {
   std::array<std::vector<Real>, Dim> x;  ///< [m]
   std::vector<Real> reach;               ///< [m]
   std::vector<Real> label;
   std::vector<LocalIndex> index;
-  std::vector<std::int64_t> accepted;
-  std::vector<LocalIndex> row;
+  std::vector<LocalIndex> row;  ///< room for the longest row
   std::size_t n = 0;
 
-  void clear() { n = 0; }
   void append(const PointQuery<Dim>& q, std::span<const LocalIndex> points) {
-    const std::size_t total = n + points.size();
-    if (total > index.size()) grow(2 * total);
+    reserve(n + points.size());
     for (const LocalIndex j : points) {
       for (int c = 0; c < Dim; ++c) x[c][n] = q.x[j][c];
       reach[n] = q.reach[j];
@@ -86,69 +86,113 @@ struct Candidates {
       ++n;
     }
   }
+  /// Fills the last pack with entries of a label that no point has.
+  void fill_last_pack() {
+    reserve(n + kLanes);
+    for (; n % kLanes != 0; ++n) {
+      for (auto& component : x) component[n] = 0;
+      reach[n] = 0;
+      label[n] = -1;
+    }
+  }
 
  private:
-  void grow(std::size_t size) {
-    for (auto& component : x) component.resize(size);
-    reach.resize(size);
-    label.resize(size);
-    index.resize(size);
-    accepted.resize(size);
-    row.resize(size);
+  void reserve(std::size_t total) {
+    if (total <= index.size()) return;
+    for (auto& component : x) component.resize(2 * total);
+    reach.resize(2 * total);
+    label.resize(2 * total);
+    index.resize(2 * total);
+    row.resize(2 * total);
   }
 };
+
+using Bits = decltype(Pack{} <= Pack{});  ///< 64-bit lanes: all ones where true
+
+/// Which of the candidates first ... first + 63 are neighbours of point i, itself included: one
+/// bit each.
+template <int Dim>
+BRUNT_INLINE std::uint64_t neighbour_bits(const Candidates<Dim>& candidates, std::size_t first,
+                                          const std::array<Pack, Dim>& x_i, Pack reach_i,
+                                          Pack label_i, Pack skin) {
+  Bits bits{0, 0, 0, 0};
+  Bits bit{1, 2, 4, 8};
+  const std::size_t end = std::min(candidates.n, first + 64);
+  for (std::size_t k = first; k < end; k += kLanes) {
+    std::array<Pack, Dim> d;
+    for (int c = 0; c < Dim; ++c) d[c] = load(&candidates.x[c][k]) - x_i[c];
+    const Bits near = within<Pack, Dim>(d, reach_i, load(&candidates.reach[k]), skin);
+    const Bits same = load(&candidates.label[k]) == label_i;
+    bits |= near & same & bit;
+    bit <<= kLanes;
+  }
+  return static_cast<std::uint64_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+}
 
 /// Writes the row of point i, unsorted, into candidates.row; returns its length.
 template <int Dim>
 std::size_t select_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candidates) {
-  std::array<Real, Dim> x_i;
-  std::array<const Real*, Dim> x;
-  for (int c = 0; c < Dim; ++c) {
-    x_i[c] = q.x[i][c];
-    x[c] = candidates.x[c].data();
-  }
-  const Real reach_i = q.reach[i], skin = q.skin;
-  const auto label_i = static_cast<Real>(q.label[i]);
-  const Real* reach = candidates.reach.data();
-  const Real* label = candidates.label.data();
-  std::int64_t* accepted = candidates.accepted.data();
-  const std::size_t n = candidates.n;
-#pragma omp simd
-  for (std::size_t k = 0; k < n; ++k) {
-    std::array<Real, Dim> d;
-    for (int c = 0; c < Dim; ++c) d[c] = x[c][k] - x_i[c];
-    accepted[k] = (within<Dim>(d, reach_i, reach[k], skin) & (label[k] == label_i)) ? 1 : 0;
-  }
-  const LocalIndex* index = candidates.index.data();
+  std::array<Pack, Dim> x_i;
+  for (int c = 0; c < Dim; ++c) x_i[c] = broadcast<Pack>(q.x[i][c]);
+  const Pack reach_i = broadcast<Pack>(q.reach[i]), skin = broadcast<Pack>(q.skin);
+  const Pack label_i = broadcast<Pack>(static_cast<Real>(q.label[i]));
   LocalIndex* row = candidates.row.data();
   std::size_t length = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    row[length] = index[k];
-    length += static_cast<std::size_t>(accepted[k] & std::int64_t{index[k] != i});
+  for (std::size_t first = 0; first < candidates.n; first += 64) {
+    std::uint64_t bits = neighbour_bits<Dim>(candidates, first, x_i, reach_i, label_i, skin);
+    const LocalIndex* index = candidates.index.data() + first;
+    for (; bits != 0; bits &= bits - 1) {
+      const LocalIndex j = index[std::countr_zero(bits)];
+      row[length] = j;
+      length += j != i;
+    }
   }
   return length;
 }
 
+using IndexPack = LocalIndex __attribute__((vector_size(32)));
+constexpr std::size_t kIndexLanes = 8;
+
+BRUNT_INLINE IndexPack load_indices(const LocalIndex* from) {
+  IndexPack pack;
+  std::memcpy(&pack, from, sizeof pack);
+  return pack;
+}
+
+/// For each of 32 entries at `mine`, how many entries of the row are smaller. Four counters with
+/// names, because an array of them would live in memory.
+BRUNT_INLINE void count_smaller(const LocalIndex* row, std::size_t n, const LocalIndex* mine,
+                                LocalIndex* smaller) {
+  const IndexPack a = load_indices(mine), b = load_indices(mine + 8);
+  const IndexPack c = load_indices(mine + 16), d = load_indices(mine + 24);
+  IndexPack count_a{}, count_b{}, count_c{}, count_d{};
+  for (std::size_t m = 0; m < n; ++m) {
+    const IndexPack pivot = row[m] - IndexPack{};
+    count_a = count_a - (pivot < a);  // true is -1
+    count_b = count_b - (pivot < b);
+    count_c = count_c - (pivot < c);
+    count_d = count_d - (pivot < d);
+  }
+  std::memcpy(smaller, &count_a, sizeof count_a);
+  std::memcpy(smaller + 8, &count_b, sizeof count_b);
+  std::memcpy(smaller + 16, &count_c, sizeof count_c);
+  std::memcpy(smaller + 24, &count_d, sizeof count_d);
+}
+
 /// Sorts distinct numbers by counting for each how many are smaller: no branch to mispredict.
 void sort_row(const LocalIndex* row, std::size_t n, LocalIndex* out) {
-  constexpr std::size_t kMost = 160;
+  constexpr std::size_t kMost = 160, kBlock = 4 * kIndexLanes;
   if (n > kMost) {
     std::copy(row, row + n, out);
     std::sort(out, out + n);
     return;
   }
-  constexpr std::size_t kBlock = 32;
-  std::array<LocalIndex, kMost> value, rank{};
+  std::array<LocalIndex, kMost> value, rank;
   std::copy(row, row + n, value.begin());
-  std::fill(value.begin() + static_cast<std::ptrdiff_t>(n), value.end(), 0);
+  const std::size_t padded = (n + kBlock - 1) / kBlock * kBlock;
+  std::fill(value.begin() + n, value.begin() + padded, 0);
   for (std::size_t begin = 0; begin < n; begin += kBlock) {
-    std::array<LocalIndex, kBlock> smaller{};
-    for (std::size_t m = 0; m < n; ++m) {
-      const LocalIndex pivot = row[m];
-#pragma omp simd
-      for (std::size_t k = 0; k < kBlock; ++k) smaller[k] += pivot < value[begin + k] ? 1 : 0;
-    }
-    std::copy(smaller.begin(), smaller.end(), rank.begin() + static_cast<std::ptrdiff_t>(begin));
+    count_smaller(row, n, &value[begin], &rank[begin]);
   }
   for (std::size_t k = 0; k < n; ++k) out[rank[k]] = value[k];
 }
@@ -176,7 +220,7 @@ void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
                          std::span<const Bounds<Dim>> bounds, LocalIndex cell,
                          Candidates<Dim>& candidates, std::span<std::int64_t> count,
                          RowChunk& chunk) {
-  candidates.clear();
+  candidates.n = 0;
   for (const auto& list : {grid.forward(cell), grid.backward(cell)}) {
     for (const LocalIndex other : list) {
       if (bounds[cell].may_hold_neighbours_of(bounds[other], q.skin)) {
@@ -185,6 +229,7 @@ void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
     }
   }
   candidates.append(q, grid.oversize());
+  candidates.fill_last_pack();
   for (const LocalIndex i : grid.members(cell)) append_row(q, i, candidates, count, chunk);
 }
 

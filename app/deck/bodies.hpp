@@ -1,0 +1,50 @@
+#pragma once
+/// Bodies as the deck gives them.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/deck/shapes.hpp"
+#include "core/schema.hpp"
+#include "fe/options.hpp"
+#include "sph/options.hpp"
+
+namespace brunt::deck {
+
+enum class Method : int { fe, sph };
+enum class Lattice : int { cubic, hexagonal };
+
+/// Rotation of a body at a rate; in 2D about z, and the axis is not given.
+struct Spin {
+  std::vector<Real> axis{0, 0, 1};  ///< unit vector
+  Real rate = 0;                    ///< [rad/s]
+  std::vector<Real> about;          ///< [m] a point of the axis; empty: the origin
+};
+
+/// What a rigid body is told to do.
+struct Motion {
+  std::vector<Real> velocity;  ///< [m/s]; empty: none
+  std::optional<Spin> spin;
+};
+
+struct Body {
+  Method method = Method::fe;
+  bool rigid = false;
+  std::string material;  ///< name in Deck::materials; empty: none (rigid only)
+  Shape shape;
+  std::optional<std::vector<Real>> size;  ///< [m] element size or particle spacing, along each axis
+  std::optional<std::vector<int>> cells;  ///< number of cells along each axis; FE only
+  std::vector<Real> velocity;             ///< [m/s] at time 0; empty: at rest
+  std::optional<Spin> spin;               ///< at time 0
+  std::optional<Real> temperature;        ///< [K] at time 0; none: ambient
+  std::optional<Motion> motion;           ///< rigid bodies only; none: held
+  ElementOptions element;                 ///< FE that deforms
+  Lattice lattice = Lattice::cubic;       ///< SPH
+  SphOptions sph;                         ///< SPH
+};
+
+void describe(Schema& s, Spin& spin);
+void describe(Schema& s, Motion& motion);
+void describe(Schema& s, Body& body);
+
+}  // namespace brunt::deck

@@ -1,0 +1,139 @@
+#include "app/deck/deck.hpp"
+
+#include <algorithm>
+
+namespace brunt {
+
+namespace deck {
+
+namespace {
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+std::span<const char* const> axes_of(const Schema& s) {
+  return {kAxes, s.geometry() == Geometry::three_d ? 3u : 2u};
+}
+
+void describe(Schema& s, Time& time) {
+  static constexpr const char* kLater[] = {"mass_scaling", "process_speed"};
+  s.real({"end", "time at which the run ends", Need::required}, time.end,
+         {"s", positive(), between(1e-9, 1e3)});
+  s.real({"safety", "fraction of the stable step that is used"}, time.safety,
+         {"1", {0, 1, true, false}, between(0.1, 1)});
+  s.real({"max_step", "no step is longer"}, time.max_step, {"s", positive()});
+  s.real({"min_step", "a shorter step stops the run"}, time.min_step, {"s", positive()});
+  s.real({"max_drift", "energy drift over the largest energy at which the run stops"},
+         time.max_drift, {"1", positive(), between(0, 1)});
+  s.later(kLater);
+}
+
+void describe(Schema& s, ContactPair& pair) {
+  s.names({"between", "two bodies; [a, a] is a with itself, [a, any] is a with all others",
+           Need::required},
+          pair.between, 2);
+  describe(s, pair.options);
+}
+
+void describe(Schema& s, Contact& contact) {
+  static constexpr const char* kSearches[] = {"grid", "brute"};
+  s.object({"default", "what holds for all pairs that say nothing else"}, contact.fallback);
+  ContactPair initial;
+  initial.options = contact.fallback;
+  s.named({"pairs", "options of pairs of bodies, by a name of their own"}, contact.pairs, false,
+          initial);
+  s.choice({"search", "how pairs are found; the answer is the same"}, contact.search, kSearches);
+  s.real_or_word({"skin", "how far lists reach beyond contact; the answer is the same"},
+                 contact.skin, {"m", at_least(0)}, "auto");
+}
+
+void describe(Schema& s, AtRest& rest) {
+  s.text({"body", "name of a body", Need::required}, rest.body);
+  s.real({"below", "largest speed of its points", Need::required}, rest.below, {"m/s", positive()});
+  s.real({"for", "for this long"}, rest.duration, {"s", at_least(0)});
+}
+
+void describe(Schema& s, Beyond& beyond) {
+  s.text({"body", "name of a body", Need::required}, beyond.body);
+  s.choice({"axis", "axis along which its centre moves", Need::required}, beyond.axis, axes_of(s));
+  s.real({"at", "the place that its centre passes", Need::required}, beyond.at, {"m"});
+}
+
+void describe(Schema& s, Stop& stop) {
+  static constexpr const char* kLater[] = {"when"};
+  s.object({"at_rest", "ends the run when a body has come to rest"}, stop.at_rest);
+  s.object({"beyond", "ends the run when a body has passed a place"}, stop.beyond);
+  s.later(kLater);
+}
+
+void describe(Schema& s, Output& output) {
+  static constexpr const char* kFields[] = {
+      "displacement", "velocity", "acceleration", "force",   "temperature", "stress", "pressure",
+      "von_mises",    "eps_p",    "strain_rate",  "density", "piece",       "id"};
+  static constexpr const char* kLater[] = {"checkpoint"};
+  s.real({"every", "time between frames; default: a hundredth of the end"}, output.every,
+         {"s", positive()});
+  s.real({"history", "time between rows of history.csv; default: the end over 2000"},
+         output.history, {"s", positive()});
+  s.real({"from", "frames only from this time, besides the first and the last"}, output.from,
+         {"s", at_least(0)});
+  s.real({"to", "frames only until this time, besides the first and the last"}, output.to,
+         {"s", at_least(0)});
+  s.words({"fields", "fields in frames; default: all"}, output.fields, kFields);
+  s.names({"bodies", "bodies in frames; default: all"}, output.bodies, 0);
+  s.flag({"pictures", "writes pictures at the end"}, output.pictures);
+  s.later(kLater);
+}
+
+}  // namespace
+
+}  // namespace deck
+
+void describe(Schema& s, Deck& deck) {
+  static constexpr const char* kGeometries[] = {"3d", "plane-strain", "axisymmetric"};
+  static constexpr const char* kHeats[] = {
+      "auto", "off|false", "adiabatic",
+      "!conduct|heat is not conducted in this version; write adiabatic, off or auto"};
+  static constexpr const char* kLater[] = {"symmetry", "probes", "sections"};
+  s.text({"title", "a line for the log and the report"}, deck.title);
+  s.choice({"geometry", "three dimensions, or two in x and y; axisymmetric: x is the radius"},
+           deck.geometry, kGeometries);
+  s.section(deck.geometry != Geometry::three_d, "only for geometry: plane-strain or axisymmetric",
+            [&](Schema& in2d) {
+              in2d.real({"depth", "plane strain: forces, masses and energies are for this depth"},
+                        deck.depth, {"m", positive(), between(1e-6, 100)});
+            });
+  s.object({"time", "how long and in which steps", Need::required}, deck.time);
+  s.choice({"heat", "auto: plastic work heats materials that are thermal"}, deck.heat, kHeats);
+  s.real({"ambient", "temperature of all that says nothing else"}, deck.ambient,
+         {"K", at_least(0), between(200, 2000)});
+  s.named({"materials", "materials by name"}, deck.materials);
+  s.named({"bodies", "bodies by name", Need::required}, deck.bodies);
+  s.object({"contact", "all bodies may touch all others"}, deck.contact);
+  s.named({"boundaries", "supports and loads by name"}, deck.boundaries, true);
+  s.list({"gravity", "acceleration of all that is free"}, deck.gravity,
+         {"m/s^2", {}, between(-1e4, 1e4)}, Schema::kVector);
+  s.object({"damping", "mass-proportional, to settle"}, deck.damping);
+  s.named({"measures", "numbers that the run is asked for, by name"}, deck.measures);
+  s.object({"stop", "what ends the run before its time"}, deck.stop);
+  s.object({"output", "what is written, and when"}, deck.output);
+  s.later(kLater);
+}
+
+void DeckPlaces::set(const std::string& path, SourcePlace place) {
+  places_[path] = std::move(place);
+}
+
+SourcePlace DeckPlaces::place(const std::string& path) const {
+  for (std::string key = path;; key.resize(key.rfind('.'))) {
+    if (const auto found = places_.find(key); found != places_.end()) return found->second;
+    if (key.rfind('.') == std::string::npos) break;
+  }
+  const auto root = places_.find("");
+  return root == places_.end() ? SourcePlace{} : root->second;
+}
+
+DeckProblem DeckPlaces::problem(const std::string& path, const std::string& message) const {
+  return {place(path), path, message};
+}
+
+}  // namespace brunt

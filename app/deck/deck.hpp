@@ -1,0 +1,128 @@
+#pragma once
+/// The deck as a typed struct: what the rest of the program sees. SI, defaults in the initialisers,
+/// nothing of YAML. describe() of each struct stands in the .cpp of the same subject.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/deck/bodies.hpp"
+#include "app/deck/boundaries.hpp"
+#include "app/deck/materials.hpp"
+#include "app/deck/measures.hpp"
+#include "contact/options.hpp"
+#include "core/errors.hpp"
+#include "core/schema.hpp"
+
+namespace brunt {
+
+namespace deck {
+
+struct Time {
+  Real end = 0;                  ///< [s]
+  Real safety = 0.9;             ///< fraction of the stable step
+  std::optional<Real> max_step;  ///< [s]
+  std::optional<Real> min_step;  ///< [s] a smaller step stops the run
+  Real max_drift = 0.05;         ///< energy drift over the largest energy at which the run stops
+};
+
+enum class Heat : int { automatic, off, adiabatic };
+
+/// A pair of bodies; its options already hold what `default` says where the pair is silent.
+struct ContactPair {
+  std::vector<std::string> between;  ///< two names of bodies; the second may be "any"
+  PairOptions options;
+};
+
+struct Contact {
+  PairOptions fallback;  ///< `default`
+  std::vector<Named<ContactPair>> pairs;
+  SearchMode search = SearchMode::grid;
+  std::optional<Real> skin;  ///< [m]; none: auto
+};
+
+struct AtRest {
+  std::string body;
+  Real below = 0;     ///< [m/s] largest speed of a point of the body
+  Real duration = 0;  ///< [s] key `for`
+};
+struct Beyond {
+  std::string body;
+  Axis axis = Axis::x;
+  Real at = 0;  ///< [m] the body's centre passes this place
+};
+struct Stop {
+  std::optional<AtRest> at_rest;
+  std::optional<Beyond> beyond;
+};
+
+struct Output {
+  std::optional<Real> every;        ///< [s] between frames; none: 100 frames
+  std::optional<Real> history;      ///< [s] between rows; none: 2,000 rows
+  std::optional<Real> from, to;     ///< [s] frames only in between; first and last always
+  std::vector<std::string> fields;  ///< empty: all
+  std::vector<std::string> bodies;  ///< empty: all
+  bool pictures = false;
+};
+
+}  // namespace deck
+
+struct Deck {
+  std::string title;
+  Geometry geometry = Geometry::three_d;
+  Real depth = 1;  ///< [m] plane strain: forces, masses and energies are for this depth
+  deck::Time time;
+  deck::Heat heat = deck::Heat::automatic;
+  Real ambient = 298;  ///< [K]
+  std::vector<Named<deck::Material>> materials;
+  std::vector<Named<deck::Body>> bodies;
+  deck::Contact contact;
+  std::vector<Named<deck::Boundary>> boundaries;
+  std::vector<Real> gravity;  ///< [m/s^2]; empty: none
+  std::optional<deck::Damping> damping;
+  std::vector<Named<deck::Measure>> measures;
+  deck::Stop stop;
+  deck::Output output;
+};
+
+void describe(Schema& s, Deck& deck);
+
+/// Where each key of a deck stands, for checks that come after reading.
+class DeckPlaces {
+ public:
+  void set(const std::string& path, SourcePlace place);
+  /// Place of the key, or of its nearest ancestor that stands in the deck.
+  SourcePlace place(const std::string& path) const;
+  DeckProblem problem(const std::string& path, const std::string& message) const;
+
+ private:
+  std::map<std::string, SourcePlace> places_;
+};
+
+/// A parameter: its text in the deck, and its value in SI.
+struct DeckParameter {
+  std::string name, text;
+  Real value = 0;    ///< SI
+  std::string unit;  ///< SI unit of its dimension, "1" for a number
+};
+
+struct LoadedDeck {
+  Deck deck;
+  DeckPlaces places;
+  std::vector<DeckProblem> warnings;
+  std::string hash;      ///< 16 hex digits of the resolved deck
+  std::string resolved;  ///< the resolved deck as YAML, SI; reads back to the same Deck
+  std::vector<DeckParameter> parameters;
+  std::vector<std::string> overrides;
+};
+
+/// Reads a deck, its includes and the library, then overrides "KEY=VALUE" in order.
+/// Throws DeckError with all that is wrong.
+LoadedDeck load_deck(const std::string& path, const std::vector<std::string>& overrides = {});
+/// The same from text; `name` stands for the file in messages, includes are relative to it.
+LoadedDeck load_deck_text(const std::string& text, const std::string& name,
+                          const std::vector<std::string>& overrides = {});
+/// The resolved deck as YAML.
+std::string echo(const Deck& deck);
+
+}  // namespace brunt

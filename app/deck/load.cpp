@@ -1,0 +1,139 @@
+/// From files to a Deck: sources, library, overrides, parameters, reader, checks.
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <tuple>
+
+#include "app/deck/checks.hpp"
+#include "app/deck/deck.hpp"
+#include "app/deck/library.hpp"
+#include "io/deck/echo.hpp"
+#include "io/deck/parameters.hpp"
+#include "io/deck/reader.hpp"
+#include "io/deck/sources.hpp"
+
+namespace brunt {
+
+namespace {
+
+/// FNV-1a of a text, as 16 hex digits (Fowler, Noll & Vo 1991).
+std::string hash_of(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ull;
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 1099511628211ull;
+  }
+  std::string digits;
+  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(hash >> shift) & 15];
+  return digits;
+}
+
+/// measures.NAME.expression: its dollars are measures.
+bool is_formula(const std::string& path) {
+  return path.starts_with("measures.") && path.ends_with(".expression") &&
+         std::count(path.begin(), path.end(), '.') == 2;
+}
+
+bool sets_library(const Override& change) {
+  return change.path.size() == 3 && change.path[0] == "materials" && change.path[2] == "library";
+}
+
+/// The geometry decides on numbers of components, so it is read before all else.
+Geometry geometry_of(const Node& root) {
+  const Node* node = root.find("geometry");
+  if (node && node->text == "plane-strain") return Geometry::plane_strain;
+  if (node && node->text == "axisymmetric") return Geometry::axisymmetric;
+  return Geometry::three_d;
+}
+
+/// Puts library values under the materials that name one; says which are of low confidence.
+void use_library(Node& root, std::vector<DeckProblem>& problems,
+                 std::vector<DeckProblem>& warnings) {
+  Node* materials = root.find("materials");
+  if (!materials || !materials->is_map()) return;
+  const Node library = deck::library();
+  for (const Entry& material : materials->entries) {
+    const Node* name = material.value.is_map() ? material.value.find("library") : nullptr;
+    const Node* entry = name && name->is_scalar() ? library.find(name->text) : nullptr;
+    const Node* low = entry ? entry->find("low_confidence") : nullptr;
+    if (!low) continue;
+    warnings.push_back({name->place, "materials." + material.key + ".library",
+                        "values of low confidence in '" + name->text + "': " + low->text});
+  }
+  expand_library(*materials, "materials", library, {"elastic", "strength", "eos"}, problems);
+}
+
+/// In the order of the files, each place and path once.
+void sort_problems(std::vector<DeckProblem>& problems) {
+  std::set<std::tuple<std::string, std::string>> seen;
+  std::erase_if(problems, [&](const DeckProblem& problem) {
+    return !seen.emplace(problem.place.text(), problem.path).second;
+  });
+  std::stable_sort(problems.begin(), problems.end(),
+                   [](const DeckProblem& a, const DeckProblem& b) {
+                     return std::tie(a.place.file, a.place.line, a.place.column) <
+                            std::tie(b.place.file, b.place.line, b.place.column);
+                   });
+}
+
+LoadedDeck load(Node root, const std::vector<std::string>& override_texts) {
+  LoadedDeck loaded;
+  std::vector<DeckProblem> problems;
+  const std::vector<Override> overrides = read_overrides(override_texts, problems);
+  for (const Override& change : overrides) {
+    if (sets_library(change)) apply_override(root, change, problems);
+  }
+  use_library(root, problems, loaded.warnings);
+  for (const Override& change : overrides) {
+    if (!sets_library(change)) apply_override(root, change, problems);
+  }
+  const Units units;
+  const std::vector<Parameter> parameters = resolve_parameters(root, units, is_formula, problems);
+  const ParameterValues values = values_of(parameters);
+  ReadReport report;
+  Reader reader(root, geometry_of(root), units, values, report);
+  describe(reader, loaded.deck);
+  reader.finish();
+  loaded.places.set("", root.place);
+  for (const auto& [path, place] : report.places) loaded.places.set(path, place);
+  problems.insert(problems.end(), report.problems.begin(), report.problems.end());
+  loaded.warnings.insert(loaded.warnings.end(), report.warnings.begin(), report.warnings.end());
+  if (problems.empty()) {
+    deck::check_references(loaded.deck, loaded.places, problems, loaded.warnings);
+  }
+  sort_problems(problems);
+  sort_problems(loaded.warnings);
+  if (!problems.empty()) throw DeckError(problems);
+  for (const Parameter& parameter : parameters) {
+    DeckParameter shown{parameter.name, parameter.text, 0, ""};
+    if (parameter.value) {
+      shown.value = parameter.value->value;
+      shown.unit = parameter.value->dimension.unit();
+    }
+    loaded.parameters.push_back(shown);
+  }
+  loaded.overrides = override_texts;
+  loaded.resolved = echo(loaded.deck);
+  loaded.hash = hash_of(loaded.resolved);
+  return loaded;
+}
+
+}  // namespace
+
+LoadedDeck load_deck(const std::string& path, const std::vector<std::string>& overrides) {
+  return load(read_deck_file(path), overrides);
+}
+
+LoadedDeck load_deck_text(const std::string& text, const std::string& name,
+                          const std::vector<std::string>& overrides) {
+  return load(read_deck_source(text, name), overrides);
+}
+
+std::string echo(const Deck& deck) {
+  Deck copy = deck;
+  Echo writer(deck.geometry);
+  describe(writer, copy);
+  return to_yaml(writer.root());
+}
+
+}  // namespace brunt

@@ -1,0 +1,46 @@
+#include "app/deck/materials.hpp"
+
+#include <cassert>
+
+namespace brunt::deck {
+
+Real ElasticConstants::bulk_modulus() const { return K ? *K : *E / (3 * (1 - 2 * *nu)); }
+
+Real ElasticConstants::shear_modulus() const { return G ? *G : *E / (2 * (1 + *nu)); }
+
+void describe(Schema& s, ElasticConstants& elastic) {
+  constexpr Quantity kModulus{"Pa", positive(), between(1e3, 2e12)};
+  s.real({"E", "Young's modulus"}, elastic.E, kModulus);
+  s.real({"nu", "Poisson's ratio"}, elastic.nu, {"1", {-1, 0.5, true, true}, between(0, 0.4999)});
+  s.real({"K", "bulk modulus"}, elastic.K, kModulus);
+  s.real({"G", "shear modulus"}, elastic.G, kModulus);
+  const bool technical = elastic.E && elastic.nu && !elastic.K && !elastic.G;
+  const bool theoretical = elastic.K && elastic.G && !elastic.E && !elastic.nu;
+  s.require(technical || theoretical, "", "needs E and nu, or K and G, and not both pairs");
+}
+
+void describe(Schema& s, Thermal& thermal) {
+  static constexpr const char* kLater[] = {"expansion", "T_melt"};
+  s.real({"cp", "specific heat", Need::required}, thermal.cp,
+         {"J/kg/K", positive(), between(50, 1e4)});
+  s.real({"k", "conductivity; not used before heat is conducted"}, thermal.k,
+         {"W/m/K", at_least(0), between(0, 5000)});
+  s.real({"taylor_quinney", "share of plastic work that becomes heat"}, thermal.taylor_quinney,
+         {"1", between(0, 1)});
+  s.later(kLater);
+}
+
+void describe(Schema& s, Material& material) {
+  static constexpr const char* kLater[] = {"damage"};
+  s.real({"density", "mass density at rest", Need::required}, material.density,
+         {"kg/m^3", positive(), between(1, 3e4)});
+  s.object({"elastic", "E and nu, or K and G", Need::required}, material.elastic);
+  s.one_of({"strength", "what limits the stress"}, material.strength);
+  s.one_of({"eos", "pressure from volume"}, material.eos);
+  s.real({"tensile_cutoff", "pressure never falls below minus this"}, material.tensile_cutoff,
+         {"Pa", at_least(0), between(0, 1e11)});
+  s.object({"thermal", "heat capacity and what plastic work gives"}, material.thermal);
+  s.later(kLater);
+}
+
+}  // namespace brunt::deck

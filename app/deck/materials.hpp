@@ -1,0 +1,40 @@
+#pragma once
+/// Materials as the deck gives them: parameters only, SI.
+#include <optional>
+#include <string>
+
+#include "core/materials/catalog.hpp"
+#include "core/schema.hpp"
+
+namespace brunt::deck {
+
+/// E and nu, or K and G: one pair is there.
+struct ElasticConstants {
+  std::optional<Real> E;       ///< [Pa] Young's modulus
+  std::optional<Real> nu;      ///< Poisson's ratio
+  std::optional<Real> K;       ///< [Pa] bulk modulus
+  std::optional<Real> G;       ///< [Pa] shear modulus
+  Real bulk_modulus() const;   ///< [Pa]
+  Real shear_modulus() const;  ///< [Pa]
+};
+
+struct Thermal {
+  Real cp = 0;                ///< [J/kg/K] specific heat
+  std::optional<Real> k;      ///< [W/m/K] conductivity; read, and not used before heat is conducted
+  Real taylor_quinney = 0.9;  ///< share of plastic work that becomes heat
+};
+
+struct Material {
+  Real density = 0;  ///< [kg/m^3]
+  ElasticConstants elastic;
+  StrengthLaw strength;  ///< one of the catalogue
+  EosLaw eos;
+  std::optional<Real> tensile_cutoff;  ///< [Pa] positive: pressure never below minus this
+  std::optional<Thermal> thermal;
+};
+
+void describe(Schema& s, ElasticConstants& elastic);
+void describe(Schema& s, Thermal& thermal);
+void describe(Schema& s, Material& material);
+
+}  // namespace brunt::deck

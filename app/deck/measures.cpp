@@ -1,0 +1,147 @@
+#include "app/deck/measures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace brunt::deck {
+
+namespace {
+
+struct FieldInfo {
+  const char* name;
+  const char* unit;
+  int components;  ///< 1, 3 or 6
+};
+constexpr std::array kFields{FieldInfo{"displacement", "m", 3},
+                             FieldInfo{"velocity", "m/s", 3},
+                             FieldInfo{"acceleration", "m/s^2", 3},
+                             FieldInfo{"force", "N", 3},
+                             FieldInfo{"temperature", "K", 1},
+                             FieldInfo{"stress", "Pa", 6},
+                             FieldInfo{"pressure", "Pa", 1},
+                             FieldInfo{"von_mises", "Pa", 1},
+                             FieldInfo{"eps_p", "1", 1},
+                             FieldInfo{"strain_rate", "1/s", 1},
+                             FieldInfo{"density", "kg/m^3", 1},
+                             FieldInfo{"piece", "1", 1},
+                             FieldInfo{"id", "1", 1}};
+
+bool is_component(std::string_view text, int components) {
+  static constexpr std::array<std::string_view, 4> kVector{"x", "y", "z", "magnitude"};
+  static constexpr std::array<std::string_view, 6> kTensor{"xx", "yy", "zz", "xy", "yz", "zx"};
+  if (components == 3) return std::find(kVector.begin(), kVector.end(), text) != kVector.end();
+  return components == 6 && std::find(kTensor.begin(), kTensor.end(), text) != kTensor.end();
+}
+
+void describe_field(Schema& s, std::string& body, std::string& field) {
+  s.text({"body", "name of a body", Need::required}, body);
+  s.text({"field", "a field or a component of one: temperature, stress.xx, velocity.magnitude",
+          Need::required},
+         field);
+  std::string known;
+  for (const FieldInfo& info : kFields) {
+    known += (known.empty() ? "" : ", ") + std::string(info.name);
+    if (info.components == 3) known += ".x|y|z|magnitude";
+    if (info.components == 6) known += ".xx|yy|zz|xy|yz|zx";
+  }
+  s.require(unit_of_field(field) != nullptr, "field",
+            "'" + field + "' is not a number at a point; known are " + known);
+}
+
+/// The unit of a history column by the end of its name.
+const char* unit_of_column(std::string_view column) {
+  struct Ending {
+    std::string_view part;
+    const char* unit;
+  };
+  static constexpr std::array kParts{
+      Ending{"energy.drift", "1"}, Ending{"energy.", "J"},          Ending{"momentum.", "kg m/s"},
+      Ending{".position.", "m"},   Ending{".velocity.", "m/s"},     Ending{".kinetic", "J"},
+      Ending{".internal", "J"},    Ending{".hourglass", "J"},       Ending{".heat", "J"},
+      Ending{".mass", "kg"},       Ending{".force.", "N"},          Ending{".reaction.", "N"},
+      Ending{".area", "m^2"},      Ending{".max_penetration", "m"}, Ending{".planes", "1"}};
+  if (column == "time" || column == "dt") return "s";
+  for (const Ending& ending : kParts) {
+    if (column.find(ending.part) != std::string_view::npos) return ending.unit;
+  }
+  return "any";
+}
+
+struct UnitOfKind {
+  const char* operator()(const ExtentMeasure&) const { return "m"; }
+  const char* operator()(const MinMeasure& m) const { return field(m.field); }
+  const char* operator()(const MaxMeasure& m) const { return field(m.field); }
+  const char* operator()(const MeanMeasure& m) const { return field(m.field); }
+  const char* operator()(const PointMeasure& m) const { return field(m.field); }
+  const char* operator()(const HistoryMeasure& m) const {
+    return m.reduce == Reduce::integral ? "any" : unit_of_column(m.column);
+  }
+  const char* operator()(const RestitutionMeasure&) const { return "1"; }
+  const char* operator()(const ExpressionMeasure&) const { return "any"; }
+  static const char* field(const std::string& name) {
+    const char* unit = unit_of_field(name);
+    return unit ? unit : "any";
+  }
+};
+
+}  // namespace
+
+const char* unit_of_field(const std::string& field) {
+  const std::size_t dot = field.find('.');
+  const std::string name = field.substr(0, dot);
+  for (const FieldInfo& info : kFields) {
+    if (name != info.name) continue;
+    const bool whole = dot == std::string::npos;
+    if (whole ? info.components == 1
+              : is_component(std::string_view(field).substr(dot + 1), info.components)) {
+      return info.unit;
+    }
+  }
+  return nullptr;
+}
+
+const char* unit_of(const Measure& measure) { return std::visit(UnitOfKind{}, measure.kind); }
+
+void describe(Schema& s, ExtentMeasure& measure) {
+  static constexpr const char* kAxes[] = {"x", "y", "z"};
+  s.text({"body", "name of a body", Need::required}, measure.body);
+  s.choice({"axis", "axis along which it is measured", Need::required}, measure.axis,
+           std::span(kAxes, s.geometry() == Geometry::three_d ? 3 : 2));
+}
+void describe(Schema& s, MinMeasure& measure) { describe_field(s, measure.body, measure.field); }
+void describe(Schema& s, MaxMeasure& measure) { describe_field(s, measure.body, measure.field); }
+void describe(Schema& s, MeanMeasure& measure) { describe_field(s, measure.body, measure.field); }
+
+void describe(Schema& s, PointMeasure& measure) {
+  describe_field(s, measure.body, measure.field);
+  s.list({"at", "a place at time 0", Need::required}, measure.at, {"m"}, Schema::kVector);
+}
+
+void describe(Schema& s, HistoryMeasure& measure) {
+  static constexpr const char* kReductions[] = {"mean", "max", "min", "last", "integral"};
+  s.text({"column", "name of a column of history.csv", Need::required}, measure.column);
+  s.choice({"reduce", "how the column becomes a number"}, measure.reduce, kReductions);
+  s.real({"from", "first time that counts; default: the start"}, measure.from, {"s", at_least(0)});
+  s.real({"to", "last time that counts; default: the end"}, measure.to, {"s", at_least(0)});
+  s.require(!measure.from || !measure.to || *measure.from < *measure.to, "to",
+            "must be after from");
+}
+
+void describe(Schema& s, RestitutionMeasure& measure) {
+  s.text({"body", "name of a body", Need::required}, measure.body);
+}
+
+void describe(Schema& s, ExpressionMeasure& measure) {
+  s.value(measure.formula, "an expression over measures: \"= $a / $b\"");
+  s.require(measure.formula.empty() || measure.formula.front() == '=', "",
+            "an expression begins with '=': \"= $a / $b\"");
+}
+
+void describe(Schema& s, Measure& measure) {
+  s.one_of({"", "what is measured", Need::required}, measure.kind);
+  s.real({"reference", "the value that it should have"}, measure.reference, {unit_of(measure)});
+  s.real({"at", "when; default: at the end"}, measure.at, {"s", at_least(0)});
+}
+
+}  // namespace brunt::deck

@@ -1,0 +1,95 @@
+#pragma once
+/// Numbers that a run is asked for, as the deck gives them.
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/schema.hpp"
+
+namespace brunt::deck {
+
+enum class Axis : int { x, y, z };
+
+/// Largest minus smallest coordinate of a body's points.
+struct ExtentMeasure {
+  static constexpr const char* deck_name = "extent";
+  static constexpr const char* deck_help = "length of a body along an axis";
+  std::string body;
+  Axis axis = Axis::x;
+};
+
+/// A field over a body: "temperature", "stress.xx", "velocity.magnitude".
+struct MinMeasure {
+  static constexpr const char* deck_name = "min";
+  static constexpr const char* deck_help = "smallest value of a field in a body";
+  std::string body, field;
+};
+struct MaxMeasure {
+  static constexpr const char* deck_name = "max";
+  static constexpr const char* deck_help = "largest value of a field in a body";
+  std::string body, field;
+};
+struct MeanMeasure {
+  static constexpr const char* deck_name = "mean";
+  static constexpr const char* deck_help = "mean by mass (point fields) or volume (cell fields)";
+  std::string body, field;
+};
+
+/// The field at the point or cell that is nearest to `at` at time 0.
+struct PointMeasure {
+  static constexpr const char* deck_name = "point";
+  static constexpr const char* deck_help = "a field at the point nearest to a place at time 0";
+  std::string body, field;
+  std::vector<Real> at;  ///< [m]
+};
+
+enum class Reduce : int { mean, max, min, last, integral };
+
+struct HistoryMeasure {
+  static constexpr const char* deck_name = "history";
+  static constexpr const char* deck_help = "a column of history.csv, reduced to a number";
+  std::string column;
+  Reduce reduce = Reduce::last;
+  std::optional<Real> from, to;  ///< [s]
+};
+
+/// Speed of a body's centre of mass at the end over that at time 0.
+struct RestitutionMeasure {
+  static constexpr const char* deck_name = "restitution";
+  static constexpr const char* deck_help = "speed of a body's centre after over before";
+  std::string body;
+};
+
+/// "= $a / $b" over other measures.
+struct ExpressionMeasure {
+  static constexpr const char* deck_name = "expression";
+  static constexpr const char* deck_help = "an expression over other measures: \"= $a / $b\"";
+  std::string formula;  ///< as written, with "="; evaluate with io/deck/expression.hpp
+};
+
+using MeasureKind = std::variant<ExtentMeasure, MinMeasure, MaxMeasure, MeanMeasure, PointMeasure,
+                                 HistoryMeasure, RestitutionMeasure, ExpressionMeasure>;
+
+struct Measure {
+  MeasureKind kind;
+  std::optional<Real> reference;  ///< SI, in unit_of(*this)
+  std::optional<Real> at;         ///< [s]; none: at the end
+};
+
+/// The SI unit of a field such as "stress.xx", or null where no such field exists.
+const char* unit_of_field(const std::string& field);
+/// The SI unit of a measure's value: "m", "K"; "any" for expressions and unknown columns.
+const char* unit_of(const Measure& measure);
+
+void describe(Schema& s, ExtentMeasure& measure);
+void describe(Schema& s, MinMeasure& measure);
+void describe(Schema& s, MaxMeasure& measure);
+void describe(Schema& s, MeanMeasure& measure);
+void describe(Schema& s, PointMeasure& measure);
+void describe(Schema& s, HistoryMeasure& measure);
+void describe(Schema& s, RestitutionMeasure& measure);
+void describe(Schema& s, ExpressionMeasure& measure);
+void describe(Schema& s, Measure& measure);
+
+}  // namespace brunt::deck

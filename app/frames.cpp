@@ -1,0 +1,30 @@
+#include "app/frames.hpp"
+
+#ifdef BRUNT_VTK
+#include "io/vtk/frame_writer.hpp"
+#endif
+
+namespace brunt {
+
+#ifdef BRUNT_VTK
+namespace {
+class VtkFrames final : public FrameSink {
+ public:
+  explicit VtkFrames(const std::filesystem::path& folder) : writer_(folder) {}
+  void write(Real time, const std::vector<BodyView>& bodies, const ContactView* contact) override {
+    writer_.write(time, bodies, contact);
+  }
+
+ private:
+  FrameWriter writer_;
+};
+}  // namespace
+
+std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& folder) {
+  return std::make_unique<VtkFrames>(folder);
+}
+#else
+std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path&) { return nullptr; }
+#endif
+
+}  // namespace brunt

@@ -1,0 +1,234 @@
+#include "contact/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/law.hpp"
+#include "contact/particle_face.hpp"
+
+namespace brunt {
+
+namespace {
+// Work in units of one rejected candidate, for the choice of the skin.
+constexpr Real kWorkPerEntity = 15;
+constexpr Real kWorkPerListed = 5;
+// Bounds of a chosen skin, in sizes.
+constexpr Real kThinnest = 0.02, kFirst = 0.2, kWidest = 0.5;
+
+template <int Dim>
+void merge(MotionBounds<Dim>& into, const MotionBounds<Dim>& from) {
+  into.u_min = into.u_min.cwiseMin(from.u_min), into.u_max = into.u_max.cwiseMax(from.u_max);
+  into.v_min = into.v_min.cwiseMin(from.v_min), into.v_max = into.v_max.cwiseMax(from.v_max);
+  into.a_min = into.a_min.cwiseMin(from.a_min), into.a_max = into.a_max.cwiseMax(from.a_max);
+}
+
+/// Bounds over n nodes; take(i, bounds) adds node i.
+template <int Dim, class Take>
+MotionBounds<Dim> bounds_of(std::size_t n, const Take& take) {
+  MotionBounds<Dim> all;
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    MotionBounds<Dim> part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t i = 0; i < n; ++i) take(i, part);
+#pragma omp critical(brunt_contact_bounds)
+    merge(all, part);
+  }
+  return all;
+}
+
+/// Largest relative speed [m/s] that the bounds allow.
+template <int Dim>
+Real relative_speed(const MotionBounds<Dim>& bounds) {
+  const Vec<Dim> widest = bounds.v_max - bounds.v_min;
+  return widest.norm();
+}
+
+/// The box, or a point where it is not a number any more: that touches nothing.
+template <int Dim>
+SearchBox<Dim> finite(SearchBox<Dim> box) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
+    if (!std::isfinite(box.lo[c]) || !std::isfinite(box.hi[c])) box.lo[c] = box.hi[c] = 0;
+  }
+  return box;
+}
+
+template <int Dim>
+SearchBox<Dim> box_about(const Vec<Dim>& x, Real reach) {
+  SearchBox<Dim> box;
+  for (int c = 0; c < Dim; ++c) {
+    box.lo[static_cast<std::size_t>(c)] = x[c] - reach;
+    box.hi[static_cast<std::size_t>(c)] = x[c] + reach;
+  }
+  return box;
+}
+
+template <int Dim>
+bool share_a_node(const ContactFace<Dim>& a, const ContactFace<Dim>& b) {
+  if (a.surface != b.surface) return false;
+  for (int i = 0; i < a.n_nodes; ++i) {
+    for (int j = 0; j < b.n_nodes; ++j) {
+      if (a.node[static_cast<std::size_t>(i)] == b.node[static_cast<std::size_t>(j)]) return true;
+    }
+  }
+  return false;
+}
+
+template <class A, class B>
+bool same_piece(const A& a, const B& b) {
+  return a.body == b.body && a.piece == b.piece;
+}
+}  // namespace
+
+template <int Dim>
+void Candidates<Dim>::build(const Entities<Dim>& entities, const PairTable& pairs, Real longest) {
+  const auto& nodes = entities.nodes;
+  choose_skin(entities);
+  if (!entities.particles.empty()) {
+    const auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+      part.take(Vec<Dim>::Zero(), nodes.v[i], Vec<Dim>::Zero());
+    });
+    // A tenth more, so that speeds and steps that grow a little need no new lists.
+    speed_reach_ = std::isfinite(longest) ? 1.1 * relative_speed(bounds) * longest : 0.0;
+  }
+  find_faces(entities, pairs);
+  find_particles(entities, pairs);
+  x_built_ = nodes.x;
+  warp_built_.resize(entities.faces.size());
+  for (std::size_t f = 0; f < warp_built_.size(); ++f) warp_built_[f] = entities.planes[f].warp;
+  growth_ = moved_ = 0;
+  steps_ = 0;
+  ++builds_;
+}
+
+template <int Dim>
+void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable& pairs) {
+  const auto& faces = entities.faces;
+  faces_.clear();
+  std::vector<SearchBox<Dim>> boxes(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Real depth = faces[f].rigid() ? entities.deepest : faces[f].depth;
+    const Real reach = 0.5 * depth + kReachPerWarp * entities.planes[f].warp + 0.5 * skin_;
+    boxes[f] = finite(box_of(entities.planes[f], reach));
+  }
+  const auto admits = [&](LocalIndex i, LocalIndex j) {
+    const auto& a = faces[static_cast<std::size_t>(i)];
+    const auto& b = faces[static_cast<std::size_t>(j)];
+    if (same_piece(a, b) || (a.rigid() && b.rigid())) return false;
+    return !share_a_node(a, b) && !pairs.of(a.body, b.body).ignore;
+  };
+  for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
+    const auto& a = faces[static_cast<std::size_t>(i)];
+    const auto& b = faces[static_cast<std::size_t>(j)];
+    const PairOptions& options = pairs.of(a.body, b.body);
+    FaceCandidate candidate{i, j, 0, 0, 0};
+    candidate.stiffness = options.stiffness * in_series(a.stiffness, b.stiffness);
+    candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
+                                            in_series(a.areal_mass, b.areal_mass));
+    candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
+    faces_.push_back(candidate);
+  }
+}
+
+template <int Dim>
+void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTable& pairs) {
+  const auto& faces = entities.faces;
+  const auto& particles = entities.particles;
+  particles_.clear();
+  starts_.clear();
+  if (particles.empty() || faces.empty()) return;
+  const std::size_t n = particles.size();
+  std::vector<SearchBox<Dim>> boxes(n + faces.size());
+  for (std::size_t p = 0; p < n; ++p) {
+    const Real r = particles[p].radius;
+    const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particles[p].node)];
+    boxes[p] = finite(box_about<Dim>(x, std::max(kDepthRadii * r, r + speed_reach_) + 0.5 * skin_));
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    boxes[n + f] =
+        finite(box_of(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_));
+  }
+  const auto admits = [&](LocalIndex i, LocalIndex j) {
+    const auto p = static_cast<std::size_t>(i), f = static_cast<std::size_t>(j);
+    if (p >= n || f < n) return false;
+    const auto& face = faces[f - n];
+    return !same_piece(particles[p], face) && !pairs.of(particles[p].body, face.body).ignore;
+  };
+  for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
+    const auto& particle = particles[static_cast<std::size_t>(i)];
+    const auto f = static_cast<std::size_t>(j) - n;
+    const auto& face = faces[f];
+    const PairOptions& options = pairs.of(particle.body, face.body);
+    const Real diameter = 2 * particle.radius;
+    const Real own = particle.modulus * (Dim == 3 ? diameter : 1.0);
+    const Real of_face = face.stiffness * (Dim == 3 ? diameter * diameter : diameter);
+    if (particles_.empty() || particles_.back().particle != i) starts_.push_back(particles_.size());
+    const Real held = kDepthRadii * particle.radius;
+    particles_.push_back({i, static_cast<LocalIndex>(f),
+                          options.stiffness * in_series(own, of_face), options.stiffness * own,
+                          options.damping, face.rigid() ? held : std::min(held, face.depth)});
+  }
+  starts_.push_back(particles_.size());
+}
+
+template <int Dim>
+bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest) {
+  const auto& nodes = entities.nodes;
+  const auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+    part.take(nodes.x[i] - x_built_[i], nodes.v[i], Vec<Dim>::Zero());
+  });
+  Real warp = 0;
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : warp) if (warp_built_.size() > kWorthThreads)
+  for (std::size_t f = 0; f < warp_built_.size(); ++f) {
+    warp = std::max(warp, entities.planes[f].warp - warp_built_[f]);
+  }
+  growth_ = 2 * kReachPerWarp * warp;
+  if (!entities.particles.empty()) {
+    growth_ += std::max(0.0, relative_speed(bounds) * longest - speed_reach_);
+  }
+  ++steps_;
+  moved_ = nodes.size() ? bounds.relative_displacement(0) : 0.0;
+  return moved_ + growth_ <= skin_;
+}
+
+template <int Dim>
+bool Candidates<Dim>::will_be_complete(const Entities<Dim>& entities,
+                                       const std::vector<Surface<Dim>*>& surfaces, Real dt) const {
+  const auto& nodes = entities.nodes;
+  if (nodes.size() == 0) return true;
+  const auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+    const auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+    const auto p = static_cast<std::size_t>(nodes.point[i]);
+    part.take(points.x[p] - x_built_[i], points.v[p], points.a[p]);
+  });
+  return bounds.relative_displacement(dt) + growth_ <= skin_;
+}
+
+/// Cost of a step: c(s) + (work of a build) (motion a step) / s, the candidates c growing with s.
+template <int Dim>
+void Candidates<Dim>::choose_skin(const Entities<Dim>& entities) {
+  if (given_skin_) {
+    skin_ = *given_skin_;
+    return;
+  }
+  if (builds_ == 0) {
+    skin_ = kFirst * entities.size;
+    return;
+  }
+  const auto listed = static_cast<Real>(faces_.size() + particles_.size());
+  if (steps_ == 0) return;
+  const auto boxes = static_cast<Real>(entities.faces.size() + entities.particles.size());
+  const Real build = kWorkPerEntity * boxes + kWorkPerListed * listed;
+  const Real motion = std::max(moved_, 0.0) / static_cast<Real>(steps_);
+  // Boxes of four sizes: their number grows by Dim / (4 sizes) a metre.
+  const Real growth = std::max(listed, 1.0) * Dim / (4 * entities.size);
+  const Real best = std::sqrt(build * motion / growth);
+  skin_ = std::max(kThinnest * entities.size, std::min(kWidest * entities.size, best));
+}
+
+template class Candidates<2>;
+template class Candidates<3>;
+
+}  // namespace brunt

@@ -1,0 +1,69 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/entities.hpp"
+#include "core/solid.hpp"
+
+namespace brunt {
+
+/// Two faces that may touch before the list is rebuilt, lower index first, with their law.
+struct FaceCandidate {
+  LocalIndex lower = 0, upper = 0;
+  Real stiffness = 0;  ///< [Pa/m]
+  Real damping = 0;    ///< [Pa s/m]
+  Real limit = 0;      ///< [m] penetration at which they let go: the smaller depth
+};
+
+struct ParticleCandidate {
+  LocalIndex particle = 0, face = 0;
+  Real stiffness = 0;  ///< [N/m] per breadth
+  Real own = 0;        ///< [N/m] phi times the particle's own spring, per breadth
+  Real zeta = 0;
+  Real limit = 0;  ///< [m] how far behind the face the particle is held
+};
+
+/// The lists of what may touch, complete for as long as a bound on all motion holds
+/// (contact.md 2.3); no answer depends on when they are built or how wide their skin is.
+template <int Dim>
+class Candidates {
+ public:
+  Candidates(SearchMode mode, std::optional<Real> skin) : mode_(mode), given_skin_(skin) {}
+
+  /// Lists at nodes.x; longest [s] is the step whose speed votes they must serve.
+  void build(const Entities<Dim>& entities, const PairTable& pairs, Real longest);
+  /// True if they hold every contact and speed vote at nodes.x, nodes.v, planes.
+  bool complete(const Entities<Dim>& entities, Real longest);
+  /// True if they will, as far as present velocities and accelerations tell, after a step of dt.
+  bool will_be_complete(const Entities<Dim>& entities, const std::vector<Surface<Dim>*>& surfaces,
+                        Real dt) const;
+
+  std::span<const FaceCandidate> faces() const { return faces_; }
+  std::span<const ParticleCandidate> particles() const { return particles_; }
+  /// Where each particle that has candidates begins in particles(), and their end.
+  std::span<const std::size_t> particle_starts() const { return starts_; }
+  Real skin() const { return skin_; }
+  std::size_t builds() const { return builds_; }
+
+ private:
+  void find_faces(const Entities<Dim>& entities, const PairTable& pairs);
+  void find_particles(const Entities<Dim>& entities, const PairTable& pairs);
+  void choose_skin(const Entities<Dim>& entities);
+
+  SearchMode mode_;
+  std::optional<Real> given_skin_;
+  std::vector<FaceCandidate> faces_;
+  std::vector<ParticleCandidate> particles_;
+  std::vector<std::size_t> starts_;
+  std::vector<Vec<Dim>> x_built_;  // [m]
+  std::vector<Real> warp_built_;   // [m]
+  Real speed_reach_ = 0;           // [m] of motion that the particles' boxes foresee
+  Real growth_ = 0;                // [m] of reaches since the lists were built
+  Real moved_ = 0;                 // [m] largest relative displacement since
+  Real skin_ = 0;                  // [m]
+  std::size_t steps_ = 0;          // since the lists were built
+  std::size_t builds_ = 0;
+};
+
+}  // namespace brunt

@@ -1,0 +1,257 @@
+#include "contact/common_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt {
+
+namespace {
+constexpr Real kFacing = 0.09;      // -n1.n2 where the ramp starts
+constexpr Real kFullFacing = 0.17;  // and where it ends
+constexpr Real kTouching = 1e-12;   // of the face's size: a mean penetration below it is none
+constexpr Real kSliver = 1e-12;     // of the smaller face's area: an overlap below it is none
+
+/// The normal, origin and ramp; false if the faces do not oppose each other.
+template <int Dim>
+bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, CommonPlane<Dim>& plane) {
+  const Real facing = -lower.normal.dot(upper.normal);
+  if (!(facing > kFacing)) return false;
+  plane.ramp = std::min((facing - kFacing) / (kFullFacing - kFacing), 1.0);
+  plane.normal = (lower.normal - upper.normal).normalized();
+  plane.origin = 0.5 * (lower.center + upper.center);
+  return true;
+}
+
+/// True if every corner of the upper face, warped by no more than it is, lies above the lower.
+template <int Dim>
+bool apart(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Vec<Dim>& n,
+           const Vec<Dim>& origin) {
+  Real top = -kInfinity, bottom = kInfinity;
+  for (int i = 0; i < lower.n_corners; ++i) {
+    top = std::max(top, n.dot(lower.corner[static_cast<std::size_t>(i)] - origin));
+  }
+  for (int i = 0; i < upper.n_corners; ++i) {
+    bottom = std::min(bottom, n.dot(upper.corner[static_cast<std::size_t>(i)] - origin));
+  }
+  // The planes lean against n by less than 43 degrees: their corners are nearer than 1.4 warps.
+  return bottom - top >= 1.4 * (lower.warp + upper.warp);
+}
+
+/// Mean plane of a face as a height along n over the common plane.
+LinearField height(const FacePlane<3>& face, const CommonPlane<3>& plane) {
+  const Real along = face.normal.dot(plane.normal);
+  LinearField field;
+  field.value = face.normal.dot(face.center - plane.origin) / along;
+  field.slope =
+      Vec<2>(-face.normal.dot(plane.axis_1) / along, -face.normal.dot(plane.axis_2) / along);
+  return field;
+}
+
+void set_axes(CommonPlane<3>& plane) {
+  // The smallest component decides; equal ones go to the first.
+  Eigen::Index smallest = 0;
+  plane.normal.cwiseAbs().minCoeff(&smallest);
+  const Vec3 unit = Vec3::Unit(smallest);
+  plane.axis_1 = (unit - unit.dot(plane.normal) * plane.normal).normalized();
+  plane.axis_2 = plane.normal.cross(plane.axis_1);
+}
+
+/// Corners in the plane, counter-clockwise about the normal: those of the upper face run back.
+Polygon project(const FacePlane<3>& face, const CommonPlane<3>& plane, bool reverse) {
+  Polygon polygon;
+  for (int i = 0; i < face.n_corners; ++i) {
+    const int k = reverse ? face.n_corners - 1 - i : i;
+    const Vec3 arm = face.corner[static_cast<std::size_t>(k)] - plane.origin;
+    polygon.push(Vec<2>(arm.dot(plane.axis_1), arm.dot(plane.axis_2)));
+  }
+  return polygon;
+}
+
+std::array<Real, 4> weights(const Polygon& face, bool reverse, const Vec<2>& p) {
+  std::array<Real, 4> in_order{};
+  if (face.size == 4) {
+    in_order = bilinear_weights({face[0], face[1], face[2], face[3]}, p);
+  } else {
+    const Vec<2> a = face[1] - face[0], b = face[2] - face[0], r = p - face[0];
+    const Real twice = a[0] * b[1] - a[1] * b[0];
+    in_order[1] = (r[0] * b[1] - r[1] * b[0]) / twice;
+    in_order[2] = (a[0] * r[1] - a[1] * r[0]) / twice;
+    in_order[0] = 1 - in_order[1] - in_order[2];
+  }
+  if (reverse) std::reverse(in_order.begin(), in_order.begin() + face.size);
+  return in_order;
+}
+
+/// The plane between two simple faces in 3D; false if it carries no pressure.
+bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section&,
+               CommonPlane<3>& plane) {
+  if (!orient(lower, upper, plane)) return false;
+  if (apart(lower, upper, plane.normal, plane.origin)) return false;
+  set_axes(plane);
+  const Polygon below = project(lower, plane, false), above = project(upper, plane, true);
+  const Polygon overlap = intersect(below, above);
+  const Real smaller = std::min(lower.area, upper.area);
+  if (!(area(overlap) > kSliver * smaller)) return false;
+
+  const LinearField top = height(lower, plane), bottom = height(upper, plane);
+  LinearField penetration;
+  penetration.value = top.value - bottom.value;
+  penetration.slope = top.slope - bottom.slope;
+  plane.polygon = clip(overlap, penetration);
+  const FieldIntegrals sum = integrate(plane.polygon, penetration);
+  if (!(sum.total > kTouching * std::sqrt(smaller) * sum.area)) return false;
+
+  const Vec<2> p = sum.moment / sum.total;
+  plane.area = sum.area;
+  plane.volume = plane.ramp * sum.total;
+  plane.penetration = penetration.at(p);
+  plane.point = plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2;
+  plane.lower_weight = weights(below, false, p);
+  plane.upper_weight = weights(above, true, p);
+  return true;
+}
+
+/// The line between two edges in 2D; the integrands are cubic at most, so Simpson is exact.
+bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
+               CommonPlane<2>& plane) {
+  if (!orient(lower, upper, plane)) return false;
+  if (apart(lower, upper, plane.normal, plane.origin)) return false;
+  const Vec<2> t(-plane.normal[1], plane.normal[0]);
+  struct Span {
+    Real s0, s1, h0, h1;
+    Real share(Real s) const { return (s - s0) / (s1 - s0); }
+    Real height(Real s) const { return h0 + share(s) * (h1 - h0); }
+  };
+  const auto span_of = [&](const FacePlane<2>& face) {
+    const Vec<2> a = face.corner[0] - plane.origin, b = face.corner[1] - plane.origin;
+    return Span{a.dot(t), b.dot(t), a.dot(plane.normal), b.dot(plane.normal)};
+  };
+  const Span below = span_of(lower), above = span_of(upper);
+  Real from = std::max(std::min(below.s0, below.s1), std::min(above.s0, above.s1));
+  Real to = std::min(std::max(below.s0, below.s1), std::max(above.s0, above.s1));
+  const Real smaller = std::min(lower.area, upper.area);
+  if (!(to - from > kSliver * smaller)) return false;
+
+  const auto penetration = [&](Real s) { return below.height(s) - above.height(s); };
+  const Real at_from = penetration(from), at_to = penetration(to);
+  if (at_from <= 0 && at_to <= 0) return false;
+  const Real crossing = from + (to - from) * at_from / (at_from - at_to);
+  if (at_from < 0) from = crossing;
+  if (at_to < 0) to = crossing;
+
+  const Real middle = 0.5 * (from + to);
+  const auto breadth = [&](Real s) { return section.breadth(plane.origin[0] + s * t[0]); };
+  const std::array<Real, 3> s = {from, middle, to}, share = {1.0 / 6, 4.0 / 6, 1.0 / 6};
+  Real total = 0, moment = 0, area = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real strip = (to - from) * share[i] * breadth(s[i]);
+    const Real depth = std::max(penetration(s[i]), 0.0);
+    area += strip;
+    total += strip * depth;
+    moment += strip * depth * (s[i] - middle);
+  }
+  if (!(total > kTouching * smaller * area)) return false;
+
+  const Real p = middle + moment / total;
+  plane.area = area;
+  plane.volume = plane.ramp * total;
+  plane.penetration = penetration(p);
+  plane.point = plane.origin + p * t;
+  plane.axis_1 = t;
+  plane.axis_2.setZero();
+  plane.polygon.size = 0;
+  plane.polygon.push(Vec<2>(from, 0));
+  plane.polygon.push(Vec<2>(to, 0));
+  plane.lower_weight = {1 - below.share(p), below.share(p)};
+  plane.upper_weight = {1 - above.share(p), above.share(p)};
+  return true;
+}
+
+/// A face as one or two simple parts with the corners that each has in the face.
+struct Parts {
+  explicit Parts(const FacePlane<3>& face) : whole(face) {
+    if (face.simple) return;
+    halves = split(face);
+    count = 2;
+  }
+  const FacePlane<3>& operator[](std::size_t i) const {
+    return count == 1 ? whole : halves.part[i];
+  }
+  /// Puts the weights of part i where the corners of the whole face are.
+  void spread(std::size_t i, std::array<Real, 4>& weight) const {
+    if (count == 1) return;
+    const std::array<Real, 4> of_part = weight;
+    weight = {};
+    for (std::size_t c = 0; c < 3; ++c) {
+      weight[static_cast<std::size_t>(halves.corners[i][c])] = of_part[c];
+    }
+  }
+  const FacePlane<3>& whole;
+  SplitFace halves;
+  std::size_t count = 1;
+};
+
+int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
+                 std::array<CommonPlane<3>, 4>& plane) {
+  const Parts below(lower), above(upper);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < below.count; ++i) {
+    for (std::size_t j = 0; j < above.count; ++j) {
+      if (!one_plane(below[i], above[j], section, plane[n])) continue;
+      below.spread(i, plane[n].lower_weight);
+      above.spread(j, plane[n].upper_weight);
+      ++n;
+    }
+  }
+  return static_cast<int>(n);
+}
+}  // namespace
+
+std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const Vec<2>& p) {
+  const Vec<2> middle = 0.25 * ((corner[0] + corner[1]) + (corner[2] + corner[3]));
+  const Vec<2> along_1 = 0.25 * ((corner[1] - corner[0]) + (corner[2] - corner[3]));
+  const Vec<2> along_2 = 0.25 * ((corner[3] - corner[0]) + (corner[2] - corner[1]));
+  const Vec<2> twist = 0.25 * ((corner[0] - corner[1]) + (corner[2] - corner[3]));
+  Real xi = 0, eta = 0;
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    const Vec<2> rest = p - middle - xi * along_1 - eta * along_2 - xi * eta * twist;
+    const Vec<2> d_xi = along_1 + eta * twist, d_eta = along_2 + xi * twist;
+    const Real det = d_xi[0] * d_eta[1] - d_xi[1] * d_eta[0];
+    const Real step_xi = (rest[0] * d_eta[1] - rest[1] * d_eta[0]) / det;
+    const Real step_eta = (d_xi[0] * rest[1] - d_xi[1] * rest[0]) / det;
+    xi = std::clamp(xi + step_xi, -1.0, 1.0);
+    eta = std::clamp(eta + step_eta, -1.0, 1.0);
+    if (std::fabs(step_xi) + std::fabs(step_eta) < 1e-15) break;
+  }
+  std::array<Real, 4> weight = {0.25 * (1 - xi) * (1 - eta), 0.25 * (1 + xi) * (1 - eta),
+                                0.25 * (1 + xi) * (1 + eta), 0.25 * (1 - xi) * (1 + eta)};
+  // The couple that is left, carried by forces along the normal: w_a += b . (x_a - mean).
+  Vec<2> moment = p - middle;
+  Real j11 = 0, j12 = 0, j22 = 0;
+  for (std::size_t a = 0; a < 4; ++a) {
+    const Vec<2> arm = corner[a] - middle;
+    moment -= weight[a] * arm;
+    j11 += arm[0] * arm[0], j12 += arm[0] * arm[1], j22 += arm[1] * arm[1];
+  }
+  const Real det = j11 * j22 - j12 * j12;
+  const Vec<2> b((j22 * moment[0] - j12 * moment[1]) / det,
+                 (j11 * moment[1] - j12 * moment[0]) / det);
+  for (std::size_t a = 0; a < 4; ++a) weight[a] += b.dot(corner[a] - middle);
+  return weight;
+}
+
+template <int Dim>
+int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
+                  std::array<CommonPlane<Dim>, 4>& plane) {
+  if constexpr (Dim == 3) {
+    if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, plane);
+  }
+  return one_plane(lower, upper, section, plane[0]) ? 1 : 0;
+}
+
+template int common_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
+                              std::array<CommonPlane<2>, 4>&);
+template int common_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
+                              std::array<CommonPlane<3>, 4>&);
+
+}  // namespace brunt

@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+
+#include "contact/face_plane.hpp"
+#include "contact/polygon.hpp"
+
+namespace brunt {
+
+/// What a length in the plane of a 2D deck stands for: a strip of depth, or a ring of 2 pi r.
+struct Section {
+  Geometry geometry = Geometry::three_d;
+  Real depth = 1;  ///< [m] plane strain
+
+  /// Extent out of the plane at coordinate r [m]; 1 in 3D.
+  Real breadth(Real r) const {
+    if (geometry == Geometry::axisymmetric) return 2 * kPi * r;
+    return geometry == Geometry::plane_strain ? depth : 1.0;
+  }
+};
+
+/// One common plane between two faces (Vorobiev, simple common plane; contact.md 2.5).
+/// The pressure of a spring of k [Pa/m] has the resultant k volume along normal on the upper face,
+/// through `point`; weights share it among the corners, each set sums to one.
+template <int Dim>
+struct CommonPlane {
+  static constexpr int kCorners = Facet<Dim>::kNodes;
+  Vec<Dim> normal;       ///< unit, from the lower to the upper face
+  Vec<Dim> point;        ///< [m] centre of pressure, on the common plane
+  Real ramp = 0;         ///< 0 .. 1: fades where the faces stop opposing each other
+  Real area = 0;         ///< [m^2] under pressure
+  Real volume = 0;       ///< [m^3] integral of the penetration, times ramp
+  Real penetration = 0;  ///< [m] at `point`
+  std::array<Real, kCorners> lower_weight{}, upper_weight{};
+  Polygon polygon;  ///< 3D: the area under pressure, about origin, along axis_1 and axis_2
+  Vec<Dim> origin;  ///< [m]
+  Vec<Dim> axis_1, axis_2;
+};
+
+/// The planes between two faces, lower first by id: one, or up to four where warped or concave
+/// quads are split. Returns how many of them carry pressure; `plane` holds these in fixed order.
+template <int Dim>
+int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
+                  std::array<CommonPlane<Dim>, 4>& plane);
+
+/// Weights N_a of the corners of a convex quad with sum N_a x_a = p, p inside: bilinear, then
+/// corrected in the least squares of their changes so that both sums are exact to round-off.
+std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const Vec<2>& p);
+
+}  // namespace brunt

@@ -1,0 +1,277 @@
+#include "contact/entities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "contact/law.hpp"
+
+namespace brunt {
+
+namespace {
+/// Nodes of one surface, numbered when first asked for.
+template <int Dim>
+class Numbering {
+ public:
+  Numbering(const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes)
+      : surfaces_(surfaces), nodes_(nodes), known_(surfaces.size()) {
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      known_[s].assign(static_cast<std::size_t>(surfaces[s]->points->size()), -1);
+    }
+  }
+  LocalIndex operator()(LocalIndex surface, LocalIndex point) {
+    const auto s = static_cast<std::size_t>(surface);
+    auto& number = known_[s][static_cast<std::size_t>(point)];
+    if (number < 0) number = nodes_.add(surface, point, *surfaces_[s]->points);
+    return number;
+  }
+
+ private:
+  const std::vector<Surface<Dim>*>& surfaces_;
+  ContactNodes<Dim>& nodes_;
+  std::vector<std::vector<LocalIndex>> known_;
+};
+
+template <int Dim>
+ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
+  ContactFace<Dim> face;
+  face.node = facet.node;
+  face.n_nodes = facet.n_nodes();
+  face.surface = surface;
+  face.id = facet.id;
+  face.body = facet.body, face.piece = facet.piece;
+  face.stiffness = facet.stiffness;
+  face.areal_mass = facet.areal_mass;
+  face.depth = facet.depth;
+  return face;
+}
+
+template <int Dim>
+Real area_at_start(const ContactFace<Dim>& face, const Points<Dim>& points) {
+  FacePlane<Dim> plane;
+  plane.n_corners = face.n_nodes;
+  for (auto& corner : plane.corner) corner.setZero();
+  for (int c = 0; c < face.n_nodes; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    plane.corner[k] = points.x_start[static_cast<std::size_t>(face.node[k])];
+  }
+  refresh(plane);
+  return plane.area;
+}
+
+template <int Dim>
+SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, const SearchBox<Dim>& box) {
+  SearchBox<Dim> reach;
+  for (int c = 0; c < Dim; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const Real by =
+        kReachPerDepth * depth * std::fabs(plane.normal[c]) + kReachPerWarp * plane.warp;
+    reach.lo[k] = box.lo[k] - by;
+    reach.hi[k] = box.hi[k] + by;
+  }
+  return reach;
+}
+
+/// What the faces' own step bounds need to know of those that may touch them.
+template <int Dim>
+void set_options(const PairTable& pairs, Entities<Dim>& entities) {
+  std::map<Label, Real> diameter, footprint;
+  for (const auto& particle : entities.particles) {
+    auto& largest = diameter[particle.body];
+    largest = std::max(largest, 2 * particle.radius);
+  }
+  for (const auto& [a, b] : pairs.pairs()) {
+    for (const auto& [face, particle] : {std::pair(a, b), std::pair(b, a)}) {
+      const auto it = diameter.find(particle);
+      if (it == diameter.end()) continue;
+      footprint[face] = std::max(footprint[face], std::pow(it->second, Dim - 1));
+    }
+  }
+  for (auto& face : entities.faces) {
+    const PairOptions strongest = pairs.strongest(face.body);
+    face.phi = strongest.stiffness;
+    face.zeta = strongest.damping;
+    const auto it = footprint.find(face.body);
+    if (it != footprint.end()) face.footprint = it->second;
+  }
+}
+
+/// Smallest 2 sqrt(m/k) of the particles on their own springs.
+template <int Dim>
+StepVote vote_of_particles(const PairTable& pairs, const Section& section,
+                           const Entities<Dim>& entities) {
+  StepVote vote;
+  std::map<Label, PairOptions> options;
+  for (const auto& particle : entities.particles) {
+    const auto node = static_cast<std::size_t>(particle.node);
+    const Real mass = entities.nodes.mass[node];
+    if (!(mass > 0)) continue;
+    auto it = options.find(particle.body);
+    if (it == options.end()) {
+      it = options.emplace(particle.body, pairs.strongest(particle.body)).first;
+    }
+    const Real k = it->second.stiffness * particle.modulus *
+                   section.breadth(entities.nodes.x[node][0]) *
+                   (Dim == 3 ? 2 * particle.radius : 1.0);
+    if (!(k > 0)) continue;
+    const Real step = 2 * std::sqrt(mass / k) * lag_factor(it->second.damping);
+    vote.take({step, "contact stiffness", particle.body, particle.id});
+  }
+  return vote;
+}
+
+template <class Entity>
+void sort_by_id(std::vector<Entity>& entities) {
+  std::sort(entities.begin(), entities.end(), [](const Entity& a, const Entity& b) {
+    return a.id != b.id ? a.id < b.id : a.surface < b.surface;
+  });
+}
+}  // namespace
+
+template <int Dim>
+LocalIndex ContactNodes<Dim>::add(LocalIndex on_surface, LocalIndex at_point,
+                                  const Points<Dim>& points) {
+  const auto p = static_cast<std::size_t>(at_point);
+  surface.push_back(on_surface);
+  point.push_back(at_point);
+  id.push_back(points.id[p]);
+  mass.push_back(points.mass[p]);
+  x.push_back(points.x[p]);
+  v.push_back(points.v[p]);
+  for (auto* field : {&spring, &damping, &spring_last, &damping_last}) {
+    field->push_back(Vec<Dim>::Zero());
+  }
+  spring_energy.push_back(0);
+  damping_energy.push_back(0);
+  return static_cast<LocalIndex>(size()) - 1;
+}
+
+template <int Dim>
+void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) {
+#pragma omp parallel for schedule(static) if (size() > kWorthThreads)
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
+    x[i] = points.x[static_cast<std::size_t>(point[i])];
+    v[i] = points.v[static_cast<std::size_t>(point[i])];
+  }
+}
+
+template <int Dim>
+void ContactNodes<Dim>::inherit(const ContactNodes& old) {
+  const auto name_of = [](const ContactNodes& nodes, std::size_t i) {
+    return std::pair(nodes.surface[i], nodes.id[i]);
+  };
+  std::vector<std::size_t> order(old.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return name_of(old, a) < name_of(old, b); });
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto name = name_of(*this, i);
+    const auto it =
+        std::lower_bound(order.begin(), order.end(), name,
+                         [&](std::size_t k, const auto& of) { return name_of(old, k) < of; });
+    if (it == order.end() || name_of(old, *it) != name) continue;
+    v[i] = old.v[*it];
+    spring[i] = old.spring[*it], damping[i] = old.damping[*it];
+    spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
+    spring_energy[i] = old.spring_energy[*it], damping_energy[i] = old.damping_energy[*it];
+  }
+}
+
+template <int Dim>
+Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
+                        const Section& section) {
+  std::vector<Real> sizes;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const auto& surface = *surfaces[s];
+    for (const auto& facet : surface.facets) {
+      if (pairs.strongest(facet.body).ignore) continue;
+      auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
+      face.area_start = area_at_start(face, *surface.points);
+      deepest = std::max(deepest, face.depth);
+      sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
+    }
+    for (const auto& shown : surface.particles) {
+      const auto p = static_cast<std::size_t>(shown.point);
+      const Label body = surface.points->body[p];
+      if (pairs.strongest(body).ignore) continue;
+      particles.push_back({shown.point, static_cast<LocalIndex>(s), surface.points->id[p], body,
+                           surface.points->piece[p], shown.radius, shown.modulus});
+      sizes.push_back(2 * shown.radius);
+    }
+  }
+  sort_by_id(faces);
+  sort_by_id(particles);
+  Numbering<Dim> number(surfaces, nodes);
+  for (auto& face : faces) {
+    for (int c = 0; c < face.n_nodes; ++c) {
+      auto& node = face.node[static_cast<std::size_t>(c)];
+      node = number(face.surface, node);
+    }
+  }
+  for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
+  if (!sizes.empty()) {
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    size = *middle;
+  }
+  planes.resize(faces.size());
+  face_velocity.resize(faces.size());
+  boxes.resize(faces.size());
+  reaches.resize(faces.size());
+  set_options(pairs, *this);
+  particle_vote = vote_of_particles(pairs, section, *this);
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_planes() {
+#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& face = faces[f];
+    auto& plane = planes[f];
+    plane.n_corners = face.n_nodes;
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
+      const auto k = static_cast<std::size_t>(c);
+      const bool there = c < face.n_nodes;
+      plane.corner[k] = Vec<Dim>::Zero();
+      if (!there) continue;
+      const auto node = static_cast<std::size_t>(face.node[k]);
+      plane.corner[k] = nodes.x[node];
+      sum += nodes.v[node];
+    }
+    face_velocity[f] = sum / face.n_nodes;
+    refresh(plane);
+    boxes[f] = box_of(plane, 0.0);
+    reaches[f] = grown(plane, face.rigid() ? deepest : face.depth, boxes[f]);
+  }
+}
+
+template <int Dim>
+StepVote Entities<Dim>::stiffness_vote() const {
+  StepVote vote = particle_vote;
+#pragma omp parallel if (faces.size() > kWorthThreads)
+  {
+    StepVote part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto& face = faces[f];
+      if (face.rigid() || !(face.area_start > 0)) continue;
+      const Real area = std::max(planes[f].area, face.footprint);
+      const Real elements = std::sqrt(2 * face.areal_mass / face.stiffness);
+      const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);
+      part.take({elements * ratio, "contact stiffness", face.body, face.id});
+    }
+#pragma omp critical(brunt_contact_vote)
+    vote.take(part);
+  }
+  return vote;
+}
+
+template struct ContactNodes<2>;
+template struct ContactNodes<3>;
+template struct Entities<2>;
+template struct Entities<3>;
+
+}  // namespace brunt

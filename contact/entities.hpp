@@ -1,0 +1,94 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "contact/common_plane.hpp"
+#include "contact/pair_table.hpp"
+#include "core/step_vote.hpp"
+
+namespace brunt {
+
+/// The points that contact moves, of all groups, side by side, with what must outlive a step.
+template <int Dim>
+struct ContactNodes {
+  std::vector<LocalIndex> surface;  ///< whose points
+  std::vector<LocalIndex> point;    ///< index there
+  std::vector<GlobalId> id;
+  std::vector<Real> mass;                           ///< [kg]
+  std::vector<Vec<Dim>> x;                          ///< [m] at the last evaluation
+  std::vector<Vec<Dim>> v;                          ///< [m/s] at the last evaluation
+  std::vector<Vec<Dim>> spring, damping;            ///< [N] forces of this evaluation
+  std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
+  std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
+
+  std::size_t size() const { return point.size(); }
+  LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
+  /// Takes x and v from the groups.
+  void read_motion(const std::vector<Surface<Dim>*>& surfaces);
+  /// Takes over what outlives a step from the same points in an older table.
+  void inherit(const ContactNodes& old);
+};
+
+/// One outer face, by its nodes in ContactNodes.
+template <int Dim>
+struct ContactFace {
+  static constexpr int kCorners = Facet<Dim>::kNodes;
+  std::array<LocalIndex, kCorners> node{};
+  int n_nodes = kCorners;
+  LocalIndex surface = 0;
+  GlobalId id = 0;
+  Label body = 0;
+  Label piece = 0;
+  Real stiffness = 0;   ///< [Pa/m] M/h
+  Real areal_mass = 0;  ///< [kg/m^2]
+  Real depth = 0;       ///< [m]
+  Real area_start = 0;  ///< [m^2] at time 0
+  Real phi = 0;         ///< largest stiffness option with which anything may touch it
+  Real zeta = 0;        ///< largest damping option
+  Real footprint = 0;   ///< [m^2] of the largest particle that may touch it
+  bool rigid() const { return stiffness == 0; }
+};
+
+struct ContactParticle {
+  LocalIndex node = 0;
+  LocalIndex surface = 0;
+  GlobalId id = 0;
+  Label body = 0;
+  Label piece = 0;
+  Real radius = 0;   ///< [m]
+  Real modulus = 0;  ///< [Pa]
+};
+
+/// Entities below which a team of threads costs more than it saves.
+inline constexpr std::size_t kWorthThreads = 1000;
+
+/// How far a face may be penetrated along the normal of a common plane, in each component, per
+/// depth: n = (n1 - n2) / |n1 - n2| and |n1 - n2| >= 1.476 where faces oppose each other.
+inline constexpr Real kReachPerDepth = 0.68;
+/// Corners of a face lie within 1.4 warps of its mean plane along such a normal.
+inline constexpr Real kReachPerWarp = 1.4;
+
+/// Everything that can touch, in the order of ids: so that an index stands for its key.
+template <int Dim>
+struct Entities {
+  ContactNodes<Dim> nodes;
+  std::vector<ContactFace<Dim>> faces;
+  std::vector<ContactParticle> particles;
+  std::vector<FacePlane<Dim>> planes;   ///< of each face, at nodes.x
+  std::vector<Vec<Dim>> face_velocity;  ///< [m/s] mean over the corners
+  std::vector<SearchBox<Dim>> boxes;    ///< of planes
+  std::vector<SearchBox<Dim>> reaches;  ///< boxes wide enough for any face-on-face contact
+  StepVote particle_vote;               ///< bound from the particles' own springs
+  Real deepest = 0;                     ///< [m] largest depth of a face
+  Real size = 0;                        ///< [m] median size of faces and particles
+
+  /// Makes the tables of what may touch anything.
+  Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
+           const Section& section);
+  /// Planes, velocities and boxes of all faces at nodes.x, nodes.v.
+  void refresh_planes();
+  /// Bound from the faces' own springs, before anything touches (physics.md A5).
+  StepVote stiffness_vote() const;
+};
+
+}  // namespace brunt

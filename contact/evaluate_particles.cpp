@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+
+#include "contact/evaluate.hpp"
+#include "contact/law.hpp"
+
+namespace brunt {
+
+namespace {
+/// A particle with what its contacts need.
+template <int Dim>
+struct Present {
+  const ContactParticle& particle;
+  Vec<Dim> x, v;
+  Real mass;
+  Real breadth;
+};
+
+template <int Dim>
+bool in_box(const SearchBox<Dim>& box, const Vec<Dim>& x, Real reach) {
+  for (int c = 0; c < Dim; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    if (x[c] < box.lo[k] - reach || x[c] > box.hi[k] + reach) return false;
+  }
+  return true;
+}
+
+/// True if the particle may overlap the face: its centre at most r before it or a few r behind.
+template <int Dim>
+bool in_reach(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
+  if (plane.area == 0) return false;
+  const Real before = plane.normal.dot(x - plane.center);
+  if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return false;
+  return in_box<Dim>(box, x, before > plane.warp ? r : kDepthRadii * r);
+}
+
+/// The bound of a particle that closes on a face: to half a radius of overlap, or half a radius
+/// more. What would vote more than `longest` need not be near, nor listed.
+template <int Dim>
+void take_speed_vote(const Present<Dim>& now, const FacePlane<Dim>& plane,
+                     const SearchBox<Dim>& box, const Vec<Dim>& face_velocity, Real longest,
+                     StepVote& vote) {
+  const Vec<Dim> relative = now.v - face_velocity;
+  const Real closing = -relative.dot(plane.normal);
+  if (!(closing > 0)) return;
+  const Real r = now.particle.radius;
+  const Real before = plane.normal.dot(now.x - plane.center);
+  if (before < -kDepthRadii * r) return;
+  const Real step = (std::max(before - r - plane.warp, 0.0) + 0.5 * r) / closing;
+  if (step > std::min(longest, vote.step)) return;
+  if (!in_box<Dim>(box, now.x, r + relative.norm() * longest)) return;
+  vote.take({step, "contact speed", now.particle.body, now.particle.id});
+}
+
+/// Record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
+template <int Dim>
+ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& now,
+                             const ParticleCandidate& candidate, const ParticleHit<Dim>& hit,
+                             Real dt, Real& squared_frequency) {
+  const auto& nodes = entities.nodes;
+  const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
+  ContactRecord<Dim> record;
+  record.of_particle = true;
+  record.first = now.particle.id, record.second = face.id;
+  record.lower_body = face.body, record.upper_body = now.particle.body;
+  record.normal = hit.direction;
+  record.point = hit.nearest.point;
+  record.penetration = hit.overlap;
+  record.area = std::pow(2 * now.particle.radius, Dim - 1) * now.breadth;
+  record.add(now.particle.node, 1);
+
+  Real compliance = 0;  // of the face's mass, [1/kg]
+  Vec<Dim> velocity = Vec<Dim>::Zero();
+  for (int c = 0; c < face.n_nodes; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const auto node = static_cast<std::size_t>(face.node[k]);
+    const Real w = hit.nearest.weight[k];
+    record.add(face.node[k], -w);
+    velocity += w * nodes.v[node];
+    if (!face.rigid()) compliance += w * w / nodes.mass[node];
+  }
+  const Real closing = (velocity - now.v).dot(hit.direction);
+  const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
+  const ParticleSpring spring{candidate.stiffness * now.breadth,
+                              kBarrier * candidate.own * now.breadth, now.particle.radius};
+  const Real damping = damping_coefficient(candidate.zeta, spring.linear, mass);
+  record.spring = hit.share * spring.force(hit.overlap);
+  record.damping = std::max(hit.share * damping * closing, -record.spring);
+  if (mass > 0) {
+    const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
+    squared_frequency += hit.share * spring.tangent(coming) / mass;
+  }
+  return record;
+}
+
+template <int Dim>
+void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
+                 std::span<const ParticleCandidate> candidates, Real dt,
+                 typename Records<Dim>::Part& part) {
+  choose_hits<Dim>(now.x, now.particle.radius, part.hits);
+  Real squared_frequency = 0, zeta = 0;
+  for (const auto& hit : part.hits) {
+    if (!hit.kept) continue;
+    const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
+    part.particle_on_face.push_back(
+        record_of(entities, now, candidate, hit, dt, squared_frequency));
+    zeta = std::max(zeta, candidate.zeta);
+  }
+  if (squared_frequency > 0) {
+    const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(zeta);
+    part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
+  }
+}
+}  // namespace
+
+template <int Dim>
+void evaluate_particles(const Entities<Dim>& entities,
+                        std::span<const ParticleCandidate> candidates,
+                        std::span<const std::size_t> starts, const Section& section,
+                        const EvaluationStep& step, typename Records<Dim>::Part& part) {
+  for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
+    const auto& particle =
+        entities.particles[static_cast<std::size_t>(candidates[starts[s]].particle)];
+    const auto node = static_cast<std::size_t>(particle.node);
+    const Vec<Dim> x = entities.nodes.x[node];
+    const Present<Dim> now{particle, x, entities.nodes.v[node], entities.nodes.mass[node],
+                           section.breadth(x[0])};
+    part.hits.clear();
+    for (std::size_t i = starts[s]; i < starts[s + 1]; ++i) {
+      const auto f = static_cast<std::size_t>(candidates[i].face);
+      const auto& plane = entities.planes[f];
+      take_speed_vote(now, plane, entities.boxes[f], entities.face_velocity[f], step.longest,
+                      part.vote);
+      if (!in_reach<Dim>(plane, entities.boxes[f], x, particle.radius)) continue;
+      auto& hit = part.hits.emplace_back();
+      hit.plane = &plane;
+      hit.node = entities.faces[f].node;
+      hit.body = entities.faces[f].body, hit.piece = entities.faces[f].piece;
+      hit.limit = candidates[i].limit;
+      hit.candidate = static_cast<LocalIndex>(i);
+      hit.nearest = nearest_point<Dim>(plane, x);
+    }
+    if (!part.hits.empty()) record_hits(entities, now, candidates, step.dt, part);
+  }
+}
+
+template void evaluate_particles<2>(const Entities<2>&, std::span<const ParticleCandidate>,
+                                    std::span<const std::size_t>, const Section&,
+                                    const EvaluationStep&, Records<2>::Part&);
+template void evaluate_particles<3>(const Entities<3>&, std::span<const ParticleCandidate>,
+                                    std::span<const std::size_t>, const Section&,
+                                    const EvaluationStep&, Records<3>::Part&);
+
+}  // namespace brunt

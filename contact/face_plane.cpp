@@ -1,0 +1,110 @@
+#include "contact/face_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt {
+
+namespace {
+/// A corner counts as convex if its parallelogram has at least this part of the face's area.
+constexpr Real kConvexLimit = 0.02;
+
+void finish(FacePlane<2>& face) {
+  const Vec<2> edge = face.corner[1] - face.corner[0];
+  face.center = 0.5 * (face.corner[0] + face.corner[1]);
+  face.area = edge.norm();
+  face.normal = Vec<2>(edge[1], -edge[0]) / face.area;
+}
+
+void finish_triangle(FacePlane<3>& face) {
+  const auto& x = face.corner;
+  face.center = (x[0] + x[1] + x[2]) / 3;
+  const Vec3 twice = (x[1] - x[0]).cross(x[2] - x[0]);
+  const Real norm = twice.norm();
+  face.area = 0.5 * norm;
+  face.normal = twice / norm;
+}
+
+void finish_quad(FacePlane<3>& face) {
+  const auto& x = face.corner;
+  face.center = 0.25 * ((x[0] + x[1]) + (x[2] + x[3]));
+  const Vec3 twice = (x[2] - x[0]).cross(x[3] - x[1]);
+  const Real norm = twice.norm();
+  face.area = 0.5 * norm;
+  face.normal = twice / norm;
+  // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
+  face.warp = 0.25 * std::fabs(((x[0] - x[1]) + (x[2] - x[3])).dot(face.normal));
+  face.simple = face.warp <= kWarpLimit * std::sqrt(face.area);
+  for (int i = 0; i < 4 && face.simple; ++i) {
+    const auto at = [&](int k) { return x[static_cast<std::size_t>((i + k) % 4)]; };
+    const Real corner = (at(1) - at(0)).cross(at(2) - at(1)).dot(face.normal);
+    face.simple = corner >= kConvexLimit * face.area;
+  }
+}
+}  // namespace
+
+template <int Dim>
+void refresh(FacePlane<Dim>& face) {
+  face.warp = 0;
+  face.simple = true;
+  if constexpr (Dim == 2) {
+    finish(face);
+  } else if (face.n_corners == 3) {
+    finish_triangle(face);
+  } else {
+    finish_quad(face);
+  }
+  if (!(face.area > 0) || !(face.normal.squaredNorm() > 0.5)) {
+    face.area = 0;
+    face.warp = 0;
+    face.simple = true;
+    face.normal.setZero();
+  }
+}
+
+template <int Dim>
+SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
+  SearchBox<Dim> box;
+  for (int c = 0; c < Dim; ++c) {
+    Real lo = face.corner[0][c], hi = lo;
+    for (int i = 1; i < face.n_corners; ++i) {
+      lo = std::min(lo, face.corner[static_cast<std::size_t>(i)][c]);
+      hi = std::max(hi, face.corner[static_cast<std::size_t>(i)][c]);
+    }
+    box.lo[static_cast<std::size_t>(c)] = lo - reach;
+    box.hi[static_cast<std::size_t>(c)] = hi + reach;
+  }
+  return box;
+}
+
+SplitFace split(const FacePlane<3>& face) {
+  const auto& x = face.corner;
+  const auto twice = [&](int a, int b, int c) {
+    const auto at = [&](int k) { return x[static_cast<std::size_t>(k)]; };
+    return (at(b) - at(a)).cross(at(c) - at(a)).dot(face.normal);
+  };
+  const bool first_fits = twice(0, 1, 2) >= 0 && twice(0, 2, 3) >= 0;
+  const bool second_fits = twice(1, 2, 3) >= 0 && twice(1, 3, 0) >= 0;
+  const bool first_shorter = (x[2] - x[0]).squaredNorm() <= (x[3] - x[1]).squaredNorm();
+  const bool first = first_fits == second_fits ? first_shorter : first_fits;
+  SplitFace halves;
+  halves.corners = first ? std::array<std::array<int, 3>, 2>{{{0, 1, 2}, {0, 2, 3}}}
+                         : std::array<std::array<int, 3>, 2>{{{1, 2, 3}, {1, 3, 0}}};
+  for (std::size_t p = 0; p < 2; ++p) {
+    auto& part = halves.part[p];
+    part.n_corners = 3;
+    for (std::size_t c = 0; c < 3; ++c) {
+      part.corner[c] = x[static_cast<std::size_t>(halves.corners[p][c])];
+    }
+    part.corner[3].setZero();
+    refresh(part);
+  }
+  return halves;
+}
+
+template void refresh<2>(FacePlane<2>&);
+template void refresh<3>(FacePlane<3>&);
+template SearchBox<2> box_of<2>(const FacePlane<2>&, Real);
+template SearchBox<3> box_of<3>(const FacePlane<3>&, Real);
+
+}  // namespace brunt

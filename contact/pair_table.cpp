@@ -1,0 +1,83 @@
+#include "contact/pair_table.hpp"
+
+#include <algorithm>
+
+namespace brunt {
+
+namespace {
+/// What a body shows to contact.
+struct Shown {
+  bool faces = false;
+  bool soft_faces = false;
+  bool particles = false;
+  bool pieces = false;  ///< more than one
+  Label piece = 0;
+  bool seen = false;
+  void take(Label of) {
+    pieces = pieces || (seen && of != piece);
+    piece = of;
+    seen = true;
+  }
+};
+
+bool can_touch(const Shown& a, const Shown& b) {
+  const bool faces = a.faces && b.faces && (a.soft_faces || b.soft_faces);
+  return faces || (a.particles && b.faces) || (a.faces && b.particles);
+}
+}  // namespace
+
+template <int Dim>
+PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Dim>*>& surfaces,
+                     std::vector<std::string> body_names)
+    : fallback_(options.fallback), given_(options.pairs) {
+  std::map<Label, Shown> bodies;
+  for (const auto* surface : surfaces) {
+    for (const auto& facet : surface->facets) {
+      auto& shown = bodies[facet.body];
+      shown.faces = true;
+      shown.soft_faces = shown.soft_faces || !facet.rigid();
+      shown.take(facet.piece);
+    }
+    for (const auto& particle : surface->particles) {
+      const auto point = static_cast<std::size_t>(particle.point);
+      auto& shown = bodies[surface->points->body[point]];
+      shown.particles = true;
+      shown.take(surface->points->piece[point]);
+    }
+  }
+  for (auto first = bodies.begin(); first != bodies.end(); ++first) {
+    for (auto second = first; second != bodies.end(); ++second) {
+      const Label a = first->first, b = second->first;
+      const bool apart = a != b || first->second.pieces;
+      const PairOptions& pair = of(a, b);
+      if (pair.ignore || !apart || !can_touch(first->second, second->second)) continue;
+      pairs_.emplace_back(a, b);
+      const auto given = options.pair_names.find({a, b});
+      names_.push_back(given != options.pair_names.end() ? given->second
+                                                         : body_names[a] + "-" + body_names[b]);
+      for (const Label body : {a, b}) {
+        auto [it, is_new] = strongest_.try_emplace(body, pair);
+        it->second.stiffness = std::max(it->second.stiffness, pair.stiffness);
+        it->second.damping = std::max(it->second.damping, pair.damping);
+      }
+    }
+  }
+}
+
+const PairOptions& PairTable::of(Label a, Label b) const {
+  if (given_.empty()) return fallback_;
+  const auto it = given_.find({std::min(a, b), std::max(a, b)});
+  return it == given_.end() ? fallback_ : it->second;
+}
+
+PairOptions PairTable::strongest(Label body) const {
+  const auto it = strongest_.find(body);
+  return it == strongest_.end() ? PairOptions{true, 0, 0} : it->second;
+}
+
+template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<2>*>&,
+                              std::vector<std::string>);
+template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<3>*>&,
+                              std::vector<std::string>);
+
+}  // namespace brunt

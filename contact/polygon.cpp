@@ -1,0 +1,66 @@
+#include "contact/polygon.hpp"
+
+namespace brunt {
+
+namespace {
+Real cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+}  // namespace
+
+Polygon clip(const Polygon& polygon, const LinearField& keep) {
+  Polygon kept;
+  if (polygon.size == 0) return kept;
+  Vec<2> p = polygon[polygon.size - 1];
+  Real at_p = keep.at(p);
+  for (int i = 0; i < polygon.size; ++i) {
+    const Vec<2>& q = polygon[i];
+    const Real at_q = keep.at(q);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
+      kept.push(p + (at_p / (at_p - at_q)) * (q - p));
+    }
+    if (at_q >= 0) kept.push(q);
+    p = q;
+    at_p = at_q;
+  }
+  return kept;
+}
+
+Polygon intersect(const Polygon& a, const Polygon& b) {
+  Polygon overlap = a;
+  for (int i = 0; i < b.size && overlap.size > 2; ++i) {
+    const Vec<2>& p = b[i];
+    const Vec<2> edge = b[i + 1 == b.size ? 0 : i + 1] - p;
+    LinearField left;
+    left.slope = Vec<2>(-edge[1], edge[0]);
+    left.value = -left.slope.dot(p);
+    overlap = clip(overlap, left);
+  }
+  if (overlap.size < 3) overlap.size = 0;
+  return overlap;
+}
+
+Real area(const Polygon& polygon) {
+  Real twice = 0;
+  for (int i = 1; i + 1 < polygon.size; ++i) {
+    twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  }
+  return 0.5 * twice;
+}
+
+FieldIntegrals integrate(const Polygon& polygon, const LinearField& g) {
+  FieldIntegrals sum;
+  if (polygon.size < 3) return sum;
+  const Vec<2>& p = polygon[0];
+  const Real at_p = g.at(p);
+  for (int i = 1; i + 1 < polygon.size; ++i) {
+    const Vec<2>& q = polygon[i];
+    const Vec<2>& r = polygon[i + 1];
+    const Real triangle = 0.5 * cross(q - p, r - p);
+    const Real at_q = g.at(q), at_r = g.at(r), at_all = at_p + at_q + at_r;
+    sum.area += triangle;
+    sum.total += triangle * at_all / 3;
+    sum.moment += triangle / 12 * (at_all * (p + q + r) + at_p * p + at_q * q + at_r * r);
+  }
+  return sum;
+}
+
+}  // namespace brunt

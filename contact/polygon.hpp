@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+/// A convex polygon in the plane of a contact [m], counter-clockwise, in fixed room: two quads
+/// clipped by each other and by one line have at most nine corners.
+struct Polygon {
+  static constexpr int kRoom = 12;
+  std::array<Vec<2>, kRoom> corner;
+  int size = 0;
+
+  void push(const Vec<2>& p) { corner[static_cast<std::size_t>(size++)] = p; }
+  const Vec<2>& operator[](int i) const { return corner[static_cast<std::size_t>(i)]; }
+};
+
+/// A linear function over the plane: value + slope . p.
+struct LinearField {
+  Real value = 0;
+  Vec<2> slope = Vec<2>::Zero();
+  Real at(const Vec<2>& p) const { return value + slope[0] * p[0] + slope[1] * p[1]; }
+};
+
+/// The part of a convex polygon where the field is not negative (Sutherland & Hodgman 1974).
+Polygon clip(const Polygon& polygon, const LinearField& keep);
+
+/// The overlap of two convex counter-clockwise polygons.
+Polygon intersect(const Polygon& a, const Polygon& b);
+
+/// Signed area [m^2]; positive if counter-clockwise.
+Real area(const Polygon& polygon);
+
+/// Exact integrals of a linear field g over a polygon, by a fan of triangles.
+struct FieldIntegrals {
+  Real area = 0;                   ///< [m^2]
+  Real total = 0;                  ///< integral of g
+  Vec<2> moment = Vec<2>::Zero();  ///< integral of g p
+};
+FieldIntegrals integrate(const Polygon& polygon, const LinearField& g);
+
+}  // namespace brunt

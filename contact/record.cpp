@@ -1,0 +1,82 @@
+#include "contact/record.hpp"
+
+namespace brunt {
+
+namespace {
+/// Adds to the nodes first .. last what the records give them.
+template <int Dim>
+void gather(const Records<Dim>& records, LocalIndex first, LocalIndex last,
+            ContactNodes<Dim>& nodes) {
+  records.visit([&](const ContactRecord<Dim>& record) {
+    for (int i = 0; i < record.n_nodes; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const LocalIndex node = record.node[k];
+      if (node < first || node >= last) continue;
+      const auto at = static_cast<std::size_t>(node);
+      nodes.spring[at] += record.weight[k] * record.spring * record.normal;
+      nodes.damping[at] += record.weight[k] * record.damping * record.normal;
+    }
+  });
+}
+
+template <int Dim>
+void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
+          ContactNodes<Dim>& nodes) {
+  const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
+  nodes.spring_energy[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
+  nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
+  auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+  points.f[static_cast<std::size_t>(nodes.point[i])] += nodes.spring[i] + nodes.damping[i];
+}
+}  // namespace
+
+template <int Dim>
+void Records<Dim>::clear() {
+  for (auto& part : parts_) {
+    part.face_on_face.clear();
+    part.particle_on_face.clear();
+    part.vote = StepVote{};
+  }
+}
+
+template <int Dim>
+std::size_t Records<Dim>::size() const {
+  std::size_t n = 0;
+  for (const auto& part : parts_) n += part.face_on_face.size() + part.particle_on_face.size();
+  return n;
+}
+
+template <int Dim>
+StepVote Records<Dim>::vote() const {
+  StepVote vote;
+  for (const auto& part : parts_) vote.take(part.vote);
+  return vote;
+}
+
+template <int Dim>
+void apply(const Records<Dim>& records, Real dt, const std::vector<Surface<Dim>*>& surfaces,
+           ContactNodes<Dim>& nodes) {
+  std::swap(nodes.spring, nodes.spring_last);
+  std::swap(nodes.damping, nodes.damping_last);
+  const std::size_t n = nodes.size();
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    // Each thread owns a range of nodes and reads all records: sums keep the order of keys.
+    const auto count = static_cast<std::size_t>(omp_get_num_threads());
+    const auto k = static_cast<std::size_t>(omp_get_thread_num());
+    const std::size_t first = n * k / count, last = n * (k + 1) / count;
+    for (std::size_t i = first; i < last; ++i) {
+      nodes.spring[i].setZero();
+      nodes.damping[i].setZero();
+    }
+    gather(records, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last), nodes);
+    for (std::size_t i = first; i < last; ++i) book(i, dt, surfaces, nodes);
+  }
+}
+
+template class Records<2>;
+template class Records<3>;
+template void apply<2>(const Records<2>&, Real, const std::vector<Surface<2>*>&, ContactNodes<2>&);
+template void apply<3>(const Records<3>&, Real, const std::vector<Surface<3>*>&, ContactNodes<3>&);
+
+}  // namespace brunt

@@ -1,0 +1,90 @@
+#pragma once
+#include <vector>
+
+#include "contact/entities.hpp"
+#include "contact/particle_face.hpp"
+#include "core/step_vote.hpp"
+
+namespace brunt {
+
+/// One contact that carries force now: a common plane, or a particle on a face. The normal points
+/// from the lower side (the face of a particle contact, else the face with the smaller id) to the
+/// upper; node i gets weight_i (spring + damping) normal, weights of the lower side are negative.
+template <int Dim>
+struct ContactRecord {
+  static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
+  GlobalId first = 0, second = 0;  ///< key: lower and upper face, or particle and face
+  bool of_particle = false;
+  Label lower_body = 0, upper_body = 0;
+  Vec<Dim> normal;
+  Vec<Dim> point;        ///< [m]
+  Real spring = 0;       ///< [N] along normal on the upper side
+  Real damping = 0;      ///< [N]
+  Real area = 0;         ///< [m^2]
+  Real penetration = 0;  ///< [m]
+  int n_nodes = 0;
+  std::array<LocalIndex, kNodes> node{};
+  std::array<Real, kNodes> weight{};
+
+  void add(LocalIndex at, Real w) {
+    node[static_cast<std::size_t>(n_nodes)] = at;
+    weight[static_cast<std::size_t>(n_nodes++)] = w;
+  }
+};
+
+/// The records of an evaluation, by the contiguous parts in which the threads found them: reading
+/// part after part is reading in key order, whatever the number of parts.
+template <int Dim>
+class Records {
+ public:
+  struct Part {
+    std::vector<ContactRecord<Dim>> face_on_face, particle_on_face;
+    std::vector<ParticleHit<Dim>> hits;  ///< room to work
+    StepVote vote;
+  };
+  void clear();
+  /// Cuts 0 .. n in parts by thread and runs work(first, last, part) on each.
+  template <class Work>
+  void for_parts(std::size_t n, std::size_t worth_threads, const Work& work);
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    for (const auto& part : parts_) {
+      for (const auto& record : part.face_on_face) visit(record);
+    }
+    for (const auto& part : parts_) {
+      for (const auto& record : part.particle_on_face) visit(record);
+    }
+  }
+  std::size_t size() const;
+  StepVote vote() const;
+
+ private:
+  std::vector<Part> parts_;
+};
+
+/// Sums the forces of all records at each node in key order, books -1/2 (f(n) + f(n+1)) . dt v of
+/// the spring and the damper to the node, and adds the forces to the points of the groups.
+template <int Dim>
+void apply(const Records<Dim>& records, Real dt, const std::vector<Surface<Dim>*>& surfaces,
+           ContactNodes<Dim>& nodes);
+
+}  // namespace brunt
+
+#include <omp.h>
+
+namespace brunt {
+
+template <int Dim>
+template <class Work>
+void Records<Dim>::for_parts(std::size_t n, std::size_t worth_threads, const Work& work) {
+  const auto most = static_cast<std::size_t>(omp_get_max_threads());
+  if (parts_.size() < most) parts_.resize(most);
+#pragma omp parallel if (n > worth_threads)
+  {
+    const auto count = static_cast<std::size_t>(omp_get_num_threads());
+    const auto k = static_cast<std::size_t>(omp_get_thread_num());
+    work(n * k / count, n * (k + 1) / count, parts_[k]);
+  }
+}
+
+}  // namespace brunt

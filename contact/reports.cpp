@@ -1,0 +1,112 @@
+/// What the manager shows: sums by pair of bodies, and the contacts of one instant.
+#include <algorithm>
+#include <map>
+
+#include "contact/implementation.hpp"
+#include "core/exact_sum.hpp"
+
+namespace brunt {
+
+namespace {
+struct PairSums {
+  std::array<ExactSum, 3> force;  // [N]
+  ExactSum area;                  // [m^2]
+  Real max_penetration = 0;       // [m]
+  std::int64_t planes = 0;
+};
+
+template <int Dim>
+void append(std::vector<Real>& values, const Vec<Dim>& v) {
+  for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? v[c] : 0.0);
+}
+
+template <int Dim>
+std::size_t face_with(const Entities<Dim>& entities, GlobalId id) {
+  const auto it = std::lower_bound(
+      entities.faces.begin(), entities.faces.end(), id,
+      [](const ContactFace<Dim>& face, GlobalId wanted) { return face.id < wanted; });
+  return static_cast<std::size_t>(it - entities.faces.begin());
+}
+
+/// Corners of the polygon under a record: of the one common plane of its faces with its point.
+template <int Dim>
+void append_polygon(const Entities<Dim>& entities, const Section& section,
+                    const ContactRecord<Dim>& record, ContactView& view) {
+  const auto lower = face_with(entities, record.first), upper = face_with(entities, record.second);
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes);
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.point != record.point) continue;
+    for (int c = 0; c < plane.polygon.size; ++c) {
+      const Vec<2>& p = plane.polygon[c];
+      append<Dim>(view.position, plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2);
+    }
+    view.polygon_size.push_back(plane.polygon.size);
+    return;
+  }
+  append<Dim>(view.position, record.point);
+  view.polygon_size.push_back(1);
+}
+}  // namespace
+
+template <int Dim>
+std::vector<PairReport> ContactManager<Dim>::reports() const {
+  const auto& own = *implementation_;
+  std::map<std::pair<Label, Label>, PairSums> sums;
+  own.records.visit([&](const ContactRecord<Dim>& record) {
+    const Label first = std::min(record.lower_body, record.upper_body);
+    const Label second = std::max(record.lower_body, record.upper_body);
+    auto& sum = sums[{first, second}];
+    // A body exerts no force on itself as a whole.
+    const Real sign = first == second ? 0.0 : (record.upper_body == first ? 1.0 : -1.0);
+    for (int c = 0; c < Dim; ++c) {
+      sum.force[static_cast<std::size_t>(c)].add(sign * (record.spring + record.damping) *
+                                                 record.normal[c]);
+    }
+    sum.area.add(record.area);
+    sum.max_penetration = std::max(sum.max_penetration, record.penetration);
+    ++sum.planes;
+  });
+  std::vector<PairReport> reports;
+  for (std::size_t p = 0; p < own.pairs.pairs().size(); ++p) {
+    auto& report = reports.emplace_back();
+    report.name = own.pairs.names()[p];
+    const auto it = sums.find(own.pairs.pairs()[p]);
+    if (it == sums.end()) continue;
+    for (std::size_t c = 0; c < 3; ++c) report.force[c] = it->second.force[c].value();
+    report.area = it->second.area.value();
+    report.max_penetration = it->second.max_penetration;
+    report.planes = it->second.planes;
+  }
+  return reports;
+}
+
+template <int Dim>
+ContactView ContactManager<Dim>::view() const {
+  const auto& own = *implementation_;
+  ContactView view;
+  own.records.visit([&](const ContactRecord<Dim>& record) {
+    if (record.of_particle) {
+      append<Dim>(view.position, record.point);
+      view.polygon_size.push_back(1);
+    } else {
+      append_polygon(own.entities, own.section, record, view);
+    }
+    const Real force = record.spring + record.damping;
+    append<Dim>(view.normal, record.normal);
+    append<Dim>(view.force, force * record.normal);
+    view.pressure.push_back(force / record.area);
+    view.penetration.push_back(record.penetration);
+    view.body_a.push_back(record.lower_body);
+    view.body_b.push_back(record.upper_body);
+  });
+  return view;
+}
+
+template std::vector<PairReport> ContactManager<2>::reports() const;
+template std::vector<PairReport> ContactManager<3>::reports() const;
+template ContactView ContactManager<2>::view() const;
+template ContactView ContactManager<3>::view() const;
+
+}  // namespace brunt

@@ -1,0 +1,112 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/materials/material.hpp"
+#include "core/points.hpp"
+#include "core/step_vote.hpp"
+#include "fe/options.hpp"
+#include "fe/shape.hpp"
+
+namespace brunt {
+
+/// Elements of one formulation and one law, over all bodies: what the scene hands in.
+template <int Dim>
+struct ElementSet {
+  std::vector<std::array<LocalIndex, Shape<Dim>::kCorners>> corners;  ///< nodes of each element
+  std::vector<GlobalId> id;  ///< ascending, unique in the scene, below 2^61
+  std::vector<Label> body;
+  std::vector<Label> piece;
+  const Material* material = nullptr;
+  ElementOptions options;
+  Real temperature = 293.15;  ///< [K] at time 0
+  bool adiabatic = false;     ///< plastic work heats the element at once
+};
+
+/// What the out-of-plane direction adds: an element of area A about radius r fills A (c + s r).
+/// 3d: (1, 0); plane strain: (depth [m], 0); axisymmetric: (0, 2 pi).
+struct Thickness {
+  Real constant = 1;
+  Real radial = 0;
+};
+Thickness thickness_of(Geometry geometry, Real depth);
+
+/// Nodes on the axis of an axisymmetric scene, ascending: radius below 1e-12 of the largest. They
+/// stay there: no radial force acts on them.
+template <int Dim>
+std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& thickness);
+
+/// The elements of one set with their state, padded to whole tiles of kTile material points by
+/// repeating the last element. Point g of element e stands at (e/4) 4G + 4 g + e mod 4, so that
+/// four elements fill a Pack and a tile holds kTile/G elements, G the points of an element.
+template <int Dim>
+struct ElementBlock {
+  static constexpr int kCorners = Shape<Dim>::kCorners;
+  static constexpr int kHourglassValues = Shape<Dim>::kHourglass * Dim;
+
+  const Material* material = nullptr;
+  ElementOptions options;  ///< hourglass resolved: never automatic
+  int gauss = 1;           ///< material points of an element
+  bool adiabatic = false;
+  Real temperature = 0;  ///< [K] what the law sees where heat is off
+  LocalIndex n = 0;      ///< elements
+  LocalIndex n_padded = 0;
+  std::size_t first_corner = 0;        ///< of this block in the buffer of corner forces
+  std::vector<LocalIndex> corner;      ///< node of each corner, n_padded x kCorners
+  std::vector<GlobalId> id;            ///< n_padded
+  std::vector<Label> body, piece;      ///< n_padded
+  MaterialState state;                 ///< n_padded x gauss points
+  std::vector<Real> reference_volume;  ///< [m^3] of each material point at time 0
+  std::vector<Real> element_volume;    ///< [m^3] of each element at time 0
+  std::vector<Real> reference_size;    ///< [m] volume^(1/3), area^(1/2) in 2D, at time 0
+  std::vector<Real> mass;              ///< [kg] of each element
+  std::vector<Real> hourglass;  ///< [N] generalised forces Q at n, kHourglassValues x n_padded
+  std::vector<Real> viscous_pressure;  ///< [Pa] bulk viscosity q at n
+  std::vector<Real> stress_work;       ///< [J] of each element since time 0
+  std::vector<Real> hourglass_work;    ///< [J]
+  std::vector<Real> viscous_work;      ///< [J]
+  std::vector<Real> stable_step;       ///< [s] bound of each element
+
+  int elements_per_tile() const { return kTile / gauss; }
+  int n_tiles() const { return n_padded / elements_per_tile(); }
+  std::size_t point(LocalIndex e, int g) const {
+    return static_cast<std::size_t>(e / kLanes) * kLanes * gauss + kLanes * g + e % kLanes;
+  }
+};
+
+/// Builds the state of a set at the positions of its points; forces are zero.
+/// Throws PhysicsError where an element has no positive volume.
+template <int Dim>
+ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
+                             const Thickness& thickness);
+
+/// Mass [kg] that each corner of each element carries, n x kCorners: equal shares, and in
+/// axisymmetry with several Gauss points the row sums rho int N_I dV, with which alone a plane wave
+/// along the axis stays plane.
+template <int Dim>
+std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim>& points,
+                                const Thickness& thickness);
+
+/// Volumes [m^3] of the Gauss points of one element at positions x; they sum to its exact volume.
+template <int Dim>
+std::array<Real, Shape<Dim>::kGauss> gauss_volumes(
+    const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x, const Thickness& thickness);
+
+/// Volume [m^3] as the element's formulation measures it: axisymmetric one-point elements take
+/// 2 pi times area times mean radius, of which their forces are the derivative.
+template <int Dim>
+Real element_volume(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x, bool one_point,
+                    const Thickness& thickness);
+
+template <int Dim>
+std::array<Vec<Dim>, Shape<Dim>::kCorners> corner_positions(const ElementBlock<Dim>& block,
+                                                            LocalIndex element,
+                                                            const Points<Dim>& points) {
+  std::array<Vec<Dim>, Shape<Dim>::kCorners> x;
+  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+    x[I] = points.x[block.corner[static_cast<std::size_t>(element) * Shape<Dim>::kCorners + I]];
+  }
+  return x;
+}
+
+}  // namespace brunt

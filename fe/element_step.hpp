@@ -1,0 +1,194 @@
+#pragma once
+/// What the kernels of all formulations share: the arguments of a step, moving nodal values in and
+/// corner forces out, and the bound on the time step.
+#include "fe/element_block.hpp"
+#include "fe/gradient.hpp"
+
+namespace brunt {
+
+/// One step for the kernels. Positions are x(n+1), velocities v(n+1/2).
+template <int Dim>
+struct ElementStep {
+  const Vec<Dim>* x = nullptr;  ///< [m] by node
+  const Vec<Dim>* v = nullptr;  ///< [m/s] by node
+  Thickness thickness;
+  Real dt = 0;                   ///< [s]
+  Real* corner_force = nullptr;  ///< [N] forces on the corners, [element][corner][Dim], written
+};
+
+/// Advances the elements of one tile: stress, state, energies, stable step, corner forces.
+template <int Dim>
+void advance_one_point(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step);
+/// The same for q1p0 and full integration.
+template <int Dim>
+void advance_gauss(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step);
+/// Sets the stable steps of one tile from x, v and the state as they are.
+template <int Dim>
+void refresh_stable_steps(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step);
+
+/// Values of a nodal field at the corners of four elements.
+template <int Dim>
+BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field,
+                         Pack (&node)[Shape<Dim>::kCorners][Dim]) {
+  constexpr int n = Shape<Dim>::kCorners;
+  for (int I = 0; I < n; ++I) {
+    const Real* a = field[corner[I]].data();
+    const Real* b = field[corner[n + I]].data();
+    const Real* c = field[corner[2 * n + I]].data();
+    const Real* d = field[corner[3 * n + I]].data();
+    for (int i = 0; i < Dim; ++i) node[I][i] = Pack{a[i], b[i], c[i], d[i]};
+  }
+}
+
+/// Writes the corner values of four elements, element by element.
+template <int Dim>
+BRUNT_INLINE void scatter(const Pack (&node)[Shape<Dim>::kCorners][Dim], Real* out) {
+  constexpr int n = Shape<Dim>::kCorners * Dim;
+  const Pack* row = &node[0][0];
+  for (int k = 0; k < n; k += 4) {
+    const Pack ab0 = __builtin_shufflevector(row[k], row[k + 1], 0, 4, 2, 6);
+    const Pack ab1 = __builtin_shufflevector(row[k], row[k + 1], 1, 5, 3, 7);
+    const Pack cd0 = __builtin_shufflevector(row[k + 2], row[k + 3], 0, 4, 2, 6);
+    const Pack cd1 = __builtin_shufflevector(row[k + 2], row[k + 3], 1, 5, 3, 7);
+    store(out + k, __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5));
+    store(out + n + k, __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5));
+    store(out + 2 * n + k, __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7));
+    store(out + 3 * n + k, __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7));
+  }
+}
+
+/// Components of a symmetric tensor that are not zero by symmetry of the geometry.
+template <int Dim>
+inline constexpr int kTensorSize = Dim == 3 ? 6 : 4;
+
+template <int Dim>
+BRUNT_INLINE void load_tensor(const std::array<std::vector<Real>, 6>& from, std::size_t at,
+                              Pack (&s)[6]) {
+  for (int k = 0; k < kTensorSize<Dim>; ++k) s[k] = load(from[k].data() + at);
+  for (int k = kTensorSize<Dim>; k < 6; ++k) s[k] = broadcast<Pack>(0);
+}
+
+/// Largest eigenvalue of a symmetric positive matrix, from above to round-off (1e-8 at a double
+/// root). 3 x 3: mean + r y, y^3 - 3 y = det(deviator)/r^3 by Newton steps, which come down from
+/// above.
+template <class V>
+BRUNT_INLINE V largest_eigenvalue(const V (&g)[3][3]) {
+  const V mean = (1.0 / 3) * (g[0][0] + g[1][1] + g[2][2]);
+  const V a = g[0][0] - mean, b = g[1][1] - mean, c = g[2][2] - mean;
+  const V d2 = g[0][1] * g[0][1], e2 = g[1][2] * g[1][2], f2 = g[2][0] * g[2][0];
+  const V r2 = (1.0 / 6) * (a * a + b * b + c * c + 2.0 * (d2 + e2 + f2));
+  const V r = vsqrt(r2);
+  const V determinant = a * (b * c - e2) - c * d2 - b * f2 + 2.0 * (g[0][1] * g[1][2] * g[2][0]);
+  const auto isotropic = r2 <= 1e-20 * (mean * mean);
+  const V two = broadcast<V>(2);
+  const V cubic = select(isotropic, two, determinant / select(isotropic, two, r2 * r));
+  const V target = vmin(vmax(cubic, -two), two);
+  V y = 1.0001 + 0.5 * vsqrt(target + 2.0);
+  for (int k = 0; k < 3; ++k) y = y - (y * (y * y - 3.0) - target) / (3.0 * (y * y - 1.0));
+  return mean + r * y;
+}
+template <class V>
+BRUNT_INLINE V largest_eigenvalue(const V (&g)[2][2]) {
+  const V mean = 0.5 * (g[0][0] + g[1][1]), half = 0.5 * (g[0][0] - g[1][1]);
+  return mean + vsqrt(half * half + g[0][1] * g[0][1]);
+}
+
+/// Size of the gradient operator: trace and largest eigenvalue of sum_I B_iI B_jI / V^2, and the
+/// square of the hoop gradient of an axisymmetric element [1/m^2].
+template <class V>
+struct OperatorNorm {
+  V trace, largest, hoop;
+  /// Smallest height of the element [m]: the shortest edge of a box.
+  template <int Dim>
+  V height() const {
+    return vsqrt((Dim == 3 ? 0.5 : 1.0) / largest);
+  }
+};
+template <int Dim, class V>
+BRUNT_INLINE OperatorNorm<V> operator_norm(const V (&E)[Shape<Dim>::kActive][Dim], V measure,
+                                           V hoop_gradient) {
+  constexpr Real corners = Shape<Dim>::kCorners;
+  const V scale = corners / (measure * measure);
+  V g[Dim][Dim];
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = i; j < Dim; ++j) {
+      V sum = E[0][i] * E[0][j];
+      for (int m = 1; m < Shape<Dim>::kActive; ++m) sum += E[m][i] * E[m][j];
+      g[i][j] = g[j][i] = scale * sum;
+    }
+  }
+  return {trace(g), largest_eigenvalue(g), hoop_gradient * hoop_gradient};
+}
+
+/// Bulk viscosity q = rho l (Q2 l D^2 - Q1 c D) for D < 0, else 0 [Pa]   von Neumann & Richtmyer.
+template <class V>
+BRUNT_INLINE V bulk_viscosity(const BulkViscosity& option, V rho, V height, V c, V rate) {
+  const V D = vmin(rate, broadcast<V>(0));
+  return rho * height * D * (option.quadratic * height * D - option.linear * c);
+}
+
+/// Stable step [s]: 2/omega, omega^2 = (corners/rho) (lambda (tr + hoop) + 2 mu max(g_max, hoop)),
+/// times sqrt(1 + Q^2) - Q with Q = Q1 + Q2 l |D|/c in compression and in tension alike, so that
+/// the step does not follow the signs of round-off.
+template <int Dim, class V>
+BRUNT_INLINE V stable_step(const BulkViscosity& option, const OperatorNorm<V>& norm, V rho, V bulk,
+                           Real shear, V rate) {
+  constexpr Real corners = Shape<Dim>::kCorners;
+  const V lambda = vmax(bulk - (2.0 / 3) * shear, broadcast<V>(0));
+  const V stiffness =
+      lambda * (norm.trace + norm.hoop) + 2.0 * shear * vmax(norm.largest, norm.hoop);
+  const V c = vsqrt((bulk + (4.0 / 3) * shear) / rho);
+  const V Q = option.linear + option.quadratic * norm.template height<Dim>() * vabs(rate) / c;
+  return 2.0 * vsqrt(rho / (corners * stiffness)) * (vsqrt(1.0 + Q * Q) - Q);
+}
+
+/// Stores the stable steps of the four elements from e on. Viscous hourglass control damps its
+/// modes at the rate 2 Q c V^(2/3) corners/V, explicit in time: the step is at most 1.6 over it,
+/// the true limit 2 being for undistorted elements.
+template <int Dim>
+BRUNT_INLINE void store_stable_step(ElementBlock<Dim>& block, std::size_t e,
+                                    const OperatorNorm<Pack>& norm, Pack rho, Pack bulk,
+                                    Pack rate) {
+  const Real shear = block.material->shear;
+  Pack dt = stable_step<Dim>(block.options.bulk_viscosity, norm, rho, bulk, shear, rate);
+  const auto* viscous = std::get_if<ViscousHourglass>(&block.options.hourglass);
+  if (block.gauss == 1 && viscous != nullptr) {
+    constexpr Real corners = Shape<Dim>::kCorners;
+    const Pack c = vsqrt((bulk + (4.0 / 3) * shear) / rho);
+    const Pack size = load(block.reference_size.data() + e);
+    dt = vmin(dt, (0.8 / corners) * size / (viscous->coefficient * c));
+  }
+  store(block.stable_step.data() + e, dt);
+}
+
+BRUNT_INLINE void add_half(std::vector<Real>& total, std::size_t e, Pack work) {
+  store(total.data() + e, load(total.data() + e) + 0.5 * work);
+}
+
+/// Strain increment of four points from the gradient of displacement L at mid-step.
+template <int Dim>
+BRUNT_INLINE void store_strain(const Pack (&L)[Dim][Dim], Pack hoop, int at, MaterialTile& tile) {
+  store(tile.strain[xx] + at, L[0][0]);
+  store(tile.strain[yy] + at, L[1][1]);
+  store(tile.strain[xy] + at, 0.5 * (L[0][1] + L[1][0]));
+  if constexpr (Dim == 3) {
+    store(tile.strain[zz] + at, L[2][2]);
+    store(tile.strain[yz] + at, 0.5 * (L[1][2] + L[2][1]));
+    store(tile.strain[zx] + at, 0.5 * (L[2][0] + L[0][2]));
+  } else {
+    store(tile.strain[zz] + at, hoop);
+    store(tile.strain[yz] + at, broadcast<Pack>(0));
+    store(tile.strain[zx] + at, broadcast<Pack>(0));
+  }
+}
+
+template <int Dim>
+void open_tile(ElementBlock<Dim>& block, int index, MaterialTile& tile) {
+  tile.state = &block.state;
+  tile.first = static_cast<std::size_t>(index) * kTile;
+  tile.count = kTile;
+  tile.fixed_temperature = block.temperature;
+  tile.adiabatic = block.adiabatic;
+}
+
+}  // namespace brunt

@@ -1,0 +1,205 @@
+#include "fe/finite_elements.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "fe/outer_facets.hpp"
+
+namespace brunt {
+namespace {
+
+[[maybe_unused]] constexpr int kWorthThreads = 32;  // tiles; of some 5 us each
+
+template <int Dim>
+void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather& gather,
+                const Thickness& thickness, std::size_t n_corners, Points<Dim>& points) {
+  std::vector<Real> share(n_corners, 0.0);
+  for (const auto& block : blocks) {
+    const std::vector<Real> mass = corner_masses(block, points, thickness);
+    std::copy(mass.begin(), mass.end(),
+              share.begin() + static_cast<std::ptrdiff_t>(block.first_corner));
+  }
+  std::vector<Vec<1>> sum(points.x.size(), Vec<1>::Zero());
+  gather.add<1>(share.data(), sum);
+  points.mass.resize(sum.size());
+  for (std::size_t k = 0; k < sum.size(); ++k) points.mass[k] = sum[k][0];
+}
+
+/// Bits of the state of one element.
+template <int Dim>
+std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
+  std::uint64_t hash = mix(std::uint64_t{0}, block.id[e]);
+  const MaterialState& state = block.state;
+  for (int g = 0; g < block.gauss; ++g) {
+    const std::size_t k = block.point(e, g);
+    for (const auto& component : state.deviator) hash = mix(hash, component[k]);
+    hash = mix(hash, state.pressure[k]);
+    for (const auto* field : {&state.eps_p, &state.temperature, &state.energy}) {
+      if (!field->empty()) hash = mix(hash, (*field)[k]);
+    }
+  }
+  for (std::size_t k = static_cast<std::size_t>(e); k < block.hourglass.size();
+       k += static_cast<std::size_t>(block.n_padded)) {
+    hash = mix(hash, block.hourglass[k]);
+  }
+  return mix(hash, block.viscous_pressure[e]);
+}
+
+/// Plastic work of one element that has become heat [J].
+template <int Dim>
+Real plastic_heat(const ElementBlock<Dim>& block, LocalIndex e) {
+  if (block.state.heat.empty()) return 0;
+  Real sum = 0;
+  for (int g = 0; g < block.gauss; ++g) {
+    const std::size_t k = block.point(e, g);
+    sum += block.reference_volume[k] * block.state.heat[k];
+  }
+  return sum;
+}
+
+/// What is wrong with an element; entity is empty where nothing is.
+template <int Dim>
+PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
+                               const Points<Dim>& points, const Thickness& thickness) {
+  const std::string name = "element " + std::to_string(block.id[e]);
+  const auto x = corner_positions(block, e, points);
+  const Real volume = element_volume<Dim>(x, block.gauss == 1, thickness);
+  Real least = volume;
+  if (block.gauss > 1) {
+    for (const Real part : gauss_volumes<Dim>(x, thickness)) {
+      if (!(part > least)) least = part;
+    }
+  }
+  if (!(least > 0)) {
+    return {
+        0,      "",
+        name,   "volume",
+        volume, "the element is inverted: refine the mesh, use q1p0, erode, or reduce the step"};
+  }
+  Real sum = block.viscous_pressure[e];
+  for (int g = 0; g < block.gauss; ++g) {
+    const std::size_t k = block.point(e, g);
+    sum += block.state.pressure[k];
+    for (const auto& component : block.state.deviator) sum += component[k];
+  }
+  if (!std::isfinite(sum)) {
+    return {0, "", name, "stress", sum, "the stress is not a number: the step may be too long"};
+  }
+  return {};
+}
+
+}  // namespace
+
+template <int Dim>
+FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<ElementSet<Dim>>& sets,
+                                    Geometry geometry, Real depth)
+    : points_(std::move(points)), thickness_(thickness_of(geometry, depth)) {
+  std::size_t corners = 0;
+  for (const ElementSet<Dim>& set : sets) {
+    if (set.id.empty()) continue;
+    blocks_.push_back(make_block(set, points_, thickness_));
+    blocks_.back().first_corner = corners;
+    corners += blocks_.back().id.size() * Shape<Dim>::kCorners;
+  }
+  corner_force_.assign(corners * Dim, 0.0);
+  gather_ = make_corner_gather(blocks_, points_.size());
+  set_masses(blocks_, gather_, thickness_, corners, points_);
+  points_.x_start = points_.x;
+  axis_ = axis_nodes(points_, thickness_);
+  surface_.points = &points_;
+  surface_.facets = outer_facets(blocks_, points_, axis_);
+  for (auto& block : blocks_) {
+    const ElementStep<Dim> step = element_step(block, 1.0);
+    for (int t = 0; t < block.n_tiles(); ++t) refresh_stable_steps(block, t, step);
+  }
+}
+
+template <int Dim>
+ElementStep<Dim> FiniteElements<Dim>::element_step(const ElementBlock<Dim>& block, Real dt) {
+  return {points_.x.data(), points_.v.data(), thickness_, dt,
+          corner_force_.data() + block.first_corner * Dim};
+}
+
+template <int Dim>
+void FiniteElements<Dim>::add_internal_forces(Real dt) {
+  for (auto& block : blocks_) {
+    const ElementStep<Dim> step = element_step(block, dt);
+    const int n = block.n_tiles();
+#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+    for (int t = 0; t < n; ++t) {
+      if (block.gauss == 1) {
+        advance_one_point(block, t, step);
+      } else {
+        advance_gauss(block, t, step);
+      }
+    }
+  }
+  gather_.template add<Dim>(corner_force_.data(), points_.f);
+  for (const LocalIndex node : axis_) points_.f[node][0] = 0;
+}
+
+template <int Dim>
+StepVote FiniteElements<Dim>::stable_step() const {
+  StepVote best;
+  for (const auto& block : blocks_) {
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      if (block.stable_step[e] > best.step) continue;
+      best.take({block.stable_step[e], "element", block.body[e], block.id[e]});
+    }
+  }
+  return best;
+}
+
+template <int Dim>
+void FiniteElements<Dim>::add_totals(Totals<Dim>& totals) const {
+  for (const auto& block : blocks_) {
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      const Real heat = plastic_heat(block, e);
+      totals.add(Column::internal, block.stress_work[e]);
+      totals.add(Column::internal, -heat);
+      totals.add(Column::plastic_heat, heat);
+      totals.add(Column::hourglass, block.hourglass_work[e]);
+      totals.add(Column::viscosity, block.viscous_work[e]);
+      totals.state_hash += element_hash(block, e);
+      if (block.body[e] >= totals.bodies.size()) continue;
+      BodySums<Dim>& body = totals.bodies[block.body[e]];
+      body.internal.add(block.stress_work[e]);
+      body.internal.add(-heat);
+      body.hourglass.add(block.hourglass_work[e]);
+      body.heat.add(heat);
+    }
+  }
+}
+
+template <int Dim>
+void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_names) const {
+  const ElementBlock<Dim>* where = nullptr;
+  LocalIndex element = 0;
+  for (const auto& block : blocks_) {
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      if (where != nullptr && where->id[element] < block.id[e]) continue;
+      if (element_failure(block, e, points_, thickness_).entity.empty()) continue;
+      where = &block;
+      element = e;
+    }
+  }
+  if (where == nullptr) return;
+  PhysicsFailure failure = element_failure(*where, element, points_, thickness_);
+  failure.time = time;
+  const Label body = where->body[element];
+  if (body < body_names.size()) failure.body = body_names[body];
+  throw PhysicsError(failure);
+}
+
+template <int Dim>
+std::size_t FiniteElements<Dim>::n_elements() const {
+  std::size_t n = 0;
+  for (const auto& block : blocks_) n += static_cast<std::size_t>(block.n);
+  return n;
+}
+
+template class FiniteElements<2>;
+template class FiniteElements<3>;
+
+}  // namespace brunt

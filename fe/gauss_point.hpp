@@ -1,0 +1,100 @@
+#pragma once
+/// Geometry and displacement gradient at the Gauss points of four elements.
+#include "fe/element_block.hpp"
+#include "fe/gradient.hpp"
+
+namespace brunt {
+
+template <int Dim>
+inline constexpr int kGauss = Shape<Dim>::kGauss;
+
+/// Slopes [g][mode][j] and values [g][mode] of the modes at the Gauss points.
+template <int Dim>
+struct GaussTable {
+  std::array<std::array<Real, Dim>, Shape<Dim>::kModes - 1> slope[kGauss<Dim>];
+  std::array<Real, Shape<Dim>::kModes> value[kGauss<Dim>];
+};
+template <int Dim>
+constexpr GaussTable<Dim> make_table() {
+  GaussTable<Dim> table{};
+  for (int g = 0; g < kGauss<Dim>; ++g) {
+    table.slope[g] = Shape<Dim>::mode_slopes(gauss_place<Dim>(g));
+    table.value[g] = Shape<Dim>::mode_values(gauss_place<Dim>(g));
+  }
+  return table;
+}
+template <int Dim>
+inline constexpr GaussTable<Dim> kGaussTable = make_table<Dim>();
+
+BRUNT_INLINE void cofactors(const Pack (&J)[3][3], Pack (&cof)[3][3]) {
+  for (int i = 0; i < 3; ++i) {
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    set_cross(J[a], J[b], cof[i]);
+  }
+}
+BRUNT_INLINE void cofactors(const Pack (&J)[2][2], Pack (&cof)[2][2]) {
+  cof[0][0] = J[1][1], cof[1][1] = J[0][0];
+  cof[0][1] = -J[1][0], cof[1][0] = -J[0][1];
+}
+
+/// sum_m c_m (x) d phi_m/d xi at Gauss point g.
+template <int Dim>
+BRUNT_INLINE void slopes(const Modal<Dim, Pack>& c, int g, Pack (&J)[Dim][Dim]) {
+  const auto& slope = kGaussTable<Dim>.slope[g];
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) {
+      J[i][j] = c.m[j][i];
+      for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) J[i][j] += slope[m][j] * c.m[m][i];
+    }
+  }
+}
+
+/// One Gauss point at one configuration; volumes are those of its share of the element.
+template <int Dim>
+struct GaussPoint {
+  Pack cof[Dim][Dim];  ///< determinant times inverse transpose of dx/dxi
+  Pack determinant;
+  Pack thickness;    ///< [m] depth or 2 pi r; 1 in 3D
+  Pack G[Dim][Dim];  ///< [m^Dim] determinant times gradient of the displacement of the step
+  Pack hoop;         ///< [m] thickness times hoop strain
+
+  Pack volume() const { return Dim == 3 ? determinant : determinant * thickness; }
+  Pack dilatation() const {
+    if constexpr (Dim == 3) return trace(G);
+    return thickness * trace(G) + determinant * hoop;
+  }
+  /// Work of the stress s on the displacement of the step [J].
+  Pack work(const Pack (&s)[6]) const {
+    if constexpr (Dim == 3) return double_dot(s, G);
+    return thickness * double_dot(s, G) + determinant * s[zz] * hoop;
+  }
+};
+
+template <int Dim>
+BRUNT_INLINE void evaluate(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u,
+                           const Thickness& option, int g, GaussPoint<Dim>& at) {
+  Pack J[Dim][Dim], A[Dim][Dim];
+  slopes(c, g, J);
+  slopes(u, g, A);
+  cofactors(J, at.cof);
+  at.determinant = J[0][0] * at.cof[0][0];
+  for (int j = 1; j < Dim; ++j) at.determinant += J[0][j] * at.cof[0][j];
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) {
+      at.G[i][j] = A[i][0] * at.cof[j][0];
+      for (int k = 1; k < Dim; ++k) at.G[i][j] += A[i][k] * at.cof[j][k];
+    }
+  }
+  if constexpr (Dim == 2) {
+    const auto& value = kGaussTable<Dim>.value[g];
+    Pack r = c.m[3][0], u_r = u.m[3][0];
+    for (int m = 0; m < 3; ++m) {
+      r += value[m] * c.m[m][0];
+      u_r += value[m] * u.m[m][0];
+    }
+    at.thickness = option.constant + option.radial * r;
+    at.hoop = option.radial * u_r;
+  }
+}
+
+}  // namespace brunt

@@ -1,0 +1,116 @@
+#include "fe/outer_facets.hpp"
+
+#include <algorithm>
+
+namespace brunt {
+namespace {
+
+template <int Dim>
+struct Face {
+  std::array<LocalIndex, Shape<Dim>::kFaceNodes> sorted;  ///< the key: which nodes
+  LocalIndex block = 0, element = 0;
+  int number = 0;
+};
+
+template <int Dim>
+std::vector<Face<Dim>> all_faces(const std::vector<ElementBlock<Dim>>& blocks) {
+  std::vector<Face<Dim>> faces;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (LocalIndex e = 0; e < blocks[b].n; ++e) {
+      const LocalIndex* corner =
+          blocks[b].corner.data() + static_cast<std::size_t>(e) * Shape<Dim>::kCorners;
+      for (int k = 0; k < Shape<Dim>::kFaces; ++k) {
+        Face<Dim> face;
+        for (int i = 0; i < Shape<Dim>::kFaceNodes; ++i) {
+          face.sorted[i] = corner[Shape<Dim>::kFace[k][i]];
+        }
+        std::sort(face.sorted.begin(), face.sorted.end());
+        face.block = static_cast<LocalIndex>(b);
+        face.element = e;
+        face.number = k;
+        faces.push_back(face);
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const Face<Dim>& a, const Face<Dim>& b) { return a.sorted < b.sorted; });
+  return faces;
+}
+
+/// Area [m^2] of a quad by its diagonals; length [m] of an edge.
+Real face_area(const std::array<LocalIndex, 4>& node, const std::vector<Vec<3>>& x) {
+  return 0.5 * (x[node[2]] - x[node[0]]).cross(x[node[3]] - x[node[1]]).norm();
+}
+Real face_area(const std::array<LocalIndex, 2>& node, const std::vector<Vec<2>>& x) {
+  return (x[node[1]] - x[node[0]]).norm();
+}
+
+template <int Dim>
+Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
+                    const Points<Dim>& points) {
+  const LocalIndex e = face.element;
+  Facet<Dim> facet;
+  for (int i = 0; i < Shape<Dim>::kFaceNodes; ++i) {
+    facet.node[i] = block.corner[static_cast<std::size_t>(e) * Shape<Dim>::kCorners +
+                                 Shape<Dim>::kFace[face.number][i]];
+  }
+  facet.id = block.id[e] << 3 | static_cast<GlobalId>(face.number);
+  facet.body = block.body[e];
+  facet.piece = block.piece[e];
+  const Real size = element_volume<Dim>(corner_positions(block, e, points), true, Thickness{1, 0});
+  facet.depth = size / face_area(facet.node, points.x);
+  facet.stiffness = block.material->modulus() / facet.depth;
+  facet.areal_mass = 0.5 * block.material->density * facet.depth;
+  return facet;
+}
+
+/// An element between two outer faces is a plate one element thick: each face lets go at its
+/// middle, or a body that has come in from one side would be pushed out of the other.
+template <int Dim>
+void halve_plates(std::vector<Facet<Dim>>& facets) {
+  const auto opposite = [](GlobalId id) {
+    const auto number = static_cast<int>(id & 7);
+    const int other = Dim == 2     ? (number + 2) % 4
+                      : number < 2 ? 1 - number
+                                   : (number - 2 + 2) % 4 + 2;
+    return (id & ~GlobalId{7}) | static_cast<GlobalId>(other);
+  };
+  std::vector<GlobalId> ids;
+  for (const auto& facet : facets) ids.push_back(facet.id);
+  for (auto& facet : facets) {
+    if (std::binary_search(ids.begin(), ids.end(), opposite(facet.id))) facet.depth *= 0.5;
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& blocks,
+                                     const Points<Dim>& points,
+                                     const std::vector<LocalIndex>& axis) {
+  const std::vector<Face<Dim>> faces = all_faces(blocks);
+  std::vector<Facet<Dim>> facets;
+  for (std::size_t k = 0; k < faces.size();) {
+    std::size_t end = k + 1;
+    while (end < faces.size() && faces[end].sorted == faces[k].sorted) ++end;
+    const auto on_axis = [&axis](LocalIndex node) {
+      return std::binary_search(axis.begin(), axis.end(), node);
+    };
+    const bool inner = std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
+    if (end == k + 1 && !inner) {
+      facets.push_back(facet_of(blocks[faces[k].block], faces[k], points));
+    }
+    k = end;
+  }
+  std::sort(facets.begin(), facets.end(),
+            [](const Facet<Dim>& a, const Facet<Dim>& b) { return a.id < b.id; });
+  halve_plates<Dim>(facets);
+  return facets;
+}
+
+template std::vector<Facet<2>> outer_facets(const std::vector<ElementBlock<2>>&, const Points<2>&,
+                                            const std::vector<LocalIndex>&);
+template std::vector<Facet<3>> outer_facets(const std::vector<ElementBlock<3>>&, const Points<3>&,
+                                            const std::vector<LocalIndex>&);
+
+}  // namespace brunt

@@ -1,0 +1,201 @@
+#pragma once
+/// Hexahedra and quadrilaterals in modal coordinates. A field over an element is
+/// a(xi) = sum_m a_m phi_m(xi) with the modes (products of the local coordinates) listed below;
+/// nodal values are a_I = sum_m h_mI a_m with h_mI = +-1, so both ways are butterflies of
+/// additions. The exact gradient of the volume is B_jI = dV/dx_jI = sum_m h_mI E_jm, E_jm =
+/// dV/dc_jm / corners, with c the modal coordinates (Flanagan & Belytschko 1981, eq. 24, in other
+/// variables).
+#include <array>
+
+#include "core/simd.hpp"
+#include "core/types.hpp"
+
+namespace brunt {
+
+template <int Dim>
+struct Shape;
+
+/// Quadrilateral, corners counter-clockwise. Modes: xi, eta | xi eta | 1.
+template <>
+struct Shape<2> {
+  static constexpr int kCorners = 4;
+  static constexpr int kActive = 2;     ///< leading modes whose E does not vanish
+  static constexpr int kHourglass = 1;  ///< modes after the first Dim that are not constant
+  static constexpr int kModes = 4;      ///< all, the constant one last
+  static constexpr int kFaces = 4;
+  static constexpr int kFaceNodes = 2;
+  static constexpr int kGauss = 4;
+  /// Corners of each face such that its normal points outwards (see Facet).
+  static constexpr std::array<std::array<int, 2>, 4> kFace = {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
+  static constexpr Real kSign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+
+  static constexpr std::array<Real, 4> mode_values(const std::array<Real, 2>& at) {
+    return {at[0], at[1], at[0] * at[1], 1};
+  }
+  /// d phi_m / d xi_j at a local place, [mode][j]; the constant mode is left out.
+  static constexpr std::array<std::array<Real, 2>, 3> mode_slopes(const std::array<Real, 2>& at) {
+    return {{{1, 0}, {0, 1}, {at[1], at[0]}}};
+  }
+};
+
+/// Hexahedron, corners of the bottom counter-clockwise seen from above, then those of the top.
+/// Modes: xi, eta, zeta | eta zeta, zeta xi, xi eta, xi eta zeta | 1.
+template <>
+struct Shape<3> {
+  static constexpr int kCorners = 8;
+  static constexpr int kActive = 6;
+  static constexpr int kHourglass = 4;
+  static constexpr int kModes = 8;
+  static constexpr int kFaces = 6;
+  static constexpr int kFaceNodes = 4;
+  static constexpr int kGauss = 8;
+  static constexpr std::array<std::array<int, 4>, 6> kFace = {
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  static constexpr Real kSign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                       {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+
+  static constexpr std::array<Real, 8> mode_values(const std::array<Real, 3>& at) {
+    const Real x = at[0], y = at[1], z = at[2];
+    return {x, y, z, y * z, z * x, x * y, x * y * z, 1};
+  }
+  static constexpr std::array<std::array<Real, 3>, 7> mode_slopes(const std::array<Real, 3>& at) {
+    const Real x = at[0], y = at[1], z = at[2];
+    return {
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, z, y}, {z, 0, x}, {y, x, 0}, {y * z, z * x, x * y}}};
+  }
+};
+
+/// The places of the 2^Dim Gauss points, in the order of the corners; their weights are 1.
+template <int Dim>
+constexpr std::array<Real, Dim> gauss_place(int g) {
+  constexpr Real kAbscissa = 0.57735026918962576451;
+  std::array<Real, Dim> at{};
+  for (int j = 0; j < Dim; ++j) at[j] = kAbscissa * Shape<Dim>::kSign[g][j];
+  return at;
+}
+
+/// Modal coordinates of a vector field.
+template <int Dim, class V>
+struct Modal {
+  V m[Shape<Dim>::kModes][Dim];
+};
+
+/// Component i of the modes from nodal values node[I][i].
+template <class V>
+BRUNT_INLINE void to_modes(const V (&node)[8][3], int i, Modal<3, V>& c) {
+  constexpr Real w = 0.125;
+  const V s0 = node[4][i] + node[0][i], s1 = node[5][i] + node[1][i];
+  const V s2 = node[6][i] + node[2][i], s3 = node[7][i] + node[3][i];
+  const V d0 = node[4][i] - node[0][i], d1 = node[5][i] - node[1][i];
+  const V d2 = node[6][i] - node[2][i], d3 = node[7][i] - node[3][i];
+  const V p = s2 - s0, q = s1 - s3, e = d2 - d0, g = d1 - d3;
+  c.m[0][i] = w * (p + q);
+  c.m[1][i] = w * (p - q);
+  c.m[2][i] = w * ((d0 + d2) + (d1 + d3));
+  c.m[3][i] = w * (e - g);
+  c.m[4][i] = w * (e + g);
+  c.m[5][i] = w * ((s0 + s2) - (s1 + s3));
+  c.m[6][i] = w * ((d0 + d2) - (d1 + d3));
+  c.m[7][i] = w * ((s0 + s2) + (s1 + s3));
+}
+template <class V>
+BRUNT_INLINE void to_modes(const V (&node)[4][2], int i, Modal<2, V>& c) {
+  constexpr Real w = 0.25;
+  const V p = node[2][i] - node[0][i], q = node[1][i] - node[3][i];
+  c.m[0][i] = w * (p + q);
+  c.m[1][i] = w * (p - q);
+  c.m[2][i] = w * ((node[0][i] + node[2][i]) - (node[1][i] + node[3][i]));
+  c.m[3][i] = w * ((node[0][i] + node[2][i]) + (node[1][i] + node[3][i]));
+}
+template <int Dim, class V>
+BRUNT_INLINE Modal<Dim, V> modes_of(const V (&node)[Shape<Dim>::kCorners][Dim]) {
+  Modal<Dim, V> c;
+  for (int i = 0; i < Dim; ++i) to_modes(node, i, c);
+  return c;
+}
+
+/// Component i of nodal values sum_m h_mI c_m.
+template <class V>
+BRUNT_INLINE void to_corners(const Modal<3, V>& c, int i, V (&node)[8][3]) {
+  const V xi = c.m[0][i], eta = c.m[1][i], zeta = c.m[2][i] + c.m[6][i];
+  const V zeta_less = c.m[2][i] - c.m[6][i];
+  const V plus = c.m[5][i] + c.m[7][i], minus = c.m[7][i] - c.m[5][i];
+  const V sum = xi + eta, difference = xi - eta;
+  const V s0 = plus - sum, s2 = plus + sum, s1 = minus + difference, s3 = minus - difference;
+  const V twist = c.m[3][i] + c.m[4][i], skew = c.m[4][i] - c.m[3][i];
+  const V d0 = zeta - twist, d2 = zeta + twist, d1 = zeta_less + skew, d3 = zeta_less - skew;
+  node[0][i] = s0 - d0, node[4][i] = s0 + d0;
+  node[1][i] = s1 - d1, node[5][i] = s1 + d1;
+  node[2][i] = s2 - d2, node[6][i] = s2 + d2;
+  node[3][i] = s3 - d3, node[7][i] = s3 + d3;
+}
+template <class V>
+BRUNT_INLINE void to_corners(const Modal<2, V>& c, int i, V (&node)[4][2]) {
+  const V sum = c.m[0][i] + c.m[1][i], difference = c.m[0][i] - c.m[1][i];
+  const V plus = c.m[3][i] + c.m[2][i], minus = c.m[3][i] - c.m[2][i];
+  node[0][i] = plus - sum, node[2][i] = plus + sum;
+  node[1][i] = minus + difference, node[3][i] = minus - difference;
+}
+
+template <class V>
+BRUNT_INLINE void add_cross(const V (&a)[3], const V (&b)[3], Real factor, V (&r)[3]) {
+  r[0] += factor * (a[1] * b[2] - a[2] * b[1]);
+  r[1] += factor * (a[2] * b[0] - a[0] * b[2]);
+  r[2] += factor * (a[0] * b[1] - a[1] * b[0]);
+}
+template <class V>
+BRUNT_INLINE void set_cross(const V (&a)[3], const V (&b)[3], V (&r)[3]) {
+  r[0] = a[1] * b[2] - a[2] * b[1];
+  r[1] = a[2] * b[0] - a[0] * b[2];
+  r[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/// E of a hexahedron [m^2]. V/8 = [L1 L2 L3] + ([L1 H3 H2] + [H3 L2 H1] + [H2 H1 L3])/3 with L the
+/// linear modes and H1, H2, H3 the modes eta zeta, zeta xi, xi eta.
+template <class V>
+BRUNT_INLINE void volume_gradient(const Modal<3, V>& c, V (&E)[6][3]) {
+  constexpr Real third = 1.0 / 3;
+  const auto& L1 = c.m[0];
+  const auto& L2 = c.m[1];
+  const auto& L3 = c.m[2];
+  const auto& H1 = c.m[3];
+  const auto& H2 = c.m[4];
+  const auto& H3 = c.m[5];
+  set_cross(L2, L3, E[0]), add_cross(H3, H2, third, E[0]);
+  set_cross(L3, L1, E[1]), add_cross(H1, H3, third, E[1]);
+  set_cross(L1, L2, E[2]), add_cross(H2, H1, third, E[2]);
+  set_cross(H3, L2, E[3]), add_cross(L3, H2, 1, E[3]);
+  set_cross(L1, H3, E[4]), add_cross(H1, L3, 1, E[4]);
+  set_cross(H2, L1, E[5]), add_cross(L2, H1, 1, E[5]);
+  for (int m = 3; m < 6; ++m) {
+    for (int j = 0; j < 3; ++j) E[m][j] = third * E[m][j];
+  }
+}
+/// E of a quadrilateral [m], area/4 = L1 x L2.
+template <class V>
+BRUNT_INLINE void volume_gradient(const Modal<2, V>& c, V (&E)[2][2]) {
+  E[0][0] = c.m[1][1], E[0][1] = -c.m[1][0];
+  E[1][0] = -c.m[0][1], E[1][1] = c.m[0][0];
+}
+/// Volume [m^3], or area [m^2] in 2D, from E of the same configuration.
+template <int Dim, class V>
+BRUNT_INLINE V measure(const Modal<Dim, V>& c, const V (&E)[Shape<Dim>::kActive][Dim]) {
+  V sum = c.m[0][0] * E[0][0];
+  for (int m = 1; m < Shape<Dim>::kActive; ++m) sum += c.m[m][0] * E[m][0];
+  return static_cast<Real>(Shape<Dim>::kCorners) * sum;
+}
+/// G_ij = sum_I u_iI B_jI of a field with modes u.
+template <int Dim, class V>
+BRUNT_INLINE void volume_times_gradient(const Modal<Dim, V>& u,
+                                        const V (&E)[Shape<Dim>::kActive][Dim], V (&G)[Dim][Dim]) {
+  constexpr Real corners = Shape<Dim>::kCorners;
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) {
+      V sum = u.m[0][i] * E[0][j];
+      for (int m = 1; m < Shape<Dim>::kActive; ++m) sum += u.m[m][i] * E[m][j];
+      G[i][j] = corners * sum;
+    }
+  }
+}
+
+}  // namespace brunt

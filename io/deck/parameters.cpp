@@ -1,0 +1,267 @@
+#include "io/deck/parameters.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "io/deck/number.hpp"
+#include "io/deck/sources.hpp"
+#include "io/deck/suggest.hpp"
+
+namespace brunt {
+
+namespace {
+
+bool is_name(const std::string& text) {
+  if (text.empty() || (text[0] >= '0' && text[0] <= '9')) return false;
+  return names_in("$" + text) == std::vector<std::string>{text};
+}
+
+/// "139 m/s" in SI: what `-$speed` and derived parameters stand for.
+std::string quantity_text(const ParameterValue& value) {
+  const std::string number = shortest_text(value.value);
+  return value.has_unit ? number + " " + value.dimension.unit() : number;
+}
+
+class Resolver {
+ public:
+  Resolver(const Units& units, const std::function<bool(const std::string&)>& is_formula,
+           std::vector<DeckProblem>& problems)
+      : units_(units), is_formula_(is_formula), problems_(problems) {}
+
+  void declare(const Node& map) {
+    for (const Entry& entry : map.entries) {
+      const std::string path = "parameters." + entry.key;
+      if (!is_name(entry.key)) {
+        problems_.push_back({entry.place, path,
+                             "a parameter's name has letters, digits and _, and no digit first"});
+      } else if (entry.value.is_null()) {
+        problems_.push_back({entry.place, path, "has no value"});
+      } else {
+        const std::string text = entry.value.is_scalar() ? entry.value.text : to_yaml(entry.value);
+        declared_.push_back({{entry.key, text, entry.place, entry.value, {}}, State::waiting});
+      }
+    }
+    for (std::size_t i = 0; i < declared_.size(); ++i) resolve(i);
+  }
+
+  void substitute(Node& node, const std::string& path) {
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      substitute(node.items[i], join_path(path, std::to_string(i)));
+    }
+    for (Entry& entry : node.entries) substitute(entry.value, join_path(path, entry.key));
+    if (!node.is_scalar() || node.text.find('$') == std::string::npos) return;
+    if (is_formula_(path)) {
+      for (const std::string& name : names_in(node.text)) {
+        if (find(name)) used_.insert(name);
+      }
+    } else {
+      substitute_scalar(node, path);
+    }
+  }
+
+  std::vector<Parameter> finish() {
+    std::vector<Parameter> parameters;
+    for (Declared& declared : declared_) {
+      if (!used_.contains(declared.parameter.name)) {
+        problems_.push_back({declared.parameter.place, "parameters." + declared.parameter.name,
+                             "is not used; write $" + declared.parameter.name +
+                                 " where it belongs, or take it out"});
+      }
+      parameters.push_back(std::move(declared.parameter));
+    }
+    return parameters;
+  }
+
+ private:
+  enum class State { waiting, busy, done };
+  struct Declared {
+    Parameter parameter;
+    State state;
+  };
+
+  Declared* find(const std::string& name) {
+    for (Declared& declared : declared_) {
+      if (declared.parameter.name == name) return &declared;
+    }
+    return nullptr;
+  }
+
+  /// The parameter, or null with a problem at `place`.
+  Declared* use(const std::string& name, const SourcePlace& place, const std::string& path) {
+    Declared* declared = find(name);
+    if (!declared) {
+      std::vector<std::string> known;
+      for (const Declared& other : declared_) known.push_back(other.parameter.name);
+      problems_.push_back(
+          {place, path,
+           name.empty() ? "'$' stands alone; '$$' is a dollar"
+                        : "the parameter $" + name + " is not declared" + suggestion(name, known)});
+      return nullptr;
+    }
+    used_.insert(name);
+    return declared;
+  }
+
+  /// Gives a parameter its node and value, after those that it is made of.
+  void resolve(std::size_t i) {
+    if (declared_[i].state != State::waiting) return;
+    declared_[i].state = State::busy;
+    Parameter& parameter = declared_[i].parameter;
+    const std::string path = "parameters." + parameter.name;
+    if (parameter.node.is_scalar()) {
+      for (const std::string& name : names_in(parameter.node.text)) {
+        Declared* other = find(name);
+        if (other && other->state == State::busy) {
+          problems_.push_back({parameter.node.place, path, "depends on itself"});
+          declared_[i].state = State::done;
+          return;
+        }
+        if (other) resolve(static_cast<std::size_t>(other - declared_.data()));
+      }
+    }
+    substitute(parameter.node, path);
+    if (parameter.node.is_scalar()) evaluate(parameter, path);
+    declared_[i].state = State::done;
+  }
+
+  void evaluate(Parameter& parameter, const std::string& path) {
+    Node& node = parameter.node;
+    if (!is_expression(node.text)) {
+      const QuantityValue quantity = units_.read(node.text);
+      if (quantity.problem.empty()) {
+        parameter.value = ParameterValue{quantity.value, quantity.dimension, quantity.has_unit};
+      }
+      return;
+    }
+    if (depends_on_place_or_time(node.text)) {
+      problems_.push_back({node.place, path, "a parameter cannot depend on t, x, y or z"});
+      return;
+    }
+    const std::vector<std::string> names = names_in(node.text);
+    const auto undeclared = [&](const std::string& name) { return !find(name); };
+    if (std::any_of(names.begin(), names.end(), undeclared)) return;
+    const ExpressionResult result = evaluate_expression(node.text, values());
+    if (!result.problem.empty()) {
+      problems_.push_back({node.place, path, result.problem});
+      return;
+    }
+    parameter.value = ParameterValue{result.value, result.dimension,
+                                     !result.bare && !result.dimension.is_number()};
+    node.written = node.text;
+    node.text = quantity_text(*parameter.value);
+  }
+
+  ParameterValues values() const {
+    ParameterValues known;
+    for (const Declared& declared : declared_) {
+      if (declared.parameter.value) known[declared.parameter.name] = *declared.parameter.value;
+    }
+    return known;
+  }
+
+  void substitute_scalar(Node& node, const std::string& path) {
+    const std::string text = node.text;
+    const std::vector<std::string> names = names_in(text);
+    std::vector<const Declared*> used;
+    for (const std::string& name : names) used.push_back(use(name, node.place, path));
+    if (is_expression(text)) return;
+    if (std::find(used.begin(), used.end(), nullptr) != used.end()) return;
+    if (names.size() == 1 && text == "$" + names[0]) {
+      replace_whole(node, used[0]->parameter.node, path);
+    } else if (names.size() == 1 && text == "-$" + names[0]) {
+      negate(node, used[0]->parameter, path);
+    } else {
+      put_into_text(node, path);
+    }
+  }
+
+  void replace_whole(Node& node, const Node& value, const std::string& path) {
+    n_nodes_ += count_nodes(value);
+    if (n_nodes_ > kMaxNodes) {
+      problems_.push_back({node.place, path, "parameters make the deck too large"});
+      return;
+    }
+    const SourcePlace place = node.place;
+    const std::string written = node.text;
+    node = value;
+    node.place = place;
+    if (node.is_scalar()) node.written = written + " = " + value.text;
+  }
+
+  void negate(Node& node, const Parameter& parameter, const std::string& path) {
+    if (!parameter.value) {
+      problems_.push_back({node.place, path,
+                           "$" + parameter.name +
+                               " is not a number, and has no "
+                               "negative"});
+      return;
+    }
+    ParameterValue negative = *parameter.value;
+    negative.value = 0 - negative.value;
+    node.written = node.text + " = " + quantity_text(negative);
+    node.text = quantity_text(negative);
+  }
+
+  /// Puts the texts of parameters into a text; `$$` becomes a dollar.
+  void put_into_text(Node& node, const std::string& path) {
+    const std::string& text = node.text;
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+      if (text[i] != '$') {
+        result += text[i++];
+      } else if (i + 1 < text.size() && text[i + 1] == '$') {
+        result += '$';
+        i += 2;
+      } else {
+        const std::string name = names_in(text.substr(i)).front();
+        const Node& value = find(name)->parameter.node;
+        result += value.is_scalar() ? value.text : to_yaml(value);
+        i += 1 + name.size();
+      }
+      if (result.size() > kLongestText) {
+        problems_.push_back({node.place, path, "parameters make the text too long"});
+        return;
+      }
+    }
+    node.pieced = true;
+    node.written = text;
+    node.text = result;
+  }
+
+  const Units& units_;
+  const std::function<bool(const std::string&)>& is_formula_;
+  std::vector<DeckProblem>& problems_;
+  std::vector<Declared> declared_;
+  std::set<std::string> used_;
+  static constexpr std::size_t kMaxNodes = 1'000'000, kLongestText = 10'000;
+  std::size_t n_nodes_ = 0;  ///< that parameters have put in
+};
+
+}  // namespace
+
+std::vector<Parameter> resolve_parameters(Node& root, const Units& units,
+                                          const std::function<bool(const std::string&)>& is_formula,
+                                          std::vector<DeckProblem>& problems) {
+  Resolver resolver(units, is_formula, problems);
+  if (const Node* map = root.find("parameters")) {
+    if (map->is_map()) {
+      resolver.declare(*map);
+    } else {
+      problems.push_back(
+          {map->place, "parameters", "expects a map: {speed: 139 m/s}, got " + what_stands(*map)});
+    }
+  }
+  root.erase("parameters");
+  resolver.substitute(root, "");
+  return resolver.finish();
+}
+
+ParameterValues values_of(const std::vector<Parameter>& parameters) {
+  ParameterValues values;
+  for (const Parameter& parameter : parameters) {
+    if (parameter.value) values[parameter.name] = *parameter.value;
+  }
+  return values;
+}
+
+}  // namespace brunt

@@ -1,0 +1,29 @@
+#pragma once
+/// Parameters of a deck: `$speed` as a value, `-$speed`, in expressions, in texts.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/deck/expression.hpp"
+#include "io/deck/node.hpp"
+#include "io/deck/units.hpp"
+
+namespace brunt {
+
+struct Parameter {
+  std::string name;
+  std::string text;  ///< as declared
+  SourcePlace place;
+  Node node;                            ///< what `$name` stands for
+  std::optional<ParameterValue> value;  ///< of numbers and quantities
+};
+
+/// Takes the key `parameters` out of the deck, and puts values in wherever a `$name` stands but in
+/// expressions and where `is_formula(path)`. Undeclared and unused ones are problems.
+std::vector<Parameter> resolve_parameters(Node& root, const Units& units,
+                                          const std::function<bool(const std::string&)>& is_formula,
+                                          std::vector<DeckProblem>& problems);
+ParameterValues values_of(const std::vector<Parameter>& parameters);
+
+}  // namespace brunt

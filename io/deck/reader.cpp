@@ -1,0 +1,259 @@
+#include "io/deck/reader.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "io/deck/number.hpp"
+#include "io/deck/suggest.hpp"
+
+namespace brunt {
+
+namespace {
+
+bool is_entry_name(const std::string& name) {
+  const auto allowed = [](char c) {
+    return c == '_' || c == '-' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+           (c >= 'A' && c <= 'Z');
+  };
+  return !name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), allowed);
+}
+
+const Node& empty_map() {
+  static const Node kEmpty = map_node();
+  return kEmpty;
+}
+
+}  // namespace
+
+Reader::Reader(const Node& root, Geometry geometry, const Units& units,
+               const ParameterValues& parameters, ReadReport& report)
+    : geometry_(geometry), units_(units), parameters_(parameters), report_(report) {
+  open_scope(&root, "");
+}
+
+void Reader::finish() {
+  assert(scopes_.size() == 1);
+  close_scope();
+}
+
+void Reader::problem_at(const SourcePlace& place, const std::string& path,
+                        const std::string& message) {
+  report_.problems.push_back({place, path, message});
+}
+
+void Reader::problem(const Node& node, const std::string& path, const std::string& message) {
+  problem_at(node.place, path, message);
+}
+
+void Reader::open_scope(const Node* node, const std::string& path) {
+  Scope fresh;
+  fresh.node = node;
+  fresh.path = path;
+  fresh.problems_before = report_.problems.size();
+  scopes_.push_back(std::move(fresh));
+}
+
+void Reader::close_scope() {
+  const Scope closed = std::move(scopes_.back());
+  scopes_.pop_back();
+  if (!closed.node->is_map()) {
+    if (!closed.value_taken && !closed.node->is_null()) {
+      std::string keys;
+      for (const std::string& key : closed.known) keys += (keys.empty() ? "" : ", ") + key;
+      problem(*closed.node, closed.path,
+              (keys.empty() ? "has no keys and takes no value" : "expects a map of " + keys) +
+                  ", got " + what_stands(*closed.node));
+      return;
+    }
+  }
+  std::vector<std::string> meant;
+  for (const Entry& entry : closed.node->entries) {
+    if (std::find(closed.known.begin(), closed.known.end(), entry.key) != closed.known.end()) {
+      continue;
+    }
+    problem_at(entry.place, closed.path,
+               "unknown key '" + entry.key + "'" + suggestion(entry.key, closed.known));
+    meant.push_back(nearest_word(entry.key, closed.known));
+  }
+  for (const Key& key : closed.missing) {
+    if (std::find(meant.begin(), meant.end(), key.name) != meant.end()) continue;
+    const std::string path = closed.path.empty() ? key.name : closed.path + "." + key.name;
+    problem_at(closed.node->place, path, "is missing: " + std::string(key.help));
+  }
+}
+
+const Node* Reader::find(const Key& key) {
+  Scope& here = scope();
+  here.known.emplace_back(key.name);
+  const Entry* entry = here.node->find_entry(key.name);
+  if (!entry) {
+    if (key.need == Need::required && !not_applicable_) here.missing.push_back(key);
+    return nullptr;
+  }
+  const std::string path = path_of(key.name);
+  report_.places[path] = entry->place;
+  if (not_applicable_) {
+    problem_at(entry->place, path, std::string("this key is ") + not_applicable_);
+    return nullptr;
+  }
+  if (entry->value.is_null()) {
+    problem_at(entry->place, path, "has no value: " + std::string(key.help));
+    return nullptr;
+  }
+  return &entry->value;
+}
+
+void Reader::read_members(const Node& node, const std::string& path, const Members& members) {
+  open_scope(&node, path);
+  members(*this);
+  close_scope();
+}
+
+void Reader::section(bool applies, const char* when, std::function<void(Schema&)> members) {
+  const char* outer = not_applicable_;
+  if (!applies && !outer) not_applicable_ = when;
+  members(*this);
+  not_applicable_ = outer;
+}
+
+void Reader::later(std::span<const char* const> keys) {
+  for (const char* key : keys) {
+    scope().known.emplace_back(key);
+    if (const Entry* entry = scope().node->find_entry(key)) {
+      problem_at(entry->place, path_of(key),
+                 "is not in this version of brunt yet; take the key out to run without it");
+    }
+  }
+}
+
+void Reader::require(bool holds, const char* at, const std::string& message) {
+  if (holds || not_applicable_) return;
+  const Scope& here = scope();
+  if (report_.problems.size() > here.problems_before || !here.missing.empty()) return;
+  const auto known = [&](const Entry& entry) {
+    return std::find(here.known.begin(), here.known.end(), entry.key) != here.known.end();
+  };
+  if (!std::all_of(here.node->entries.begin(), here.node->entries.end(), known)) return;
+  const Entry* entry = here.node->find_entry(at);
+  const bool itself = *at == '\0';
+  problem_at(entry ? entry->place : here.node->place, itself ? here.path : path_of(at), message);
+}
+
+void Reader::visit_object(const Key& key, std::function<bool()> present,
+                          std::function<void()> create, Members members) {
+  const Node* node = find(key);
+  if (!node) return;
+  if (!present()) create();
+  read_members(*node, path_of(key.name), members);
+}
+
+void Reader::visit_named(const Key& key, bool list_allowed, std::function<std::size_t()> size,
+                         std::function<std::string(std::size_t)>,
+                         std::function<void(const std::string&)> add,
+                         std::function<void(std::size_t, Schema&)> members, Members) {
+  const Node* node = find(key);
+  if (!node) return;
+  const std::string path = path_of(key.name);
+  const auto read_entry = [&](const std::string& name, const SourcePlace& place,
+                              const Node& value) {
+    const std::string entry_path = path + "." + name;
+    report_.places[entry_path] = place;
+    add(name);
+    const std::size_t i = size() - 1;
+    read_members(value.is_null() ? empty_map() : value, entry_path,
+                 [&](Schema& s) { members(i, s); });
+  };
+  if (node->is_list() && list_allowed) {
+    for (std::size_t i = 0; i < node->items.size(); ++i) {
+      read_entry(std::to_string(i), node->items[i].place, node->items[i]);
+    }
+  } else if (node->is_map()) {
+    for (const Entry& entry : node->entries) {
+      if (!is_entry_name(entry.key)) {
+        problem_at(entry.place, path,
+                   "'" + entry.key + "' is not a name: letters, digits, _ and - make names");
+      } else if (entry.value.is_null()) {
+        problem_at(entry.place, path + "." + entry.key, "has no keys");
+      } else {
+        read_entry(entry.key, entry.place, entry.value);
+      }
+    }
+  } else {
+    problem(*node, path, "expects a map of named entries, got " + what_stands(*node));
+  }
+}
+
+void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternatives,
+                          std::function<std::size_t()>, std::function<void(std::size_t)> choose,
+                          Members members, std::function<void(std::size_t, Schema&)>) {
+  const bool is_inline = *key.name == '\0';
+  const Node* node = is_inline ? scope().node : find(key);
+  if (!node) return;
+  const std::string path = is_inline ? scope().path : path_of(key.name);
+  std::vector<std::string> names;
+  std::string list;
+  for (const Alternative& alternative : alternatives) {
+    names.emplace_back(alternative.name);
+    list += (list.empty() ? "" : ", ") + std::string(alternative.name);
+  }
+  const auto index_of = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  if (is_inline) scope().known.insert(scope().known.end(), names.begin(), names.end());
+  if (!is_inline && node->is_scalar()) {
+    const std::size_t index = index_of(node->text);
+    if (index == names.size()) {
+      problem(*node, path,
+              "expects one of " + list + ", got " + what_stands(*node) +
+                  (nearest_word(node->text, names).empty() ? "" : suggestion(node->text, names)));
+      return;
+    }
+    choose(index);
+    Node blank = map_node();
+    blank.place = node->place;
+    read_members(blank, path + "." + names[index], members);
+    return;
+  }
+  if (!node->is_map()) {
+    if (!is_inline) problem(*node, path, "expects one of " + list + ", got " + what_stands(*node));
+    return;
+  }
+  const Entry* chosen = nullptr;
+  for (const Entry& entry : node->entries) {
+    if (index_of(entry.key) == names.size()) {
+      if (!is_inline) {
+        problem_at(entry.place, path,
+                   "unknown key '" + entry.key + "'" + suggestion(entry.key, names));
+        return;
+      }
+    } else if (chosen) {
+      problem_at(entry.place, path,
+                 "has both '" + chosen->key + "' and '" + entry.key + "': keep one of " + list);
+      return;
+    } else {
+      chosen = &entry;
+    }
+  }
+  if (!chosen) {
+    if (!is_inline || key.need == Need::required) {
+      // A misspelt alternative among other keys is told as an unknown key, once.
+      const bool misspelt =
+          std::any_of(node->entries.begin(), node->entries.end(),
+                      [&](const Entry& entry) { return !nearest_word(entry.key, names).empty(); });
+      if (!is_inline || !misspelt) problem(*node, path, "needs one of " + list);
+    }
+    return;
+  }
+  if (is_inline && not_applicable_) return;
+  choose(index_of(chosen->key));
+  const std::string chosen_path = path.empty() ? chosen->key : path + "." + chosen->key;
+  report_.places[chosen_path] = chosen->place;
+  if (chosen->value.is_null()) {
+    problem_at(chosen->place, chosen_path, "has no value");
+    return;
+  }
+  read_members(chosen->value, chosen_path, members);
+}
+
+}  // namespace brunt

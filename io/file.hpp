@@ -1,0 +1,42 @@
+#pragma once
+/// Files that are whole or not there: what a crash or a full disk must not spoil.
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace brunt {
+
+/// Replaces path by bytes: a temporary file in the same folder, fsync, rename, fsync of the folder.
+/// Whoever reads path sees the old bytes or the new ones, never a part; after an error the old
+/// ones stay and the temporary is gone.
+/// Throws MachineError with the name of the file and the reason.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// All bytes of a file. Throws MachineError where it cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
+/// Creates a folder and its parents. Throws MachineError where that fails.
+void create_folder(const std::filesystem::path& folder);
+
+/// Appends whole lines to a text file: each is with the operating system before append returns, so
+/// that a crash of the program leaves whole lines only.
+class LineFile {
+ public:
+  /// Opens path for appending, made if it is not there. Throws MachineError.
+  explicit LineFile(std::filesystem::path path);
+  ~LineFile();
+  LineFile(const LineFile&) = delete;
+  LineFile& operator=(const LineFile&) = delete;
+
+  /// Appends lines (complete, each with its newline). Where the disk takes only a part of them, the
+  /// part is cut off again and MachineError is thrown.
+  void append(std::string_view lines);
+  /// Waits until all lines are on the disk. Throws MachineError.
+  void flush();
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+};
+
+}  // namespace brunt

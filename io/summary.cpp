@@ -1,0 +1,165 @@
+#include "io/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/errors.hpp"
+#include "io/file.hpp"
+
+namespace brunt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Real kUnknown = std::numeric_limits<Real>::quiet_NaN();
+
+/// json prints what is not finite as null; this reads it back.
+Real real_at(const Json& json, const char* key, Real missing) {
+  const auto found = json.find(key);
+  if (found == json.end()) return missing;
+  return found->is_null() ? kUnknown : found->get<Real>();
+}
+
+std::optional<Real> optional_at(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || found->is_null()) return std::nullopt;
+  return found->get<Real>();
+}
+
+Json object_at(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end()) return Json::object();
+  if (!found->is_object()) throw MachineError(std::string(key) + " is not an object");
+  return *found;
+}
+
+Json measures_json(const std::vector<MeasureResult>& measures) {
+  Json all = Json::object();
+  for (const auto& measure : measures) {
+    Json& entry = all[measure.name];
+    entry["value"] = measure.value;
+    entry["unit"] = measure.unit;
+    entry["reference"] = measure.reference ? Json(*measure.reference) : Json();
+    entry["error"] = measure.error ? Json(*measure.error) : Json();
+  }
+  return all;
+}
+
+std::vector<MeasureResult> measures_from(const Json& all) {
+  std::vector<MeasureResult> measures;
+  for (const auto& [name, entry] : all.items()) {
+    MeasureResult measure;
+    measure.name = name;
+    measure.value = real_at(entry, "value", kUnknown);
+    measure.unit = entry.value("unit", "");
+    measure.reference = optional_at(entry, "reference");
+    measure.error = optional_at(entry, "error");
+    measures.push_back(std::move(measure));
+  }
+  return measures;
+}
+
+RunSummary from_json(const Json& json) {
+  RunSummary s;
+  s.version = json.at("version").get<std::string>();
+  s.status = json.at("status").get<int>();
+  s.deck_hash = json.value("deck_hash", s.deck_hash);
+  const Json parameters = object_at(json, "parameters");
+  for (const auto& [name, text] : parameters.items()) {
+    s.parameters.emplace_back(name, text.is_string() ? text.get<std::string>() : text.dump());
+  }
+  s.overrides = json.value("overrides", s.overrides);
+  s.reason = json.value("reason", s.reason);
+  s.steps = json.value("steps", s.steps);
+  s.wall_seconds = real_at(json, "wall_seconds", s.wall_seconds);
+  s.points = json.value("points", s.points);
+  s.elements = json.value("elements", s.elements);
+  s.particles = json.value("particles", s.particles);
+  const Json phases = object_at(json, "phases");
+  for (const auto& [name, unused] : phases.items()) {
+    s.phases.emplace_back(name, real_at(phases, name.c_str(), kUnknown));
+  }
+  s.ns_element_step = real_at(json, "ns_element_step", s.ns_element_step);
+  s.ns_particle_step = real_at(json, "ns_particle_step", s.ns_particle_step);
+  s.peak_memory = real_at(json, "peak_memory", s.peak_memory);
+  s.drift = real_at(json, "drift", s.drift);
+  s.measures = measures_from(object_at(json, "measures"));
+  const Json warnings = json.value("warnings", Json::array());
+  for (const auto& entry : warnings) {
+    s.warnings.push_back({entry.value("id", ""), entry.value("text", "")});
+  }
+  s.ranks = json.value("ranks", s.ranks);
+  s.threads = json.value("threads", s.threads);
+  s.instruction_set = json.value("instruction_set", s.instruction_set);
+  return s;
+}
+
+}  // namespace
+
+std::string status_word(int status) {
+  switch (status) {
+    case 0:
+      return "done";
+    case 2:
+      return "deck error";
+    case 3:
+      return "physics error";
+    case 4:
+      return "machine error";
+    case 5:
+      return "stopped";
+    default:
+      return "status " + std::to_string(status);
+  }
+}
+
+std::string to_json(const RunSummary& s) {
+  Json json;
+  json["version"] = s.version;
+  json["deck_hash"] = s.deck_hash;
+  json["parameters"] = Json::object();
+  for (const auto& [name, text] : s.parameters) json["parameters"][name] = text;
+  json["overrides"] = s.overrides;
+  json["status"] = s.status;
+  json["reason"] = s.reason;
+  json["steps"] = s.steps;
+  json["wall_seconds"] = s.wall_seconds;
+  json["points"] = s.points;
+  json["elements"] = s.elements;
+  json["particles"] = s.particles;
+  json["phases"] = Json::object();
+  for (const auto& [name, seconds] : s.phases) json["phases"][name] = seconds;
+  json["ns_element_step"] = s.ns_element_step;
+  json["ns_particle_step"] = s.ns_particle_step;
+  json["peak_memory"] = s.peak_memory;
+  json["drift"] = s.drift;
+  json["measures"] = measures_json(s.measures);
+  json["warnings"] = Json::array();
+  for (const auto& warning : s.warnings) {
+    json["warnings"].push_back({{"id", warning.id}, {"text", warning.text}});
+  }
+  json["ranks"] = s.ranks;
+  json["threads"] = s.threads;
+  json["instruction_set"] = s.instruction_set;
+  // Text of the user that is not UTF-8 is replaced rather than losing the whole summary.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+RunSummary parse_summary(const std::string& text, const std::string& name) {
+  try {
+    return from_json(Json::parse(text));
+  } catch (const std::exception& error) {
+    throw MachineError("'" + name + "' is not a summary of a run: " + error.what());
+  }
+}
+
+void write_summary(const std::filesystem::path& folder, const RunSummary& summary) {
+  write_file_atomically(folder / "summary.json", to_json(summary));
+}
+
+RunSummary read_summary(const std::filesystem::path& folder) {
+  const auto path = folder / "summary.json";
+  return parse_summary(read_file(path), path.string());
+}
+
+}  // namespace brunt

@@ -1,0 +1,68 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+/// A number that the deck asked for.
+struct MeasureResult {
+  std::string name;
+  Real value = 0;                 ///< SI
+  std::string unit;               ///< its SI unit, "" for a pure number
+  std::optional<Real> reference;  ///< the deck's, SI
+  std::optional<Real> error;      ///< (value - reference) / |reference|
+};
+
+/// A warning of the run; the id is stable over versions.
+struct RunWarning {
+  std::string id;
+  std::string text;
+};
+
+/// What summary.json holds of one run: what a sweep reads. A number that is not known is NaN.
+struct RunSummary {
+  std::string version;
+  std::string deck_hash;
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< name, text as in the deck
+  std::vector<std::string> overrides;                           ///< "KEY=VALUE" of each --set
+  int status = 0;      ///< exit status: 0 done, 2 deck, 3 physics, 4 machine, 5 stopped
+  std::string reason;  ///< why it ended
+  std::int64_t steps = 0;
+  Real wall_seconds = 0;  ///< [s]
+  std::int64_t points = 0;
+  std::int64_t elements = 0;
+  std::int64_t particles = 0;
+  std::vector<std::pair<std::string, Real>> phases;  ///< name, wall time [s]
+  Real ns_element_step = 0;                          ///< [ns] of FE phases an element and step
+  Real ns_particle_step = 0;                         ///< [ns] of SPH phases a particle and step
+  Real peak_memory = 0;                              ///< [byte]
+  Real drift = 0;                                    ///< energy.drift at the end
+  std::vector<MeasureResult> measures;
+  std::vector<RunWarning> warnings;
+  int ranks = 1;
+  int threads = 1;
+  std::string instruction_set;
+};
+
+/// A word for an exit status: "done", "deck error", "physics error", "machine error", "stopped".
+std::string status_word(int status);
+
+/// summary.json as text; maps keep their order, a number that is not finite is null.
+std::string to_json(const RunSummary& summary);
+
+/// Reads what to_json wrote; fields that are missing keep their defaults, so that summaries of
+/// other versions can be read. Throws MachineError naming `name` where the text is no summary.
+RunSummary parse_summary(const std::string& text, const std::string& name);
+
+/// Writes folder/summary.json atomically. Throws MachineError.
+void write_summary(const std::filesystem::path& folder, const RunSummary& summary);
+
+/// Reads folder/summary.json. Throws MachineError where it is missing or broken.
+RunSummary read_summary(const std::filesystem::path& folder);
+
+}  // namespace brunt

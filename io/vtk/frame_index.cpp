@@ -1,0 +1,87 @@
+#include "io/vtk/frame_index.hpp"
+
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
+
+#include <string_view>
+
+#include "core/errors.hpp"
+#include "io/file.hpp"
+#include "io/number.hpp"
+#include "io/vtk/messages.hpp"
+
+namespace brunt {
+
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void write_frame_index(const std::filesystem::path& folder, const std::vector<FrameEntry>& frames) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+      "  <Collection>\n";
+  for (const auto& frame : frames) {
+    for (std::size_t p = 0; p < frame.parts.size(); ++p) {
+      const auto& part = frame.parts[p];
+      text += "    <DataSet timestep=\"" + shortest(frame.time);
+      text += "\" group=\"\" part=\"" + std::to_string(p);
+      text += "\" name=\"" + escaped(part.name);
+      text += "\" file=\"" + escaped(part.file);
+      text += "\"/>\n";
+    }
+  }
+  text += "  </Collection>\n</VTKFile>\n";
+  write_file_atomically(folder / "frames.pvd", text);
+}
+
+std::vector<FrameEntry> read_frame_index(const std::filesystem::path& folder) {
+  const auto path = folder / "frames.pvd";
+  const auto fail = [&path](const std::string& what) {
+    throw MachineError("cannot use '" + path.string() + "': " + what);
+  };
+  const std::string text = read_file(path);
+  VtkMessages messages;
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
+      vtkXMLUtilities::ReadElementFromString(text.c_str()));
+  auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+  if (collection == nullptr) fail("it is no collection of frames");
+  std::vector<FrameEntry> frames;
+  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
+    auto* element = collection->GetNestedElement(i);
+    const char* time = element->GetAttribute("timestep");
+    const char* file = element->GetAttribute("file");
+    const char* name = element->GetAttribute("name");
+    const auto value = time ? parse_real(time) : std::nullopt;
+    if (!value || file == nullptr) fail("entry " + std::to_string(i) + " has no time or no file");
+    if (frames.empty() || frames.back().time != *value) frames.push_back({*value, {}});
+    frames.back().parts.push_back({name ? name : file, file});
+  }
+  return frames;
+}
+
+}  // namespace brunt

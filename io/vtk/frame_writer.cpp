@@ -1,0 +1,94 @@
+#include "io/vtk/frame_writer.hpp"
+
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <cstdio>
+
+#include "core/errors.hpp"
+#include "io/file.hpp"
+#include "io/vtk/grid.hpp"
+#include "io/vtk/messages.hpp"
+
+namespace brunt {
+
+namespace {
+
+constexpr const char* kSubfolder = "frames";
+
+/// A file name for any body name: what is no letter, digit, '-' or '_' becomes %XX.
+std::string file_name(const std::string& body, std::size_t frame, const char* extension) {
+  std::string name;
+  for (const char c : body) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '_';
+    std::array<char, 4> hex;
+    std::snprintf(hex.data(), hex.size(), "%%%02X", static_cast<unsigned char>(c));
+    name += plain ? std::string(1, c) : std::string(hex.data());
+  }
+  std::array<char, 24> number;
+  std::snprintf(number.data(), number.size(), ".%05zu", frame);
+  return std::string(kSubfolder) + "/" + name + number.data() + extension;
+}
+
+/// The bytes of a VTK file. VTK writes to memory: to a full disk it would report success.
+template <class Writer>
+std::string bytes_of(vtkDataObject* data, const std::filesystem::path& path) {
+  VtkMessages messages;
+  auto writer = vtkSmartPointer<Writer>::New();
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToLZ4();
+  writer->SetHeaderTypeToUInt64();
+  writer->WriteToOutputStringOn();
+  const int written = writer->Write();
+  if (written != 1 || messages.any()) {
+    throw MachineError("cannot write '" + path.string() + "': " + messages.text());
+  }
+  return writer->GetOutputString();
+}
+
+void remove_frames(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const auto extension = entry.path().extension();
+    if (extension == ".vtu" || extension == ".vtp") std::filesystem::remove(entry.path(), error);
+    if (error) throw MachineError("cannot remove '" + entry.path().string() + "'");
+  }
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(std::filesystem::path folder) : folder_(std::move(folder)) {
+  create_folder(folder_ / kSubfolder);
+  write_frame_index(folder_, {});
+  remove_frames(folder_ / kSubfolder);
+}
+
+FrameWriter::FrameWriter(std::filesystem::path folder, Real until) : folder_(std::move(folder)) {
+  create_folder(folder_ / kSubfolder);
+  for (auto& frame : read_frame_index(folder_)) {
+    if (frame.time <= until) frames_.push_back(std::move(frame));
+  }
+  write_frame_index(folder_, frames_);
+}
+
+void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
+                        const ContactView* contact) {
+  FrameEntry frame{time, {}};
+  for (const auto& body : bodies) {
+    frame.parts.push_back({body.body, file_name(body.body, frames_.size(), ".vtu")});
+    const auto path = folder_ / frame.parts.back().file;
+    write_file_atomically(path, bytes_of<vtkXMLUnstructuredGridWriter>(to_grid(body), path));
+  }
+  if (contact != nullptr) {
+    frame.parts.push_back({"contact", file_name("contact", frames_.size(), ".vtp")});
+    const auto path = folder_ / frame.parts.back().file;
+    write_file_atomically(path, bytes_of<vtkXMLPolyDataWriter>(to_contacts(*contact, time), path));
+  }
+  frames_.push_back(std::move(frame));
+  write_frame_index(folder_, frames_);
+}
+
+}  // namespace brunt

@@ -1,0 +1,250 @@
+#include "io/vtk/grid.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <stdexcept>
+
+namespace brunt {
+
+namespace {
+
+constexpr std::array kTensorNames = {"XX", "YY", "ZZ", "XY", "YZ", "ZX"};
+constexpr std::array kVectorNames = {"X", "Y", "Z"};
+constexpr std::array kWholeFields = {"id", "piece", "rank"};
+
+[[noreturn]] void misfit(const std::string& what) {
+  throw std::invalid_argument("view: " + what + " has the wrong length");
+}
+
+bool is_whole(const std::string& name) {
+  return std::find(kWholeFields.begin(), kWholeFields.end(), name) != kWholeFields.end();
+}
+
+vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
+  const auto components = static_cast<std::size_t>(field.components);
+  if (field.values.size() != n * components) misfit("field " + field.name);
+  vtkSmartPointer<vtkDataArray> array;
+  if (is_whole(field.name)) {
+    array = vtkSmartPointer<vtkIdTypeArray>::New();
+  } else {
+    array = vtkSmartPointer<vtkDoubleArray>::New();
+  }
+  array->SetName(field.name.c_str());
+  array->SetNumberOfComponents(field.components);
+  for (int c = 0; c < field.components && field.components > 1; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    array->SetComponentName(c, field.components == 6 ? kTensorNames[i] : kVectorNames[i]);
+  }
+  array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+  if (auto* reals = vtkDoubleArray::SafeDownCast(array)) {
+    std::copy(field.values.begin(), field.values.end(), reals->GetPointer(0));
+  } else {
+    auto* whole = static_cast<vtkIdTypeArray*>(array.Get())->GetPointer(0);
+    std::transform(field.values.begin(), field.values.end(), whole,
+                   [](Real value) { return static_cast<vtkIdType>(value); });
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkPoints> to_points(const std::vector<Real>& position) {
+  if (position.size() % 3 != 0) misfit("position");
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(to_array({"Points", 3, position}, position.size() / 3));
+  return points;
+}
+
+void set_time(vtkDataObject& object, Real time) {
+  object.GetFieldData()->AddArray(to_array({"TimeValue", 1, {time}}, 1));
+}
+
+unsigned char cell_type(int corners) {
+  switch (corners) {
+    case 1:
+      return VTK_VERTEX;
+    case 2:
+      return VTK_LINE;
+    case 3:
+      return VTK_TRIANGLE;
+    case 4:
+      return VTK_QUAD;
+    case 8:
+      return VTK_HEXAHEDRON;
+    default:
+      throw std::invalid_argument("view: cells of " + std::to_string(corners) + " corners");
+  }
+}
+
+/// Cells of `corners` each, with triangles among quads; particles are one vertex a point.
+void set_cells(const BodyView& view, std::size_t n_points, vtkUnstructuredGrid& grid) {
+  std::vector<std::int64_t> connectivity = view.connectivity;
+  if (view.corners == 0) {
+    connectivity.resize(n_points);
+    std::iota(connectivity.begin(), connectivity.end(), 0);
+  }
+  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  if (connectivity.size() % corners != 0) misfit("connectivity");
+  auto types = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(static_cast<vtkIdType>(connectivity.size() / corners),
+                       static_cast<vtkIdType>(connectivity.size()));
+  for (std::size_t first = 0; first < connectivity.size(); first += corners) {
+    std::array<vtkIdType, 8> cell{};
+    int n = 0;
+    for (std::size_t c = first; c < first + corners; ++c) {
+      const auto point = connectivity[c];
+      const bool fourth = corners == 4 && c == first + 3;
+      if (fourth && (point < 0 || point == connectivity[c - 1])) continue;  // a triangle
+      if (point < 0 || point >= static_cast<std::int64_t>(n_points)) misfit("connectivity");
+      cell[static_cast<std::size_t>(n++)] = point;
+    }
+    cells->InsertNextCell(n, cell.data());
+    types->InsertNextValue(cell_type(n));
+  }
+  grid.SetCells(types, cells);
+}
+
+Field to_field(vtkDataArray& array) {
+  Field field{array.GetName() ? array.GetName() : "", array.GetNumberOfComponents(), {}};
+  const auto components = static_cast<std::size_t>(field.components);
+  field.values.resize(static_cast<std::size_t>(array.GetNumberOfTuples()) * components);
+  for (vtkIdType t = 0; t < array.GetNumberOfTuples(); ++t) {
+    array.GetTuple(t, field.values.data() + static_cast<std::size_t>(t) * components);
+  }
+  return field;
+}
+
+std::vector<Field> to_fields(vtkFieldData& data) {
+  std::vector<Field> fields;
+  for (int a = 0; a < data.GetNumberOfArrays(); ++a) {
+    if (auto* array = data.GetArray(a)) fields.push_back(to_field(*array));
+  }
+  return fields;
+}
+
+int corners_of(vtkUnstructuredGrid& grid) {
+  vtkIdType most = 0;
+  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
+    const auto n = grid.GetCells()->GetCellSize(c);
+    if (n > 8 || cell_type(static_cast<int>(n)) != grid.GetCellType(c)) {
+      throw std::invalid_argument("cell " + std::to_string(c) + " is none that brunt writes");
+    }
+    most = std::max(most, n);
+  }
+  return most == 1 ? 0 : static_cast<int>(most);
+}
+
+/// Cell data of a polydata stand in the order vertices, lines, polygons.
+Field reordered(const std::string& name, int components, const std::vector<Real>& values,
+                const std::vector<std::size_t>& order) {
+  const auto n = static_cast<std::size_t>(components);
+  if (values.size() != order.size() * n) misfit("contact field " + name);
+  Field field{name, components, {}};
+  for (const std::size_t i : order) {
+    for (std::size_t c = 0; c < n; ++c) field.values.push_back(values[i * n + c]);
+  }
+  return field;
+}
+
+vtkSmartPointer<vtkIntArray> label_array(const char* name, const std::vector<Label>& labels,
+                                         const std::vector<std::size_t>& order) {
+  if (labels.size() != order.size()) misfit(name);
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  for (const std::size_t i : order) array->InsertNextValue(static_cast<int>(labels[i]));
+  return array;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view) {
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(to_points(view.position));
+  const auto n_points = static_cast<std::size_t>(grid->GetNumberOfPoints());
+  set_cells(view, n_points, *grid);
+  const auto n_cells = static_cast<std::size_t>(grid->GetNumberOfCells());
+  for (const auto& field : view.point_fields) {
+    grid->GetPointData()->AddArray(to_array(field, n_points));
+  }
+  for (const auto& field : view.cell_fields) {
+    grid->GetCellData()->AddArray(to_array(field, n_cells));
+  }
+  if (!view.point_radius.empty()) {
+    grid->GetPointData()->AddArray(to_array({"radius", 1, view.point_radius}, n_points));
+  }
+  set_time(*grid, view.time);
+  return grid;
+}
+
+vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(to_points(view.position));
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  std::array<std::vector<std::size_t>, 3> orders;  // vertices, lines (planes in 2D), polygons
+  vtkIdType first = 0;
+  for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
+    const int n = view.polygon_size[i];
+    if (n < 1 || first + n > data->GetNumberOfPoints()) misfit("polygon_size");
+    auto& cells = n == 1 ? vertices : (n == 2 ? lines : polygons);
+    cells->InsertNextCell(n);
+    for (int c = 0; c < n; ++c) cells->InsertCellPoint(first++);
+    orders[static_cast<std::size_t>(std::min(n, 3) - 1)].push_back(i);
+  }
+  if (first != data->GetNumberOfPoints()) misfit("polygon_size");
+  data->SetVerts(vertices);
+  data->SetLines(lines);
+  data->SetPolys(polygons);
+  std::vector<std::size_t> order;
+  for (const auto& part : orders) order.insert(order.end(), part.begin(), part.end());
+  for (const Field& field :
+       {reordered("normal", 3, view.normal, order), reordered("pressure", 1, view.pressure, order),
+        reordered("penetration", 1, view.penetration, order),
+        reordered("force", 3, view.force, order)}) {
+    data->GetCellData()->AddArray(to_array(field, order.size()));
+  }
+  data->GetCellData()->AddArray(label_array("body_a", view.body_a, order));
+  data->GetCellData()->AddArray(label_array("body_b", view.body_b, order));
+  set_time(*data, time);
+  return data;
+}
+
+BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body) {
+  BodyView view;
+  view.body = body;
+  if (auto* time = grid.GetFieldData()->GetArray("TimeValue")) view.time = time->GetComponent(0, 0);
+  if (grid.GetNumberOfPoints() > 0) view.position = to_field(*grid.GetPoints()->GetData()).values;
+  view.corners = corners_of(grid);
+  view.point_fields = to_fields(*grid.GetPointData());
+  view.cell_fields = to_fields(*grid.GetCellData());
+  const auto radius = std::find_if(view.point_fields.begin(), view.point_fields.end(),
+                                   [](const Field& field) { return field.name == "radius"; });
+  if (radius != view.point_fields.end()) {
+    view.point_radius = std::move(radius->values);
+    view.point_fields.erase(radius);
+  }
+  if (view.corners == 0) return view;
+  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
+    vtkIdType n = 0;
+    const vtkIdType* points = nullptr;
+    grid.GetCells()->GetCellAtId(c, n, points);
+    for (vtkIdType k = 0; k < view.corners; ++k) {
+      view.connectivity.push_back(k < n ? points[k] : -1);
+    }
+  }
+  return view;
+}
+
+}  // namespace brunt

@@ -1,0 +1,26 @@
+#pragma once
+/// brunt's plain views as VTK data sets and back; for io/vtk only.
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include "core/view.hpp"
+
+namespace brunt {
+
+/// The body with all its fields: particles as vertices, cells by their number of corners (a quad
+/// whose fourth corner is -1 or repeats the third is a triangle). Adds the point array "radius" [m]
+/// for particles and the field data "TimeValue" [s]. Tensors have named components. Throws
+/// std::invalid_argument where a field's length does not fit.
+vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view);
+
+/// Contact planes as polygons and particle contacts as vertices, with normal, pressure,
+/// penetration, force, body_a, body_b a contact. Throws std::invalid_argument where a length does
+/// not fit.
+vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time);
+
+/// The view that to_grid made the grid of: masses and volumes are not in it. Throws
+/// std::invalid_argument where the grid holds other cells than to_grid makes.
+BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body);
+
+}  // namespace brunt

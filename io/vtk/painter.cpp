@@ -1,0 +1,274 @@
+#include "io/vtk/painter.hpp"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkDoubleArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "core/errors.hpp"
+#include "io/vtk/grid.hpp"
+#include "io/vtk/messages.hpp"
+#include "io/vtk/overlay.hpp"
+
+namespace brunt {
+
+namespace {
+
+constexpr int kOversampling = 2;
+constexpr std::size_t kCellsWithEdges = 20000;
+constexpr const char* kScalars = "scalars";
+constexpr Colour kRigid = {214, 218, 224};
+constexpr Colour kRigidLine = {120, 126, 134};
+/// Pale colours of bodies that deform but have not the field that colours the picture.
+constexpr std::array<Colour, 4> kPlain = {
+    {{166, 189, 219}, {204, 187, 160}, {180, 205, 175}, {210, 180, 200}}};
+
+vtkSmartPointer<vtkLookupTable> lookup_table(const Range& range) {
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  const auto map = colour_map(is_diverging(range));
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(map.size()));
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    table->SetTableValue(static_cast<vtkIdType>(i), map[i][0] / 255.0, map[i][1] / 255.0,
+                         map[i][2] / 255.0);
+  }
+  if (!range.empty()) table->SetTableRange(range.low, range.high);
+  return table;
+}
+
+/// The body's shape with nothing but the numbers that colour it.
+vtkSmartPointer<vtkUnstructuredGrid> shape_of(const BodyView& body, const Scalars& scalars) {
+  BodyView bare;
+  bare.position = body.position;
+  bare.connectivity = body.connectivity;
+  bare.corners = body.corners;
+  if (!scalars.values.empty()) {
+    (scalars.on_cells ? bare.cell_fields : bare.point_fields)
+        .push_back({kScalars, 1, scalars.values});
+  }
+  return to_grid(bare);
+}
+
+/// The outer surface, with normals that break at edges; a flat one as it is.
+vtkSmartPointer<vtkPolyData> surface_of(vtkUnstructuredGrid* grid, bool solid) {
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  surface->Update();
+  if (!solid) return surface->GetOutput();
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(surface->GetOutputPort());
+  normals->SetFeatureAngle(35);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyDataMapper> mapper_of(const BodyView& body, const Scalars& scalars) {
+  const auto grid = shape_of(body, scalars);
+  if (body.corners != 0) {
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(surface_of(grid, body.corners == 8));
+    return mapper;
+  }
+  auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(grid->GetPoints());
+  points->SetVerts(grid->GetCells());  // the mapper takes its bounds from cells
+  if (auto* numbers = grid->GetPointData()->GetArray(kScalars)) {
+    points->GetPointData()->AddArray(numbers);
+  }
+  vtkNew<vtkFloatArray> radius;  // the mapper reads floats, whatever the array holds
+  radius->SetName("radius");
+  for (const Real r : body.point_radius) radius->InsertNextValue(static_cast<float>(r));
+  points->GetPointData()->AddArray(radius);
+  mapper->SetInputData(points);
+  mapper->SetScaleArray(radius->GetName());
+  return mapper;
+}
+
+void set_colour(vtkProperty& property, Colour colour) {
+  property.SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+}
+
+/// The outline of a rigid surface: its rims and its sharp edges.
+void add_outline(vtkRenderer& renderer, vtkPolyData* surface) {
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->SetFeatureAngle(35);
+  edges->ManifoldEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(edges->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  set_colour(*actor->GetProperty(), kRigidLine);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(1.2 * kOversampling);
+  renderer.AddActor(actor);
+}
+
+std::size_t cells_of(const BodyView& body) {
+  return body.corners == 0 ? 0 : body.connectivity.size() / static_cast<std::size_t>(body.corners);
+}
+
+void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
+              const PictureStyle& style, vtkLookupTable* table) {
+  const bool flat = style.camera.axes.toward == Vec3::UnitZ() && body.corners != 8;
+  const bool rigid = !deforms(body);
+  const Scalars scalars =
+      rigid || style.range.empty() ? Scalars{} : scalars_of(body, style.colouring);
+  const auto mapper = mapper_of(body, scalars);
+  if (scalars.values.empty()) {
+    mapper->ScalarVisibilityOff();
+  } else {
+    if (scalars.on_cells) {
+      mapper->SetScalarModeToUseCellFieldData();
+    } else {
+      mapper->SetScalarModeToUsePointFieldData();
+      if (body.corners != 0) mapper->InterpolateScalarsBeforeMappingOn();
+    }
+    mapper->SelectColorArray(kScalars);
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+  }
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  auto& property = *actor->GetProperty();
+  set_colour(property, rigid ? kRigid : kPlain[index % kPlain.size()]);
+  if (rigid && body.corners == 2) set_colour(property, kRigidLine);
+  property.SetAmbient(flat ? 1.0 : 0.34);
+  property.SetDiffuse(flat ? 0.0 : 0.78);
+  property.SetSpecular(flat ? 0.0 : 0.08);
+  property.SetSpecularPower(20);
+  property.SetLineWidth(3 * kOversampling);
+  if (!rigid && body.corners > 2 && cells_of(body) < kCellsWithEdges) {
+    property.EdgeVisibilityOn();
+    property.SetEdgeColor(0.30, 0.30, 0.33);
+    property.SetLineWidth(0.6 * kOversampling);
+  }
+  renderer.AddActor(actor);
+  if (rigid && body.corners > 2) add_outline(renderer, mapper->GetInput());
+}
+
+void set_camera(vtkRenderer& renderer, const PictureStyle& style) {
+  const auto& camera = style.camera;
+  const Vec3 focus = camera.center_right * camera.axes.right + camera.center_up * camera.axes.up;
+  const Real distance = 10 * camera.pixel * style.width;
+  const Vec3 eye = focus + distance * camera.axes.toward;
+  auto& view = *renderer.GetActiveCamera();
+  view.ParallelProjectionOn();
+  view.SetFocalPoint(focus.data());
+  view.SetPosition(eye.data());
+  view.SetViewUp(camera.axes.up.data());
+  view.SetParallelScale(0.5 * style.height * camera.pixel);
+  renderer.ResetCameraClippingRange();
+}
+
+/// A key light from the upper left behind the eye and a weak one from the other side.
+void add_lights(vtkRenderer& renderer) {
+  renderer.RemoveAllLights();
+  renderer.AutomaticLightCreationOff();
+  constexpr std::array<std::array<double, 4>, 3> lights = {
+      {{-0.45, 0.75, 1.0, 0.85}, {0.8, 0.1, 0.6, 0.30}, {0.0, -0.6, 0.6, 0.12}}};
+  for (const auto& [x, y, z, intensity] : lights) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(x, y, z);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(intensity);
+    renderer.AddLight(light);
+  }
+}
+
+/// Averages squares of kOversampling x kOversampling pixels.
+vtkSmartPointer<vtkImageData> averaged(vtkUnsignedCharArray& pixels, int width, int height) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+  const unsigned char* in = pixels.GetPointer(0);
+  const std::size_t row = 3 * static_cast<std::size_t>(width) * kOversampling;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        int sum = 0;
+        for (std::size_t sy = 0; sy < kOversampling; ++sy) {
+          for (std::size_t sx = 0; sx < kOversampling; ++sx) {
+            const std::size_t line = static_cast<std::size_t>(y) * kOversampling + sy;
+            const std::size_t place = static_cast<std::size_t>(x) * kOversampling + sx;
+            sum += in[line * row + 3 * place + c];
+          }
+        }
+        constexpr int n = kOversampling * kOversampling;
+        *out++ = static_cast<unsigned char>((sum + n / 2) / n);
+      }
+    }
+  }
+  return image;
+}
+
+std::string png_of(vtkImageData* image) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  auto* bytes = writer->GetResult();
+  return std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                     static_cast<std::size_t>(bytes->GetNumberOfValues()));
+}
+
+}  // namespace
+
+Painter::Painter(PictureStyle style)
+    : style_(std::move(style)),
+      offscreen_(style_.width * kOversampling, style_.height * kOversampling) {
+  offscreen_.window().SetMultiSamples(0);
+}
+
+std::string Painter::paint(const std::vector<BodyView>& bodies, Real time) {
+  VtkMessages messages;
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1, 1, 1);
+  const auto table = lookup_table(style_.range);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!bodies[b].position.empty()) add_body(*renderer, bodies[b], b, style_, table);
+  }
+  add_lights(*renderer);
+  set_camera(*renderer, style_);
+  Overlay overlay(*renderer, kOversampling);
+  if (!style_.range.empty()) {
+    draw_scalar_bar(overlay, style_.width, style_.height, style_.colouring, style_.range);
+  }
+  draw_length_bar(overlay, style_.width, style_.camera.pixel);
+  draw_axes(overlay, style_.camera.axes);
+  draw_heading(overlay, style_.height, style_.title, time, style_.last_time);
+
+  auto& window = offscreen_.window();
+  window.AddRenderer(renderer);
+  window.Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window.GetPixelData(0, 0, style_.width * kOversampling - 1, style_.height * kOversampling - 1, 0,
+                      pixels);
+  window.RemoveRenderer(renderer);
+  if (messages.any() || pixels->GetNumberOfValues() == 0) {
+    throw MachineError("cannot draw a picture: " + messages.text());
+  }
+  return png_of(averaged(*pixels, style_.width, style_.height));
+}
+
+}  // namespace brunt

@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# The program as a user calls it: exit statuses, folders, what is written, the same bytes twice.
+#   run.sh PROGRAM SOURCE
+set -euo pipefail
+brunt=$1
+decks=$2/decks
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+deck=$decks/bars/bars.yaml
+short=(--set "time.end=5 us" --set "output.every=2 us" --set "output.history=0.5 us" --quiet)
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+expect() {  # expect STATUS COMMAND...
+  local wanted=$1 status=0
+  shift
+  "$@" >out.txt 2>err.txt || status=$?
+  [ "$status" = "$wanted" ] || { cat out.txt err.txt; fail "status $status instead of $wanted: $*"; }
+}
+
+expect 0 "$brunt" run "$deck" "${short[@]}"
+for file in deck.resolved.yaml log.txt history.csv summary.json; do
+  [ -s "bars.out/$file" ] || fail "bars.out/$file is missing"
+done
+head -n 1 bars.out/history.csv | grep -q '^time,step,dt,dt_body,energy.kinetic,' || fail "columns"
+
+# An existing folder is not touched; --force replaces, --resume skips what is done.
+cp bars.out/summary.json before.json
+expect 2 "$brunt" run "$deck" "${short[@]}"
+cmp -s before.json bars.out/summary.json || fail "a refused run touched its folder"
+expect 0 "$brunt" run "$deck" "${short[@]}" --resume
+cmp -s before.json bars.out/summary.json || fail "--resume ran again"
+touch bars.out/mine.txt
+expect 0 "$brunt" run "$deck" "${short[@]}" --force
+[ -e bars.out/mine.txt ] || fail "--force took a file that is not brunt's"
+
+# The same bytes on one and two threads, and from the resolved deck.
+expect 0 "$brunt" run "$deck" "${short[@]}" --threads 1 --out one
+expect 0 "$brunt" run "$deck" "${short[@]}" --threads 2 --out two
+cmp one/history.csv two/history.csv || fail "history depends on threads"
+expect 0 "$brunt" run one/deck.resolved.yaml --quiet --out again
+cmp one/history.csv again/history.csv || fail "the resolved deck is not the deck"
+
+# Wrong decks and calls: status 2, a place, no folder.
+expect 2 "$brunt" run "$deck" --set "bodies.striker.velocty=[1 m/s, 0, 0]" --out wrong
+grep -q "did you mean 'velocity'" err.txt || { cat err.txt; fail "no suggestion"; }
+[ ! -e wrong ] || fail "a wrong deck made a folder"
+expect 2 "$brunt" run nowhere.yaml
+expect 2 "$brunt" walk
+expect 2 "$brunt" run
+
+# Physics that breaks: status 3, a summary, a last frame.
+expect 3 "$brunt" run "$deck" "${short[@]}" --set "time.min_step=1 s" --out broken
+grep -q '"status": *3' broken/summary.json || fail "no status in the summary"
+grep -q 'min_step' err.txt || fail "no cause"
+
+# --json prints the summary; check, plan, table, explain, schema answer.
+expect 0 "$brunt" run "$deck" "${short[@]}" --json --out json
+grep -q '"measures"' out.txt || fail "--json"
+expect 0 "$brunt" check "$deck"
+expect 0 "$brunt" plan "$deck"
+grep -q 'elements' out.txt || fail "plan"
+expect 0 "$brunt" table one two broken nowhere
+[ "$(wc -l <out.txt)" -ge 5 ] || { cat out.txt; fail "table"; }
+expect 0 "$brunt" explain materials.strength.johnson-cook.C
+expect 0 "$brunt" schema
+grep -q '"taylor_quinney"' out.txt || fail "schema"
+
+# A signal stops at the end of a step: status 5 and a summary.
+"$brunt" run "$deck" --quiet --set "time.end=1 s" --out stopped &
+pid=$!
+for _ in $(seq 100); do [ -s stopped/history.csv ] && break; sleep 0.1; done
+sleep 0.3
+kill -TERM $pid
+status=0
+wait $pid || status=$?
+[ $status = 5 ] || fail "status $status after SIGTERM"
+[ -s stopped/summary.json ] || fail "no summary after SIGTERM"
+echo "all good"

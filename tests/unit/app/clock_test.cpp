@@ -1,0 +1,37 @@
+// The clock: what bounds a step, and that only the end shortens one.
+#include "app/clock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brunt {
+namespace {
+
+TEST(Clock, EndsExactly) {
+  Clock clock(1.0, 0.9, kInfinity);
+  int steps = 0;
+  while (!clock.finished()) {
+    clock.advance(clock.limit({0.1 / 0.9, "element", 1, 2}));
+    ++steps;
+  }
+  EXPECT_EQ(clock.time(), 1.0);
+  EXPECT_LE(steps, 11);
+}
+
+TEST(Clock, MaxStepHasItsName) {
+  Clock clock(1.0, 0.5, 1e-3);
+  EXPECT_EQ(clock.limit({1.0, "element", 0, 0}), 1e-3);
+  EXPECT_STREQ(clock.whose().reason, "max_step");
+  EXPECT_EQ(clock.limit({1e-3, "element", 0, 0}), 5e-4);
+  EXPECT_STREQ(clock.whose().reason, "element");
+}
+
+TEST(StepVote, TiesGoToTheSmallerEntity) {
+  StepVote vote;
+  vote.take({2.0, "b", 0, 7});
+  vote.take({2.0, "a", 0, 3});
+  vote.take({3.0, "c", 0, 1});
+  EXPECT_STREQ(vote.reason, "a");
+}
+
+}  // namespace
+}  // namespace brunt

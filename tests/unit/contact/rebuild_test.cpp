@@ -1,0 +1,126 @@
+// No answer may depend on when the lists are built or how wide they are: loose faces and particles
+// in a box, kicked at random, must end with the same bits for any skin, any forced rebuild, grid or
+// brute force, one thread or more; and brute force with a skin beyond the scene lists every pair,
+// so equal states at every step are equal active sets.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <random>
+
+#include "tests/unit/contact/contact_scene.hpp"
+
+namespace brunt {
+namespace {
+
+using testing::ContactScene;
+
+template <int Dim>
+std::vector<Vec<Dim>> loose_face(std::mt19937_64& random, const Vec<Dim>& center) {
+  std::normal_distribution<Real> normal(0, 1);
+  std::vector<Vec<Dim>> corners;
+  if constexpr (Dim == 2) {
+    const Vec<2> half = 0.5 * Vec<2>(normal(random), normal(random)).normalized();
+    corners = {center - half, center + half};
+  } else {
+    const Vec3 a = Vec3(normal(random), normal(random), normal(random)).normalized();
+    const Vec3 b = a.cross(Vec3(normal(random), normal(random), normal(random))).normalized();
+    corners = {center - 0.5 * a - 0.5 * b, center + 0.5 * a - 0.5 * b, center + 0.5 * a + 0.5 * b,
+               center - 0.5 * a + 0.5 * b};
+    if (random() % 3 == 0) corners.pop_back();
+  }
+  return corners;
+}
+
+template <int Dim>
+ContactScene<Dim> cloud() {
+  ContactScene<Dim> scene;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<Real> place(0, Dim == 2 ? 4 : 3);
+  const auto anywhere = [&] {
+    Vec<Dim> x;
+    for (int c = 0; c < Dim; ++c) x[c] = place(random);
+    return x;
+  };
+  for (int i = 0; i < 20; ++i) {
+    auto& group = scene.add_group();
+    const bool rigid = i % 5 == 0;
+    scene.add_face(group, loose_face<Dim>(random, anywhere()), rigid ? 0 : 1e6, rigid ? 0 : 0.5,
+                   rigid ? 0 : 100);
+  }
+  auto& group = scene.add_group();
+  for (int i = 0; i < 20; ++i) scene.add_particle(group, anywhere(), 0.15, 1e6, 20);
+  return scene;
+}
+
+struct Setting {
+  std::optional<Real> skin;
+  int forced = 0;  // rebuild every so many steps
+  SearchMode mode = SearchMode::grid;
+  int threads = 1;
+};
+
+/// State hashes along the way; contacts counts those that carried force.
+template <int Dim>
+std::vector<std::uint64_t> run(const Setting& setting, int steps, std::size_t& contacts) {
+  auto scene = cloud<Dim>();
+  scene.options.skin = setting.skin;
+  scene.options.search = setting.mode;
+  omp_set_num_threads(setting.threads);
+  scene.start();
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<Real> kick(-1, 1);
+  std::vector<std::uint64_t> hashes;
+  Real dt = 1e-3;
+  contacts = 0;
+  for (int step = 0; step < steps; ++step) {
+    dt = std::min(0.5 * scene.contact->stable_step(dt).step, 5e-3);
+    const bool due = setting.forced && step % setting.forced == 0;
+    if (due || scene.contact->must_rearrange(dt)) scene.contact->rearrange();
+    for (auto& group : scene.groups) {
+      auto& p = group.points;
+      Vec<Dim> push;
+      for (int c = 0; c < Dim; ++c) push[c] = kick(random);
+      for (std::size_t i = 0; i < p.x.size(); ++i) {
+        // Walls far out pull back, so that the cloud stays together.
+        const Vec<Dim> home = Vec<Dim>::Constant(1.5) - p.x[i];
+        p.v[i] = 0.98 * p.v[i] + 0.3 * push + 0.02 * home;
+      }
+    }
+    scene.step(dt);
+    contacts += scene.contact->work().contacts;
+    std::uint64_t hash = scene.totals().state_hash;
+    for (const auto& group : scene.groups) {
+      for (const auto& x : group.points.x) {
+        for (int c = 0; c < Dim; ++c) hash = mix(hash, x[c]);
+      }
+    }
+    hashes.push_back(mix(hash, dt));
+  }
+  omp_set_num_threads(omp_get_num_procs());
+  return hashes;
+}
+
+template <int Dim>
+void check_all() {
+  constexpr int steps = 10000;
+  std::size_t contacts = 0, other = 0;
+  const auto all = run<Dim>({100.0, 0, SearchMode::brute, 1}, steps, contacts);
+  EXPECT_GT(contacts, static_cast<std::size_t>(steps / 2));
+  for (const Setting& setting : {Setting{0.0, 0, SearchMode::grid, 1},
+                                 {0.01, 3, SearchMode::grid, 2},
+                                 {0.2, 0, SearchMode::grid, 1},
+                                 {2.0, 0, SearchMode::grid, 2},
+                                 {std::nullopt, 0, SearchMode::grid, 2},
+                                 {std::nullopt, 7, SearchMode::brute, 1}}) {
+    const auto hashes = run<Dim>(setting, steps, other);
+    EXPECT_EQ(contacts, other);
+    const auto differ = std::mismatch(all.begin(), all.end(), hashes.begin());
+    EXPECT_EQ(differ.first - all.begin(), steps) << "skin " << setting.skin.value_or(-1);
+  }
+}
+
+TEST(ContactRebuild, ChangesNoBitInTwoDimensions) { check_all<2>(); }
+TEST(ContactRebuild, ChangesNoBitInThreeDimensions) { check_all<3>(); }
+
+}  // namespace
+}  // namespace brunt

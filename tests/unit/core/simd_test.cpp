@@ -1,0 +1,61 @@
+/// Each lane of a Pack does what a Real does, bit for bit, signs of zero and NaN included.
+#include "core/simd.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+namespace brunt {
+namespace {
+
+constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
+constexpr std::array kValues{0.0, -0.0, 1.0, -1.0, 2.25, 1e300, 5e-324, kInfinity, -kInfinity};
+
+std::uint64_t bits(Real x) { return std::bit_cast<std::uint64_t>(x); }
+
+TEST(Simd, ElementwiseFunctionsAgreeWithReal) {
+  for (const Real a : kValues) {
+    for (const Real b : kValues) {
+      const Pack x{a, b, b, a}, y{b, a, b, a};
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const Real s = x[lane], t = y[lane];
+        EXPECT_EQ(bits(vmin(x, y)[lane]), bits(vmin(s, t)));
+        EXPECT_EQ(bits(vmax(x, y)[lane]), bits(vmax(s, t)));
+        EXPECT_EQ(bits(vabs(x)[lane]), bits(vabs(s)));
+        EXPECT_EQ(bits(vsqrt(vabs(x))[lane]), bits(vsqrt(vabs(s))));
+        EXPECT_EQ(bits(select(x < y, x, y)[lane]), bits(select(s < t, s, t)));
+        EXPECT_EQ(lane_of(x < y, lane), s < t);
+        EXPECT_EQ(bits(lane_of(x, lane)), bits(s));
+      }
+    }
+  }
+}
+
+TEST(Simd, MinAndMaxTakeTheSecondOfANan) {
+  EXPECT_EQ(vmin(kNan, 1.0), 1.0);
+  EXPECT_EQ(vmax(kNan, 1.0), 1.0);
+  EXPECT_TRUE(std::isnan(vmin(1.0, kNan)));
+  EXPECT_EQ(vmin(broadcast<Pack>(kNan), broadcast<Pack>(1.0))[2], 1.0);
+}
+
+TEST(Simd, AnySeesEachLane) {
+  const Pack zero{};
+  EXPECT_FALSE(any(zero < zero));
+  EXPECT_FALSE(any(zero < broadcast<Pack>(kNan)));
+  for (int lane = 0; lane < kLanes; ++lane) {
+    Pack one{};
+    one[lane] = 1;
+    EXPECT_TRUE(any(zero < one));
+    EXPECT_FALSE(any(one < zero));
+  }
+}
+
+TEST(Simd, LoadAndStoreKeepOrder) {
+  const Real in[5] = {1, 2, 3, 4, 5};
+  Real out[4] = {};
+  store(out, load(in + 1));  // not aligned
+  for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(out[lane], in[lane + 1]);
+}
+
+}  // namespace
+}  // namespace brunt

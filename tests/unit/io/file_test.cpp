@@ -1,0 +1,142 @@
+// Files that are whole or not there. Disk full is made by a limit on the size of files of the
+// process (RLIMIT_FSIZE): write() then fails as it does on a full disk, after taking a part.
+// Expected: MachineError with the file's name, the file as it was, nothing left beside it.
+#include "io/file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "core/errors.hpp"
+
+namespace brunt {
+namespace {
+
+class FileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("file_") + info->name());
+    std::filesystem::remove_all(folder_);
+    create_folder(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::size_t files_in_folder() const {
+    std::size_t n = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++n;
+    return n;
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// While it lives, no file may grow beyond so many bytes.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    old_signal_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, old_signal_);
+  }
+
+ private:
+  rlimit old_{};
+  void (*old_signal_)(int) = nullptr;
+};
+
+template <class Action>
+std::string message_of(Action action) {
+  try {
+    action();
+  } catch (const MachineError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(FileTest, ReplacesAllBytesAndLeavesNothingBeside) {
+  const auto path = folder_ / "a.bin";
+  const std::string bytes("one\0two\n", 8);
+  write_file_atomically(path, "an older and longer text");
+  write_file_atomically(path, bytes);
+  EXPECT_EQ(read_file(path), bytes);
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(FileTest, HonoursTheUmask) {
+  const mode_t old = umask(027);
+  write_file_atomically(folder_ / "a", "x");
+  umask(old);
+  struct stat status {};
+  ASSERT_EQ(stat((folder_ / "a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0640u);
+}
+
+TEST_F(FileTest, KeepsTheOldFileOnAFullDisk) {
+  const auto path = folder_ / "frame.vtu";
+  write_file_atomically(path, "old");
+  std::string message;
+  {
+    FileSizeLimit limit(1000);
+    message = message_of([&] { write_file_atomically(path, std::string(5000, 'x')); });
+  }
+  EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+  EXPECT_NE(message.find("errno 27"), std::string::npos) << message;  // EFBIG
+  EXPECT_EQ(read_file(path), "old");
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(FileTest, NamesTheFileWhereTheFolderIsMissing) {
+  const auto path = folder_ / "none" / "a";
+  const std::string message = message_of([&] { write_file_atomically(path, "x"); });
+  EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+  EXPECT_NE(message_of([&] { read_file(path); }).find(path.string()), std::string::npos);
+}
+
+TEST_F(FileTest, RefusesAFolderBelowAFile) {
+  write_file_atomically(folder_ / "a", "x");
+  EXPECT_THROW(create_folder(folder_ / "a" / "b"), MachineError);
+}
+
+TEST_F(FileTest, AppendsLinesThatAreThereAtOnce) {
+  const auto path = folder_ / "history.csv";
+  LineFile file(path);
+  file.append("1,2\n");
+  EXPECT_EQ(read_file(path), "1,2\n");
+  file.append("3,4\n");
+  file.flush();
+  EXPECT_EQ(read_file(path), "1,2\n3,4\n");
+}
+
+TEST_F(FileTest, CutsAPartOfALineOffOnAFullDisk) {
+  // 12 bytes fit, so the second line of 8 bytes is taken by half and must be cut off again.
+  const auto path = folder_ / "history.csv";
+  LineFile file(path);
+  file.append("1111111\n");
+  std::string message;
+  {
+    FileSizeLimit limit(12);
+    message = message_of([&] { file.append("2222222\n"); });
+  }
+  EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+  EXPECT_EQ(read_file(path), "1111111\n");
+  file.append("3333333\n");
+  EXPECT_EQ(read_file(path), "1111111\n3333333\n");
+}
+
+TEST(LineFile, NamesTheDeviceThatIsFull) {
+  LineFile file("/dev/full");
+  EXPECT_NE(message_of([&] { file.append("1\n"); }).find("/dev/full"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace brunt

@@ -1,0 +1,224 @@
+// Frames as VTK files: what is written reads back through VTK's own readers bit for bit (appended
+// raw doubles, so no tolerance), and frames.pvd never names a file that is not whole.
+#ifdef BRUNT_VTK
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "core/errors.hpp"
+#include "io/file.hpp"
+#include "io/vtk/frame_reader.hpp"
+#include "io/vtk/frame_writer.hpp"
+
+namespace brunt {
+namespace {
+
+BodyView hex_body(Real time) {
+  BodyView view;
+  view.body = "bar";
+  view.time = time;
+  view.position = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1.0 / 3};
+  view.connectivity = {0, 1, 2, 3, 4, 5, 6, 7};
+  view.corners = 8;
+  view.point_fields = {{"velocity", 3, std::vector<Real>(24, 0.1)},
+                       {"id", 1, {1e15, 2, 3, 4, 5, 6, 7, 8}}};
+  view.cell_fields = {{"stress", 6, {1, 2, 3, 4, 5, -6e8}}, {"eps_p", 1, {0.25}}};
+  return view;
+}
+
+BodyView quad_and_triangle() {
+  BodyView view;
+  view.body = "anvil & co";  // needs escapes in file names and in XML
+  view.position = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0};
+  view.connectivity = {0, 1, 2, 3, 1, 4, 2, -1};
+  view.corners = 4;
+  return view;
+}
+
+BodyView particles() {
+  BodyView view;
+  view.body = "sph";
+  view.position = {0, 0, 0, 0.5, 0, 0};
+  view.point_fields = {{"density", 1, {1000, 1000.5}}};
+  view.point_radius = {0.25, 0.25};
+  return view;
+}
+
+ContactView contacts() {
+  // A plane of three corners, a plane of a 2D scene, a particle contact.
+  ContactView view;
+  view.position = {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 9, 9, 9};
+  view.polygon_size = {3, 2, 1};
+  view.normal = {0, 0, 1, 0, 1, 0, 1, 0, 0};
+  view.pressure = {10, 20, 30};
+  view.penetration = {0.1, 0.2, 0.3};
+  view.force = {0, 0, 5, 0, 6, 0, 7, 0, 0};
+  view.body_a = {0, 1, 2};
+  view.body_b = {3, 4, 5};
+  return view;
+}
+
+class VtkTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("vtk_") + info->name());
+    std::filesystem::remove_all(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+};
+
+void expect_same(const std::vector<Field>& a, const std::vector<Field>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].name, b[i].name);
+    EXPECT_EQ(a[i].components, b[i].components);
+    EXPECT_EQ(a[i].values, b[i].values) << a[i].name;
+  }
+}
+
+void expect_same(const BodyView& a, const BodyView& b) {
+  EXPECT_EQ(a.body, b.body);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.connectivity, b.connectivity);
+  EXPECT_EQ(a.corners, b.corners);
+  EXPECT_EQ(a.point_radius, b.point_radius);
+  expect_same(a.point_fields, b.point_fields);
+  expect_same(a.cell_fields, b.cell_fields);
+}
+
+TEST_F(VtkTest, ReadsBackTheSame) {
+  const std::vector<BodyView> bodies = {hex_body(2e-6), quad_and_triangle(), particles()};
+  FrameWriter writer(folder_);
+  writer.write(0, bodies, nullptr);
+  writer.write(2e-6, bodies, nullptr);
+  const auto index = read_frame_index(folder_);
+  ASSERT_EQ(index.size(), 2u);
+  EXPECT_EQ(index[1].time, 2e-6);
+  const auto read = read_frame(folder_, index[1]);
+  ASSERT_EQ(read.size(), 3u);
+  for (std::size_t b = 0; b < 3; ++b) expect_same(read[b], bodies[b]);
+}
+
+TEST_F(VtkTest, WritesContactsWithTheirFields) {
+  const ContactView view = contacts();
+  FrameWriter writer(folder_);
+  writer.write(0, {hex_body(0)}, &view);
+  const auto index = read_frame_index(folder_);
+  ASSERT_EQ(index[0].parts.size(), 2u);
+  EXPECT_EQ(index[0].parts[1].name, "contact");
+  const ContactView read = read_contacts(folder_, index[0]);
+  // VTK keeps points before lines before polygons: the order of the contacts is turned round.
+  EXPECT_EQ(read.polygon_size, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(read.pressure, (std::vector<Real>{30, 20, 10}));
+  EXPECT_EQ(read.penetration, (std::vector<Real>{0.3, 0.2, 0.1}));
+  EXPECT_EQ(read.normal, (std::vector<Real>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(read.force, (std::vector<Real>{7, 0, 0, 0, 6, 0, 0, 0, 5}));
+  EXPECT_EQ(read.body_a, (std::vector<Label>{2, 1, 0}));
+  EXPECT_EQ(read.body_b, (std::vector<Label>{5, 4, 3}));
+  EXPECT_EQ(read.position,
+            (std::vector<Real>{9, 9, 9, 5, 0, 0, 6, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}));
+}
+
+TEST_F(VtkTest, WritesEmptyBodiesAndContacts) {
+  // All eroded, nothing in touch: the parts stay, so that ParaView finds the same blocks.
+  BodyView gone;
+  gone.body = "gone";
+  gone.corners = 8;
+  const ContactView none;
+  FrameWriter writer(folder_);
+  writer.write(0, {gone}, &none);
+  const auto index = read_frame_index(folder_);
+  EXPECT_TRUE(read_frame(folder_, index[0])[0].position.empty());
+  EXPECT_TRUE(read_contacts(folder_, index[0]).polygon_size.empty());
+}
+
+TEST_F(VtkTest, NamesPartsForParaView) {
+  FrameWriter writer(folder_);
+  writer.write(1e-3, {quad_and_triangle()}, nullptr);
+  EXPECT_EQ(read_file(folder_ / "frames.pvd"),
+            "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+            "  <Collection>\n"
+            "    <DataSet timestep=\"0.001\" group=\"\" part=\"0\" name=\"anvil &amp; co\" "
+            "file=\"frames/anvil%20%26%20co.00000.vtu\"/>\n"
+            "  </Collection>\n"
+            "</VTKFile>\n");
+}
+
+TEST_F(VtkTest, StartsAnewAndGoesOn) {
+  {
+    FrameWriter writer(folder_);
+    for (int i = 0; i < 3; ++i) writer.write(i, {hex_body(i)}, nullptr);
+  }
+  FrameWriter again(folder_, 1.0);
+  EXPECT_EQ(again.n_frames(), 2u);
+  again.write(1.5, {hex_body(1.5)}, nullptr);
+  EXPECT_EQ(read_frame_index(folder_).back().parts[0].file, "frames/bar.00002.vtu");
+  FrameWriter anew(folder_);
+  EXPECT_TRUE(read_frame_index(folder_).empty());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "frames"));
+}
+
+TEST_F(VtkTest, KeepsTheFramesBeforeOnAFullDisk) {
+  // The limit on file sizes stands for the full disk; a frame of 10,000 points does not fit.
+  BodyView big = particles();
+  big.position.clear();
+  for (int i = 0; i < 30000; ++i) big.position.push_back(1.0 / (i + 1));
+  big.point_fields.clear();
+  big.point_radius.clear();
+  FrameWriter writer(folder_);
+  writer.write(0, {particles()}, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit limit{20000, old.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::string message;
+  try {
+    writer.write(1, {big}, nullptr);
+  } catch (const MachineError& error) {
+    message = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_NE(message.find("sph.00001.vtu"), std::string::npos) << message;
+  ASSERT_EQ(read_frame_index(folder_).size(), 1u);
+  EXPECT_EQ(read_frame(folder_, read_frame_index(folder_)[0]).size(), 1u);
+  writer.write(1, {particles()}, nullptr);
+  EXPECT_EQ(read_frame_index(folder_).size(), 2u);
+}
+
+TEST_F(VtkTest, SaysWhatIsBrokenAndPrintsNothing) {
+  FrameWriter writer(folder_);
+  writer.write(0, {hex_body(0)}, nullptr);
+  const auto index = read_frame_index(folder_);
+  const auto path = folder_ / index[0].parts[0].file;
+  const std::string whole = read_file(path);
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  write_file_atomically(path, whole.substr(0, whole.size() / 2));
+  EXPECT_THROW(read_frame(folder_, index[0]), MachineError);
+  std::filesystem::remove(path);
+  EXPECT_THROW(read_frame(folder_, index[0]), MachineError);
+  write_file_atomically(folder_ / "frames.pvd", "<VTKFile");
+  EXPECT_THROW(read_frame_index(folder_), MachineError);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST_F(VtkTest, RefusesFieldsThatDoNotFit) {
+  FrameWriter writer(folder_);
+  BodyView view = hex_body(0);
+  view.cell_fields[0].values.pop_back();
+  EXPECT_THROW(writer.write(0, {view}, nullptr), std::invalid_argument);
+  view = hex_body(0);
+  view.connectivity[0] = 8;
+  EXPECT_THROW(writer.write(0, {view}, nullptr), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace brunt
+#endif

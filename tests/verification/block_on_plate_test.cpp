@@ -1,0 +1,59 @@
+// A block of particles and a plate of hexes (contact.md 3, test 24).
+// Free flight and impact without supports: total momentum changes by rounding only. At rest under
+// gravity the plate carries the weight of the block: m g = 1000 kg/m^3 (20 mm)^3 g = 0.07848 N.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/simulate.hpp"
+
+namespace brunt::test {
+namespace {
+
+const char* const kBlock = R"(
+title: block on plate
+geometry: 3d
+time: {end: 4 ms, safety: 0.9}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
+bodies:
+  block:
+    method: sph
+    material: rubber
+    shape: {box: {min: [-10 mm, -10 mm, 0], max: [10 mm, 10 mm, 20 mm]}}
+    size: 4 mm
+    velocity: [0.2 m/s, 0.1 m/s, -1 m/s]
+  plate:
+    method: fe
+    material: rubber
+    shape: {box: {min: [-21 mm, -21 mm, -10 mm], max: [21 mm, 21 mm, 0]}}
+    size: 5 mm
+)";
+
+TEST(BlockOnPlate, MomentumIsKept) {
+  const auto run = simulate_text(kBlock);
+  ASSERT_EQ(run.failure, "");
+  const Real scale = 0.008 * 1.0;  // [N s] of the falling block
+  for (const char* axis : {"x", "y", "z"}) {
+    const auto momentum = run.column(std::string("momentum.") + axis);
+    for (const Real p : momentum) EXPECT_NEAR(p, momentum.front(), 1e-12 * scale) << axis;
+  }
+  EXPECT_LT(run.last("body.plate.velocity.z"), 0);  // it was hit
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+TEST(BlockOnPlate, CarriesItsWeightAtRest) {
+  // The block's first mode has a period of 4 L/c = 0.7 ms and the plate's is shorter; damping of
+  // 2000 1/s takes e^-20 off it in 20 ms.
+  const auto run = simulate_text(
+      std::string(kBlock) +
+          "gravity: [0, 0, -9.81 m/s^2]\ndamping: {rate: 2000 1/s}\n"
+          "boundaries:\n  floor: {body: plate, where: {side: min-z}, fix: [x, y, z]}\n",
+      {"bodies.block.velocity=[0, 0, 0]", "time.end=40 ms"});
+  ASSERT_EQ(run.failure, "");
+  const Real weight = 1000 * 0.02 * 0.02 * 0.02 * 9.81;
+  EXPECT_NEAR(run.last("contact.block-plate.force.z"), weight, 1e-3 * weight);
+}
+
+}  // namespace
+}  // namespace brunt::test
