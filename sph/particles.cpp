@@ -43,7 +43,8 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   seed_votes();
 }
 
-/// Smoothing length and contact radius follow the volume.
+/// The smoothing length follows the volume. The contact radius does not: its spring is that of the
+/// reference geometry, or it would have no potential.
 template <int Dim>
 void SphParticles<Dim>::set_size(std::size_t i) {
   const SphOptions& options = blocks_[block_of_[i]].set.options;
@@ -51,7 +52,6 @@ void SphParticles<Dim>::set_size(std::size_t i) {
   Real size = state.spacing;
   if (options.adaptive_h) size *= Dim == 2 ? std::sqrt(state.ratio) : std::cbrt(state.ratio);
   smoothing_length_[i] = options.smoothing * size;
-  surface_.particles[i].radius = 0.5 * size;
 }
 
 template <int Dim>
@@ -113,7 +113,7 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
     const SphOptions& options = block.set.options;
     with_kernel(options.kernel, [&]<class Kernel>(Kernel) {
       const SphPairOptions pair{options.viscosity.alpha, options.viscosity.beta,
-                             1.0 / Kernel::value(1.0 / options.smoothing)};
+                                1.0 / Kernel::value(1.0 / options.smoothing)};
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         const auto k = static_cast<std::size_t>(i);

@@ -211,7 +211,8 @@ void fill_region(const Region<Dim>& region, const std::vector<Real>& spacing, La
 }  // namespace
 
 template <int Dim>
-Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing, LatticeKind lattice) {
+Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing,
+                        LatticeKind lattice) {
   Filling<Dim> filling;
   if (const auto* wall = std::get_if<BrickWall>(&shape.kind)) {
     for (const auto& brick : bricks_of<Dim>(*wall)) {

@@ -58,7 +58,8 @@ FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Ge
 
 /// Fills a shape with particles of the given spacing [m], an axis each.
 template <int Dim>
-Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing, LatticeKind lattice);
+Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing,
+                        LatticeKind lattice);
 
 /// Outer faces of a mesh: those that exactly one element has, normals outward.
 template <int Dim>

@@ -30,7 +30,7 @@ std::vector<IndexPair> overlapping_pairs(std::span<const SearchBox<Dim>> boxes,
 
 /// Neighbours of each point, compressed rows; within a row ascending.
 struct NeighbourList {
-  std::vector<std::int64_t> offset;    ///< size n + 1
+  std::vector<std::int64_t> offset;  ///< size n + 1
   std::vector<LocalIndex> neighbour;
 };
 

@@ -141,4 +141,9 @@ std::string main_word(const char* words);
 /// A text for "needs one of": "a, b or c" of the first spellings; refused words left out.
 std::string word_list(std::span<const char* const> words);
 
+/// Adds `unit` behind each bare number below `node`; false where something else stands.
+bool add_unit(Node& node, const std::string& unit);
+/// "1 component", "3 components".
+std::string count_text(int size);
+
 }  // namespace brunt

@@ -47,7 +47,9 @@ Contact contact_of(const Simulation& run, const std::string& column) {
 }
 
 TEST(Bars, FiniteElementsSwapVelocities) {
-  const auto run = simulate_shipped("bars", {"output.history=0.02 us"});
+  // CFL 0.8 means dt = 0.8 h/c here, as in the table of test 9; the contact's vote is 0.926 h/c.
+  // (At 0.74 h/c, safety 0.8, an independent 1D chain gives an overshoot of 3.6 % instead.)
+  const auto run = simulate_shipped("bars", {"output.history=0.02 us", "time.safety=0.864"});
   ASSERT_EQ(run.failure, "");
   const Contact contact = contact_of(run, "contact.striker-target.force.x");
   EXPECT_NEAR(contact.mean, kPlateau, 1e-3 * kPlateau);
@@ -67,7 +69,7 @@ TEST(Bars, LedgerClosesToRoundOff) {
 }
 
 TEST(Bars, RestitutionRisesWithRefinement) {
-  const auto run = simulate_shipped("bars", {"parameters.cells=200"});
+  const auto run = simulate_shipped("bars", {"parameters.cells=200", "time.safety=0.864"});
   const Real v1 = run.last("body.striker.velocity.x"), v2 = run.last("body.target.velocity.x");
   EXPECT_NEAR((v2 - v1) / kSpeed, 0.9985, 0.0005);
 }
