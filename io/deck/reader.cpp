@@ -92,7 +92,8 @@ const Node* Reader::find(const Key& key) {
     return nullptr;
   }
   const std::string path = path_of(key.name);
-  report_.places[path] = entry->place;
+  const bool has_keys = entry->value.is_map() || entry->value.is_null();
+  report_.places[path] = has_keys ? entry->place : entry->value.place;
   if (not_applicable_) {
     problem_at(entry->place, path, std::string("this key is ") + not_applicable_);
     return nullptr;
