@@ -82,7 +82,9 @@ int command_line(int argc, char** argv) {
   render->add_option("dir", picture.folder, "output folder")->required();
   render->add_option("--field", picture.field, "field to colour by, such as von_mises");
   render->add_option("--out", picture.out, "folder of the pictures; default: the output folder");
-  render->add_flag("--last", picture.last, "only the last frame");
+  render->add_option("--frames", picture.frames, "all, last, or numbers such as 0,5,10");
+  render->add_option("--view", picture.view, "auto, oblique, front, side or top");
+  render->add_option("--title", picture.title, "text at the top");
 
   std::string key;
   auto* explain = app.add_subcommand("explain", "explains a key of the deck, or lists them");

@@ -40,7 +40,7 @@ void clear(const fs::path& folder) {
 bool is_finished(const fs::path& folder, const std::string& deck_hash) {
   if (!fs::exists(folder / "summary.json")) return false;
   try {
-    const RunSummary summary = read_summary(folder / "summary.json");
+    const RunSummary summary = read_summary(folder);
     return summary.status == kDone && summary.deck_hash == deck_hash;
   } catch (const MachineError&) {
     return false;

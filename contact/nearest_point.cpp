@@ -49,25 +49,40 @@ void name_feature(const std::array<Real, 3>& w, const std::array<int, 3>& corner
   }
 }
 
-/// Takes triangle a, b, c as the nearest if it is nearer than what is known.
+/// A triangle of a face, its corners there (-1: the centre), and its point that is nearest to x.
+struct Candidate {
+  std::array<Vec3, 3> at = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::array<int, 3> corner{};
+  std::array<Real, 3> weight{};
+  Vec3 point = Vec3::Zero();
+  Real squared_distance = kInfinity;
+};
+
+/// Takes a triangle with area as the nearest if it is nearer than what is known.
 void offer(const Vec3& x, const std::array<Vec3, 3>& t, const std::array<int, 3>& corner,
-           NearestPoint<3>& nearest) {
-  const Vec3 twice = (t[1] - t[0]).cross(t[2] - t[0]);
-  const Real norm = twice.norm();
-  if (!(norm > 0)) return;
+           Candidate& best) {
+  if (!((t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() > 0)) return;
   const auto w = nearest_weights(x, t[0], t[1], t[2]);
   const Vec3 point = w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
-  const Real distance = (x - point).norm();
-  if (!(distance < nearest.distance)) return;
-  nearest.distance = distance;
-  nearest.point = point;
-  nearest.normal = twice / norm;
-  const bool is_quad = corner[2] < 0;
-  nearest.weight.fill(is_quad ? 0.25 * w[2] : 0.0);
+  const Real squared_distance = (x - point).squaredNorm();
+  if (!(squared_distance < best.squared_distance)) return;
+  best = {t, corner, w, point, squared_distance};
+}
+
+NearestPoint<3> nearest_of(const Candidate& best) {
+  NearestPoint<3> nearest;
+  const auto& t = best.at;
+  nearest.distance = std::sqrt(best.squared_distance);
+  nearest.point = best.point;
+  nearest.normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+  const bool is_quad = best.corner[2] < 0;
+  nearest.weight.fill(is_quad ? 0.25 * best.weight[2] : 0.0);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (corner[i] >= 0) nearest.weight[static_cast<std::size_t>(corner[i])] += w[i];
+    if (best.corner[i] >= 0)
+      nearest.weight[static_cast<std::size_t>(best.corner[i])] += best.weight[i];
   }
-  name_feature(w, corner, is_quad, nearest);
+  name_feature(best.weight, best.corner, is_quad, nearest);
+  return nearest;
 }
 
 NearestPoint<2> nearest_on_edge(const FacePlane<2>& face, const Vec<2>& x) {
@@ -93,18 +108,18 @@ NearestPoint<Dim> nearest_point(const FacePlane<Dim>& face, const Vec<Dim>& x) {
   if constexpr (Dim == 2) {
     return nearest_on_edge(face, x);
   } else {
-    NearestPoint<3> nearest;
+    Candidate best;
     const auto& corner = face.corner;
     if (face.n_corners == 3) {
-      offer(x, {corner[0], corner[1], corner[2]}, {0, 1, 2}, nearest);
-      return nearest;
+      offer(x, {corner[0], corner[1], corner[2]}, {0, 1, 2}, best);
+      return nearest_of(best);
     }
     for (int i = 0; i < 4; ++i) {
       const int j = (i + 1) % 4;
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      offer(x, {corner[a], corner[b], face.center}, {i, j, -1}, nearest);
+      offer(x, {corner[a], corner[b], face.center}, {i, j, -1}, best);
     }
-    return nearest;
+    return nearest_of(best);
   }
 }
 

@@ -151,7 +151,9 @@ void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& 
   const std::span<ParticleHit<Dim>> all(hits);
   for (auto& hit : all) hit.kept = true;
   if (all.size() > 1) drop_shared(all, radius);
-  for (auto& hit : all) find_side<Dim>(x, radius, all, hit);
+  for (auto& hit : all) {
+    if (hit.kept) find_side<Dim>(x, radius, all, hit);
+  }
   keep_nearest_side(all);
   for (auto& hit : all) {
     if (!hit.kept) continue;

@@ -73,6 +73,6 @@ struct ParticleSpring {
 /// its centre less than 2.3 radii behind a rigid face (energy 25/2 m c^2 = b z^4 / (4 r^2)).
 inline constexpr Real kBarrier = 16;
 /// Radii behind a face at which a particle is given up.
-inline constexpr Real kDepthRadii = 4;
+inline constexpr Real kDepthRadii = 3;
 
 }  // namespace brunt

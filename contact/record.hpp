@@ -1,4 +1,6 @@
 #pragma once
+#include <omp.h>
+
 #include <vector>
 
 #include "contact/entities.hpp"
@@ -67,12 +69,6 @@ class Records {
 template <int Dim>
 void apply(const Records<Dim>& records, Real dt, const std::vector<Surface<Dim>*>& surfaces,
            ContactNodes<Dim>& nodes);
-
-}  // namespace brunt
-
-#include <omp.h>
-
-namespace brunt {
 
 template <int Dim>
 template <class Work>

@@ -20,7 +20,7 @@ void NeighbourRows<Dim>::assign(NeighbourList list) {
 
 template <int Dim>
 void NeighbourRows<Dim>::refresh(const MotionRecord<Dim>* records, LocalIndex i) {
-  constexpr int smoothing = MotionRecord<Dim>::kSmoothing;
+  constexpr int inverse = MotionRecord<Dim>::kInverse;
   const auto k = static_cast<std::size_t>(i);
   const LocalIndex* candidate = list_.neighbour.data() + list_.offset[k];
   const auto n = static_cast<int>(list_.offset[k + 1] - list_.offset[k]);
@@ -28,16 +28,9 @@ void NeighbourRows<Dim>::refresh(const MotionRecord<Dim>* records, LocalIndex i)
   LocalIndex* out = near_.data() + first_[k];
   int found = 0, c = 0;
   for (; c + kLanes <= n; c += kLanes) {
-    const LocalIndex* j = candidate + c;
-    Pack part[4];
-    load_transposed(records[j[0]].data, records[j[1]].data, records[j[2]].data, records[j[3]].data,
-                    part);
-    Pack r2 = (part[0] - own[0]) * (part[0] - own[0]);
-    for (int d = 1; d < Dim; ++d) r2 = r2 + (part[d] - own[d]) * (part[d] - own[d]);
-    const Pack reach = part[smoothing] + own[smoothing];
-    const PackMask inside = r2 < reach * reach;
+    const PackMask inside = SquaredRatio<Dim>(records, own, candidate + c).q2 < 4.0;
     for (int lane = 0; lane < kLanes; ++lane) {
-      out[found] = j[lane];
+      out[found] = candidate[c + lane];
       found -= static_cast<int>(inside[lane]);  // an inside lane is -1
     }
   }
@@ -45,8 +38,8 @@ void NeighbourRows<Dim>::refresh(const MotionRecord<Dim>* records, LocalIndex i)
     const Real* other = records[candidate[c]].data;
     Real r2 = (other[0] - own[0]) * (other[0] - own[0]);
     for (int d = 1; d < Dim; ++d) r2 = r2 + (other[d] - own[d]) * (other[d] - own[d]);
-    const Real reach = other[smoothing] + own[smoothing];
-    if (r2 < reach * reach) out[found++] = candidate[c];
+    const Real inverse_h = 0.5 * (other[inverse] + own[inverse]);
+    if (r2 * (inverse_h * inverse_h) < 4.0) out[found++] = candidate[c];
   }
   count_[k] = found;
   while (found % kLanes != 0) out[found++] = i;

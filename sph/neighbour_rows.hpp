@@ -15,7 +15,7 @@ class NeighbourRows {
  public:
   /// list  candidates, ascending within a row
   void assign(NeighbourList list);
-  /// Finds j with |x_i - x_j| < h_i + h_j among the candidates of i.
+  /// Finds j with |x_i - x_j| < 2 h_ij among the candidates of i.
   void refresh(const MotionRecord<Dim>* records, LocalIndex i);
 
   /// Places of the true neighbours of i, padded by i.

@@ -33,11 +33,20 @@ struct ForceSums {
   Real mu;                ///< [m/s] max |mu_ij|
 };
 
+/// One by one: a whole array at once becomes a call that costs more than the sums of a neighbour.
+template <std::size_t n>
+BRUNT_INLINE void clear(Pack (&sums)[n]) {
+  for (std::size_t k = 0; k < n; ++k) sums[k] = broadcast<Pack>(0.0);
+}
+
 template <int Dim, class Kernel>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, LocalIndex i,
                                              std::span<const LocalIndex> row) {
-  Pack moment[kSymmetric<Dim>] = {}, rate[Dim * Dim] = {};
-  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*) {
+  Pack moment[kSymmetric<Dim>], rate[Dim * Dim];
+  clear(moment);
+  clear(rate);
+  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*)
+      __attribute__((always_inline)) {
     for (int b = 0; b < Dim; ++b) {
       const Pack gradient = weight * pair.arm[b];
       for (int a = 0; a <= b; ++a) {
@@ -70,10 +79,8 @@ BRUNT_INLINE Vec<Dim> mean_velocity(const MotionRecord<Dim>* motion,
     for (int lane = 0; lane < kLanes; ++lane) {
       density[lane] = stress[j[lane]].data[StressRecord<Dim>::kDensity];
     }
-    const Pack inverse = 1.0 / pair.h;
-    const Pack q = vsqrt(pair.r2) * inverse;
-    Pack value = Kernel::template kAlpha<Dim> * Kernel::value(q);
-    for (int d = 0; d < Dim; ++d) value = value * inverse;
+    Pack value = Kernel::template kAlpha<Dim> * Kernel::value(vsqrt(pair.q2));
+    for (int d = 0; d < Dim; ++d) value = value * pair.inverse_h;
     const Pack weight = pair.volume * density * value / (0.5 * (density + own));
     for (int d = 0; d < Dim; ++d) sum[d] = sum[d] + weight * pair.velocity[d];
   }
@@ -93,9 +100,13 @@ struct ForceRecords {
 /// Stress divergence of four pairs: the part of i is the sum of w (x_j - x_i), applied at the end.
 template <int Dim>
 struct StressPart {
-  Pack force[Dim] = {};  // sum w T_j (x_j - x_i)
-  Pack arm[Dim] = {};    // sum w (x_j - x_i)
+  Pack force[Dim];  // sum w T_j (x_j - x_i)
+  Pack arm[Dim];    // sum w (x_j - x_i)
 
+  BRUNT_INLINE StressPart() {
+    clear(force);
+    clear(arm);
+  }
   BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, const Pack* stress) {
     Pack gradient[Dim];
     for (int a = 0; a < Dim; ++a) {
@@ -111,12 +122,13 @@ struct StressPart {
 };
 
 /// Monaghan 1992: Pi = (-alpha c mu + beta mu^2)/rho where pairs approach,
-/// mu = h v_ij.x_ij/(r^2 + 0.01 h^2), c, rho and h means of the pair.
+/// mu = h v_ij.x_ij/(r^2 + 0.01 h^2), c, rho and h means of the pair (h: harmonic).
 template <int Dim>
 struct ViscousPart {
-  Pack force[Dim] = {};
+  Pack force[Dim];
   Pack power = {}, largest_mu = {}, largest_speed2 = {};
 
+  BRUNT_INLINE ViscousPart() { clear(force); }
   BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, const Real* own, Pack sound_speed,
                         Pack density, const SphPairOptions& options) {
     Pack approach = pair.velocity[0] * pair.arm[0], speed2 = pair.velocity[0] * pair.velocity[0];
@@ -124,12 +136,11 @@ struct ViscousPart {
       approach = approach + pair.velocity[a] * pair.arm[a];
       speed2 = speed2 + pair.velocity[a] * pair.velocity[a];
     }
-    const Pack h = pair.h;
     const Real own_density = own[StressRecord<Dim>::kDensity];
-    // one division gives mu = h approach/(r^2 + 0.01 h^2) and 2 rho_i rho_j/(rho_i + rho_j)
-    const Pack distance2 = pair.r2 + (0.01 * h) * h, densities = density + own_density;
+    // one division gives mu = approach/h / (q^2 + 0.01) and 2 rho_i rho_j/(rho_i + rho_j)
+    const Pack distance2 = pair.q2 + 0.01, densities = density + own_density;
     const Pack inverse = 1.0 / (distance2 * densities);
-    const Pack mu = vmin(h * approach * (densities * inverse), broadcast<Pack>(0.0));
+    const Pack mu = vmin(pair.inverse_h * approach * (densities * inverse), broadcast<Pack>(0.0));
     const Pack both = 2.0 * own_density * density * (distance2 * inverse);
     const Pack c = 0.5 * (sound_speed + own[StressRecord<Dim>::kSoundSpeed]);
     const Pack push = -(both * weight) * (mu * (options.beta * mu - options.alpha * c));
@@ -143,9 +154,10 @@ struct ViscousPart {
 /// Gray, Monaghan & Swift 2001: the artificial stresses S_i + S_j, times (W(r)/W(dp))^4.
 template <int Dim>
 struct ArtificialPart {
-  Pack force[Dim] = {};
+  Pack force[Dim];
   Pack power = {};
 
+  BRUNT_INLINE ArtificialPart() { clear(force); }
   BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, Pack relative_value,
                         const Real* own, const ArtificialRecord<Dim>* records,
                         const LocalIndex* j) {
@@ -183,7 +195,7 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIn
   ViscousPart<Dim> viscous;
   ArtificialPart<Dim> artificial;
   const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real* value,
-                       const LocalIndex* j) {
+                       const LocalIndex* j) __attribute__((always_inline)) {
     Pack part[Record::kSize];
     for (int g = 0; g < Record::kSize; g += 4) {
       load_transposed(records.stress[j[0]].data + g, records.stress[j[1]].data + g,

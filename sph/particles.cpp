@@ -17,6 +17,7 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   assert(spacing.size() == n && std::is_sorted(points_.id.begin(), points_.id.end()));
   block_of_.resize(n);
   state_.resize(n);
+  smoothing_length_.resize(n);
   motion_.resize(n);
   stress_.resize(n);
   artificial_.resize(n);
@@ -38,14 +39,6 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
     blocks_.push_back({std::move(set), std::move(state)});
     for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
   }
-  std::vector<Label> bodies(points_.body);
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  n_bodies_ = static_cast<Label>(bodies.size());
-  for (const Label body : points_.body) {
-    const auto place = std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin();
-    body_rank_.push_back(static_cast<Label>(place));
-  }
   rearrange();
   seed_votes();
 }
@@ -57,7 +50,7 @@ void SphParticles<Dim>::set_size(std::size_t i) {
   auto& state = state_[i];
   Real size = state.spacing;
   if (options.adaptive_h) size *= Dim == 2 ? std::sqrt(state.ratio) : std::cbrt(state.ratio);
-  state.smoothing_length = options.smoothing * size;
+  smoothing_length_[i] = options.smoothing * size;
   surface_.particles[i].radius = 0.5 * size;
 }
 
@@ -70,7 +63,7 @@ void SphParticles<Dim>::refresh_motion() {
       record[d] = points_.x[i][d];
       record[Record::kVelocity + d] = points_.v[i][d];
     }
-    record[Record::kSmoothing] = state_[i].smoothing_length;
+    record[Record::kInverse] = 1.0 / smoothing_length_[i];
     record[Record::kVolume] = state_[i].volume / depth_;
     stress_[i].data[StressRecord<Dim>::kDensity] = points_.mass[i] / state_[i].volume;
   });
@@ -104,7 +97,7 @@ void SphParticles<Dim>::update_state(Real dt) {
     state.artificial_work -= dot<Dim>(state.artificial_force, half);
   });
   refresh_motion();
-  if (!list_covers(0)) rearrange();
+  if (must_rearrange(0)) rearrange();
   move_with_neighbours(dt);
   refresh_gradients();
   for (auto& block : blocks_) {

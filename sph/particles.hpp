@@ -5,6 +5,7 @@
 #include "core/materials/material.hpp"
 #include "core/search/search.hpp"
 #include "core/solid.hpp"
+#include "sph/list_watch.hpp"
 #include "sph/neighbour_rows.hpp"
 #include "sph/options.hpp"
 #include "sph/pair_sums.hpp"
@@ -36,7 +37,6 @@ struct ParticleState {
   Real start_volume = 0;                         ///< [m^3] mass over reference density
   Real ratio = 1;                                ///< [1] volume over start volume
   Real volume = 0;                               ///< [m^3] at n+1
-  Real smoothing_length = 0;                     ///< [m] h, of the volume at n+1 where it adapts
   Real sound_speed = 0;                          ///< [m/s]
   Real speed = 0;                                ///< [m/s] max |v_ij| over neighbours
   Real mu = 0;                                   ///< [m/s] max |mu_ij| over neighbours
@@ -96,7 +96,6 @@ class SphParticles final : public Solid<Dim> {
   void move_with_neighbours(Real dt);
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
   void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
-  bool list_covers(Real dt) const;
   void set_size(std::size_t i);
   void seed_votes();
 
@@ -105,19 +104,16 @@ class SphParticles final : public Solid<Dim> {
   std::vector<ParticleBlock> blocks_;
   std::vector<std::uint16_t> block_of_;
   std::vector<ParticleState<Dim>> state_;
-  Real depth_;  // [m]
+  std::vector<Real> smoothing_length_;  // [m] h, of the volume at n+1 where it adapts
+  Real depth_;                          // [m]
 
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
   std::vector<ArtificialRecord<Dim>> artificial_;
 
   NeighbourRows<Dim> rows_;
-  std::vector<Vec<Dim>> listed_at_;  // [m] positions when the list was built
-  std::vector<Real> listed_reach_;   // [m] smoothing lengths when the list was built
-  std::vector<Label> body_rank_;     // bodies of the group, numbered from 0
-  Label n_bodies_ = 0;
-  Real skin_ratio_ = 0.2;  // [1] of the largest smoothing length
-  Real skin_ = 0;          // [m]
+  ListWatch<Dim> watch_;
+  Real skin_ratio_ = 0.25;  // [1] of the largest smoothing length
   SearchMode search_ = SearchMode::grid;
   std::int64_t n_searches_ = 0;
 };

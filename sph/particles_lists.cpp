@@ -9,9 +9,6 @@ namespace brunt {
 
 namespace {
 
-/// What round-off may add to a bound of the list, as a part of the skin.
-constexpr Real kSpareSkin = 1e-6;
-
 /// Merges results of chunks of particles, in any order: each thread has its own.
 template <class Result, class Add, class Merge>
 Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
@@ -27,47 +24,11 @@ Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
   return all;
 }
 
-/// Motion of the particles of one body since the list was built.
-template <int Dim>
-struct BodyMotion {
-  MotionBounds<Dim> bounds;
-  Real growth = 0;  // [m] largest of h
-
-  void take(const BodyMotion& other) {
-    bounds.u_min = bounds.u_min.cwiseMin(other.bounds.u_min);
-    bounds.u_max = bounds.u_max.cwiseMax(other.bounds.u_max);
-    bounds.v_min = bounds.v_min.cwiseMin(other.bounds.v_min);
-    bounds.v_max = bounds.v_max.cwiseMax(other.bounds.v_max);
-    bounds.a_min = bounds.a_min.cwiseMin(other.bounds.a_min);
-    bounds.a_max = bounds.a_max.cwiseMax(other.bounds.a_max);
-    growth = std::max(growth, other.growth);
-  }
-};
-
 }  // namespace
 
 template <int Dim>
-bool SphParticles<Dim>::list_covers(Real dt) const {
-  std::vector<BodyMotion<Dim>> blank(n_bodies_);
-  const auto motion = over_chunks(
-      state_.size(), blank,
-      [&](std::vector<BodyMotion<Dim>>& own, std::size_t i) {
-        auto& body = own[body_rank_[i]];
-        body.bounds.take(points_.x[i] - listed_at_[i], points_.v[i], points_.a[i]);
-        body.growth = std::max(body.growth, state_[i].smoothing_length - listed_reach_[i]);
-      },
-      [](std::vector<BodyMotion<Dim>>& all, const std::vector<BodyMotion<Dim>>& own) {
-        for (std::size_t b = 0; b < all.size(); ++b) all[b].take(own[b]);
-      });
-  return std::all_of(motion.begin(), motion.end(), [&](const BodyMotion<Dim>& body) {
-    const Real approach = std::sqrt(Real{Dim}) * body.bounds.relative_displacement(dt);
-    return approach + 2 * body.growth <= (1 - kSpareSkin) * skin_;
-  });
-}
-
-template <int Dim>
 bool SphParticles<Dim>::must_rearrange(Real dt) const {
-  return !list_covers(dt);
+  return !watch_.covers(points_, smoothing_length_, dt);
 }
 
 template <int Dim>
@@ -78,14 +39,11 @@ void SphParticles<Dim>::set_skin(Real skin) {
 
 template <int Dim>
 void SphParticles<Dim>::rearrange() {
-  const std::size_t n = state_.size();
-  listed_at_ = points_.x;
-  listed_reach_.resize(n);
-  for_each(n, [&](std::size_t i) { listed_reach_[i] = state_[i].smoothing_length; });
   Real longest = 0;
-  for (const Real h : listed_reach_) longest = std::max(longest, h);
-  skin_ = skin_ratio_ * longest;
-  rows_.assign(neighbours_within<Dim>(points_.x, listed_reach_, points_.body, skin_, search_));
+  for (const Real h : smoothing_length_) longest = std::max(longest, h);
+  const Real skin = skin_ratio_ * longest;
+  rows_.assign(neighbours_within<Dim>(points_.x, smoothing_length_, points_.body, skin, search_));
+  watch_.start(points_, smoothing_length_, skin);
   ++n_searches_;
 }
 
@@ -115,7 +73,7 @@ StepVote SphParticles<Dim>::stable_step() const {
   const auto bound = [&](std::size_t i) {
     const SphOptions& options = blocks_[block_of_[i]].set.options;
     const auto& state = state_[i];
-    const Real h = state_[i].smoothing_length;
+    const Real h = smoothing_length_[i];
     const Real factor =
         with_kernel(options.kernel, [](auto kernel) { return decltype(kernel)::kStepFactor; });
     const Real viscous =
@@ -134,8 +92,6 @@ StepVote SphParticles<Dim>::stable_step() const {
       [](StepVote& all, const StepVote& own) { all.take(own); });
 }
 
-template bool SphParticles<2>::list_covers(Real) const;
-template bool SphParticles<3>::list_covers(Real) const;
 template bool SphParticles<2>::must_rearrange(Real) const;
 template bool SphParticles<3>::must_rearrange(Real) const;
 template void SphParticles<2>::set_skin(Real);

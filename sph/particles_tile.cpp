@@ -184,7 +184,7 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
   if (shift.empty()) return;
   for_each(state_.size(), [&](std::size_t i) { points_.x[i] += shift[i]; });
   refresh_motion();
-  if (!list_covers(0)) rearrange();
+  if (must_rearrange(0)) rearrange();
 }
 
 template struct SphParticles<2>::TileStress;

@@ -47,7 +47,7 @@ BRUNT_INLINE auto negative_definite(const V (&a)[Dim][Dim]) {
 
 /// positive <- sum over k of max(lambda_k, 0) n_k (x) n_k; exactly 0 where there is no tension.
 /// Sweeps are a fixed number (cyclic Jacobi converges as the square; 3 x 3 is diagonal to round-off
-/// after five), so that a lane's bits do not depend on its neighbours.
+/// after four), so that a lane's bits do not depend on its neighbours.
 /// tensor  [Pa], both halves;  positive  [Pa], written
 template <int Dim, class V>
 BRUNT_INLINE void principal_tension(const V (&tensor)[Dim][Dim], V (&positive)[Dim][Dim]) {
@@ -61,7 +61,7 @@ BRUNT_INLINE void principal_tension(const V (&tensor)[Dim][Dim], V (&positive)[D
     }
   }
   if (!any(tension)) return;
-  constexpr int sweeps = Dim == 3 ? 5 : 1;
+  constexpr int sweeps = Dim == 3 ? 4 : 1;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     rotate_to_diagonal<Dim>(a, direction, 0, 1);
     if constexpr (Dim == 3) {

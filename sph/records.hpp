@@ -21,10 +21,11 @@ constexpr int symmetric_place(int i, int j) {
   return i + j == 1 ? 3 : (i + j == 3 ? 4 : 5);
 }
 
-/// Geometry and motion at x(n+1), v(n+1/2); V and h as the density of time n gives them.
+/// Geometry and motion at x(n+1), v(n+1/2); V and h as the density of time n gives them. The h of a
+/// pair is the harmonic mean of both: its inverse needs no division.
 template <int Dim>
 struct alignas(64) MotionRecord {
-  static constexpr int kSmoothing = Dim;   ///< [m] h, after the position
+  static constexpr int kInverse = Dim;     ///< [1/m] 1/h, after the position
   static constexpr int kVelocity = 4;      ///< [m/s]
   static constexpr int kVolume = 4 + Dim;  ///< [m^Dim]
   Real data[8] = {};
@@ -64,14 +65,33 @@ BRUNT_INLINE void load_transposed(const Real* a, const Real* b, const Real* c, c
 BRUNT_INLINE Real sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 BRUNT_INLINE Real max_lanes(Pack a) { return vmax(vmax(a[0], a[1]), vmax(a[2], a[3])); }
 
+/// (r/h)^2 of four pairs (i, j): they interact where it is below 4.
+template <int Dim>
+struct SquaredRatio {
+  Pack inverse_h;  ///< [1/m]
+  Pack q2;         ///< [1]
+
+  BRUNT_INLINE SquaredRatio(const MotionRecord<Dim>* records, const Real* own,
+                            const LocalIndex* j) {
+    constexpr int inverse = MotionRecord<Dim>::kInverse;
+    Pack part[4];
+    load_transposed(records[j[0]].data, records[j[1]].data, records[j[2]].data, records[j[3]].data,
+                    part);
+    Pack r2 = (part[0] - own[0]) * (part[0] - own[0]);
+    for (int d = 1; d < Dim; ++d) r2 = r2 + (part[d] - own[d]) * (part[d] - own[d]);
+    inverse_h = 0.5 * (part[inverse] + own[inverse]);
+    q2 = r2 * (inverse_h * inverse_h);
+  }
+};
+
 /// Four pairs (i, j): what every pair sum starts from.
 template <int Dim>
 struct FourPairs {
   using Record = MotionRecord<Dim>;
   Pack arm[Dim];       ///< [m] x_j - x_i
   Pack velocity[Dim];  ///< [m/s] v_j - v_i
-  Pack r2;             ///< [m^2]
-  Pack h;              ///< [m] mean smoothing length
+  Pack inverse_h;      ///< [1/m]
+  Pack q2;             ///< [1] (r/h)^2
   Pack volume;         ///< [m^Dim] of j
 
   /// own  record of i;  j  four places
@@ -85,9 +105,10 @@ struct FourPairs {
       arm[k] = first[k] - own[k];
       velocity[k] = second[k] - own[Record::kVelocity + k];
     }
-    r2 = arm[0] * arm[0];
+    Pack r2 = arm[0] * arm[0];
     for (int k = 1; k < Dim; ++k) r2 = r2 + arm[k] * arm[k];
-    h = 0.5 * (first[Record::kSmoothing] + own[Record::kSmoothing]);
+    inverse_h = 0.5 * (first[Record::kInverse] + own[Record::kInverse]);
+    q2 = r2 * (inverse_h * inverse_h);
     volume = second[Record::kVolume - 4];
   }
 };
@@ -104,26 +125,14 @@ struct RowFactors {
 template <int Dim, class Kernel, bool with_value>
 BRUNT_INLINE void weigh(const MotionRecord<Dim>* records, const Real* own, const LocalIndex* j,
                         std::size_t n, RowFactors& factors) {
-  constexpr int smoothing = MotionRecord<Dim>::kSmoothing;
   for (std::size_t k = 0; k < n; k += kLanes) {
-    Pack part[4];
-    load_transposed(records[j[k]].data, records[j[k + 1]].data, records[j[k + 2]].data,
-                    records[j[k + 3]].data, part);
-    Pack r2 = (part[0] - own[0]) * (part[0] - own[0]);
-    for (int d = 1; d < Dim; ++d) r2 = r2 + (part[d] - own[d]) * (part[d] - own[d]);
-    const Pack h = 0.5 * (part[smoothing] + own[smoothing]);
-    const Pack r = vsqrt(r2);
-    Pack inverse_h, inverse_q = {};
+    const SquaredRatio<Dim> four(records, own, j + k);
+    const Pack q = vsqrt(four.q2), inverse_h = four.inverse_h;
+    Pack inverse_q = {};
     if constexpr (Kernel::kDivides) {
-      // one division gives both
-      const Pack distance = vmax(r, kSmallestRatio * h);
-      const Pack inverse = 1.0 / (h * distance);
-      inverse_h = inverse * distance;
-      inverse_q = h * h * inverse;
-    } else {
-      inverse_h = 1.0 / h;
+      // beside the root and not after it; below the smallest ratio the force goes to zero
+      inverse_q = q * (1.0 / vmax(four.q2, broadcast<Pack>(kSmallestRatio * kSmallestRatio)));
     }
-    const Pack q = r * inverse_h;
     Pack scale = inverse_h * inverse_h;
     scale = scale * scale;
     if constexpr (Dim == 3) scale = scale * inverse_h;

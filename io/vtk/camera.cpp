@@ -63,7 +63,7 @@ void Coverage::take(const BodyView& view) {
 Frame2 Coverage::frame() const {
   if (deforming_.empty()) return rigid_;
   Frame2 frame = deforming_;
-  const Real beyond = 0.8 * std::max(frame.width(), frame.height());
+  const Real beyond = std::max(frame.width(), frame.height());
   join(frame.right, clipped(rigid_.right, deforming_.right, beyond));
   join(frame.up, clipped(rigid_.up, deforming_.up, beyond));
   return frame;

@@ -183,6 +183,16 @@ TEST(ParticleFace, WeightsFoldTheCentreOfAQuad) {
   EXPECT_LT((point - Vec3(0.7, 0.2, 1)).norm(), 1e-15);
 }
 
+TEST(ParticleFace, ParticleThatIsNowhereTouchesNothing) {
+  const Skin skin = cube();
+  std::vector<ParticleHit<3>> hits(1);
+  const Vec3 nowhere = Vec3::Constant(std::nan(""));
+  hits[0].plane = &skin.planes[0];
+  hits[0].nearest = nearest_point<3>(skin.planes[0], nowhere);
+  choose_hits<3>(nowhere, 0.1, hits);
+  EXPECT_FALSE(hits[0].kept);
+}
+
 TEST(ParticleFace, EdgesInTwoDimensions) {
   // A corner of a body below and left: edges run so that the body lies to their left.
   std::array<FacePlane<2>, 2> plane;

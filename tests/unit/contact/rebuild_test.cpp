@@ -119,6 +119,35 @@ void check_all() {
   }
 }
 
+/// Forces on a rough sheet of 40 x 40 faces that lies in another of 37 x 37, under 3000 particles.
+std::vector<Vec3> forces_with(int threads) {
+  ContactScene<3> scene;
+  const auto rough = [](const Vec3& x) {
+    return Vec3(x + 0.02 * Vec3(0, 0, std::sin(31 * x[0]) + std::cos(17 * x[1])));
+  };
+  testing::add_sheet(scene, 40, 0, 10, 0, true, 1e6, 0.3, rough);
+  testing::add_sheet(scene, 37, 0, 10, 0, false, 1e6, 0.3, rough);
+  auto& group = scene.add_group();
+  for (int i = 0; i < 3000; ++i) {
+    scene.add_particle(group, Vec3(i % 55 * 0.18, i / 55 * 0.18, 0.05), 0.09, 1e6, 1);
+  }
+  omp_set_num_threads(threads);
+  scene.start();
+  for (int step = 0; step < 3; ++step) scene.step(1e-4);
+  omp_set_num_threads(omp_get_num_procs());
+  EXPECT_GT(scene.contact->work().contacts, 4000u);
+  std::vector<Vec3> forces;
+  for (const auto& of : scene.groups) {
+    forces.insert(forces.end(), of.points.f.begin(), of.points.f.end());
+  }
+  return forces;
+}
+
+TEST(ContactRebuild, ThreadsChangeNoBit) {
+  const auto one = forces_with(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(one, forces_with(threads)) << threads;
+}
+
 TEST(ContactRebuild, ChangesNoBitInTwoDimensions) { check_all<2>(); }
 TEST(ContactRebuild, ChangesNoBitInThreeDimensions) { check_all<3>(); }
 

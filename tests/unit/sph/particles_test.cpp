@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/errors.hpp"
 #include "sample.hpp"
 
 namespace brunt {
@@ -315,6 +316,73 @@ TEST(SphParticles, UndampedStepLimitOfALattice) {
     const Real vote = rest->stable_step().step;
     EXPECT_NEAR(vote, 0.5 * factor * h_over_c, 1e-12 * h_over_c);
     EXPECT_LT(vote, 2 / std::sqrt(omega2));
+  }
+}
+
+// In 2D the depth is contained in the masses: twice the mass and the depth give twice the force and
+// the same accelerations, whatever the channel. Factors of 2 are exact.
+TEST(SphParticles, DepthScalesForcesAndNotMotion) {
+  const auto material = elastic_material(kDensity, 200e9, 0.3);
+  const auto run = [&](Real depth) {
+    auto points = lattice<2>({8, 8}, kDp, kDensity * kDp * kDp * depth, 0.1);
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      points.v[i] = Vec<2>(30 * std::sin(900 * points.x[i][1]), 2e4 * points.x[i][1]);
+    }
+    auto solid = particles<2>(std::move(points), kDp, *material, SphOptions{}, depth);
+    for (int k = 0; k < 10; ++k) test::step<2>(*solid, 2e-8);
+    return solid;
+  };
+  const auto one = run(1), two = run(2);
+  for (std::size_t i = 0; i < one->points().f.size(); ++i) {
+    EXPECT_EQ(2 * one->points().f[i], two->points().f[i]);
+    EXPECT_EQ(one->points().x[i], two->points().x[i]);
+  }
+}
+
+// XSPH shifts positions by opposite amounts: the centre of mass moves with the momentum alone, to
+// round-off of the positions (1e-13 of the size), and relative motion is damped, not fed: the
+// lattice of alternating velocities spreads less than without.
+TEST(SphParticles, XsphKeepsTheCenterOfMass) {
+  const auto material = elastic_material(kDensity, 200e9, 0.3);
+  const auto run = [&](Real xsph, Vec<2>& center) {
+    SphOptions options;
+    options.xsph = xsph;
+    auto points = lattice<2>({10, 10}, kDp, kDensity * kDp * kDp, 0.1);
+    for (std::size_t i = 0; i < points.x.size(); ++i) points.v[i][0] = i % 2 ? 50.0 : -50.0;
+    const auto start = points.x;
+    auto solid = particles<2>(std::move(points), kDp, *material, options);
+    const Real dt = 1e-9;
+    auto& p = solid->points();
+    for (std::size_t i = 0; i < p.x.size(); ++i) p.x[i] += dt * p.v[i];
+    solid->update_state(dt);
+    Real spread = 0;
+    center.setZero();
+    for (std::size_t i = 0; i < p.x.size(); ++i) {
+      center += (p.x[i] - start[i]) / 100;
+      spread += (p.x[i] - start[i]).norm();
+    }
+    return spread;
+  };
+  Vec<2> center, center_xsph;
+  const Real spread = run(0, center), spread_xsph = run(0.5, center_xsph);
+  EXPECT_LT((center - center_xsph).norm(), 1e-13 * 10 * kDp);
+  EXPECT_LT(spread_xsph, 0.8 * spread);
+}
+
+// What breaks is named: time, body, particle and quantity.
+TEST(SphParticles, CheckNamesTheBrokenParticle) {
+  const auto material = elastic_material(kDensity, 200e9, 0.3);
+  auto solid = particles<2>(lattice<2>({4, 4}, kDp, kDensity * kDp * kDp), kDp, *material, {});
+  solid->update_state(1e-9);
+  EXPECT_NO_THROW(solid->check(1.5, {"plate"}));
+  solid->blocks()[0].state.pressure[5] = std::numeric_limits<Real>::quiet_NaN();
+  try {
+    solid->check(1.5, {"plate"});
+    FAIL() << "a stress that is not a number went unseen";
+  } catch (const PhysicsError& error) {
+    EXPECT_EQ(error.failure().body, "plate");
+    EXPECT_EQ(error.failure().entity, "particle 5");
+    EXPECT_EQ(error.failure().time, 1.5);
   }
 }
 

@@ -1,0 +1,136 @@
+#include "sph/list_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sph/parallel.hpp"
+
+namespace brunt {
+
+namespace {
+/// Width of a zone in units of the longest smoothing length: 2 of support, 2 that bodies may
+/// deform.
+constexpr Real kZoneWidth = 4;
+/// What round-off may add to a distance, as a part of it.
+constexpr Real kSpare = 1e-6;
+}  // namespace
+
+template <int Dim>
+void ListWatch<Dim>::start(const Points<Dim>& points, std::vector<Real> reach, Real skin) {
+  x_ = points.x;
+  reach_ = std::move(reach);
+  skin_ = skin;
+  longest_ = reach_.empty() ? 0 : *std::max_element(reach_.begin(), reach_.end());
+  width_ = kZoneWidth * longest_;
+  std::vector<Zone> zone_of(x_.size());
+  for_each(x_.size(), [&](std::size_t i) {
+    zone_of[i].body = points.body[i];
+    for (std::size_t d = 0; d < Dim; ++d) {
+      // What is beyond 2^52 zones, or not a number, shares one
+      const Real cell = std::floor(x_[i][static_cast<int>(d)] / width_);
+      zone_of[i].cell[d] =
+          static_cast<std::int64_t>(cell >= -0x1p52 ? std::min(cell, 0x1p52) : -0x1p52);
+    }
+  });
+  member_.resize(x_.size());
+  std::iota(member_.begin(), member_.end(), 0);
+  std::sort(member_.begin(), member_.end(), [&](LocalIndex a, LocalIndex b) {
+    const auto& za = zone_of[static_cast<std::size_t>(a)];
+    const auto& zb = zone_of[static_cast<std::size_t>(b)];
+    return za < zb || (za == zb && a < b);
+  });
+  zones_.clear();
+  member_begin_.clear();
+  for (std::size_t k = 0; k < member_.size(); ++k) {
+    const Zone& zone = zone_of[static_cast<std::size_t>(member_[k])];
+    if (!zones_.empty() && zones_.back() == zone) continue;
+    zones_.push_back(zone);
+    member_begin_.push_back(static_cast<LocalIndex>(k));
+  }
+  member_begin_.push_back(static_cast<LocalIndex>(member_.size()));
+  link_zones();
+}
+
+template <int Dim>
+void ListWatch<Dim>::link_zones() {
+  touching_.clear();
+  constexpr int stencil = Dim == 2 ? 9 : 27;
+  for (std::size_t a = 0; a < zones_.size(); ++a) {
+    for (int k = stencil / 2; k < stencil; ++k) {  // itself, and each other zone from one side
+      Zone other = zones_[a];
+      for (int d = Dim - 1, rest = k; d >= 0; --d, rest /= 3) {
+        other.cell[static_cast<std::size_t>(d)] += rest % 3 - 1;
+      }
+      const auto b = std::lower_bound(zones_.begin(), zones_.end(), other);
+      if (b == zones_.end() || *b != other) continue;
+      touching_.push_back(
+          {static_cast<LocalIndex>(a), static_cast<LocalIndex>(b - zones_.begin())});
+    }
+  }
+}
+
+template <int Dim>
+std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(const Points<Dim>& points,
+                                                                     std::span<const Real> reach,
+                                                                     Real dt) const {
+  std::vector<Extent> extents(zones_.size());
+#pragma omp parallel for schedule(static) if (points.x.size() >= 4096)
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    Extent extent{Vec<Dim>::Constant(kInfinity), Vec<Dim>::Constant(-kInfinity), 0};
+    for (LocalIndex k = member_begin_[z]; k < member_begin_[z + 1]; ++k) {
+      const auto i = static_cast<std::size_t>(member_[static_cast<std::size_t>(k)]);
+      for (int d = 0; d < Dim; ++d) {
+        const Real u =
+            (points.x[i][d] - x_[i][d]) + dt * (points.v[i][d] + 0.5 * dt * points.a[i][d]);
+        if (!(extent.lower[d] <= u)) extent.lower[d] = u;  // takes in what is not a number
+        if (!(extent.upper[d] >= u)) extent.upper[d] = u;
+      }
+      extent.growth = std::max(extent.growth, reach[i] - reach_[i]);
+    }
+    extents[z] = extent;
+  }
+  return extents;
+}
+
+template <int Dim>
+bool ListWatch<Dim>::touching_zones_hold(const std::vector<Extent>& extents) const {
+  for (const auto [a, b] : touching_) {
+    const Extent &A = extents[static_cast<std::size_t>(a)],
+                 &B = extents[static_cast<std::size_t>(b)];
+    Real approach2 = 0;
+    for (int d = 0; d < Dim; ++d) {
+      const Real relative = std::max(A.upper[d] - B.lower[d], B.upper[d] - A.lower[d]);
+      approach2 += relative * relative;
+    }
+    const Real spent = std::sqrt(approach2) + A.growth + B.growth;
+    if (!(spent <= (1 - kSpare) * skin_)) return false;
+  }
+  return true;
+}
+
+template <int Dim>
+bool ListWatch<Dim>::far_zones_hold(const std::vector<Extent>& extents) const {
+  for (std::size_t first = 0, z = 0; first < zones_.size(); first = z) {
+    Extent body = extents[first];
+    for (z = first; z < zones_.size() && zones_[z].body == zones_[first].body; ++z) {
+      body.lower = body.lower.cwiseMin(extents[z].lower);
+      body.upper = body.upper.cwiseMax(extents[z].upper);
+      body.growth = std::max(body.growth, extents[z].growth);
+    }
+    const Real approach = (body.upper - body.lower).maxCoeff();
+    if (!(approach + 2 * (longest_ + body.growth) <= (1 - kSpare) * width_)) return false;
+  }
+  return true;
+}
+
+template <int Dim>
+bool ListWatch<Dim>::covers(const Points<Dim>& points, std::span<const Real> reach, Real dt) const {
+  const auto moved = extents(points, reach, dt);
+  return touching_zones_hold(moved) && far_zones_hold(moved);
+}
+
+template class ListWatch<2>;
+template class ListWatch<3>;
+
+}  // namespace brunt

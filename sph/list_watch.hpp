@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/points.hpp"
+
+namespace brunt {
+
+/// Proves that a neighbour list still holds every pair within reach. The particles of a body lie in
+/// zones of a width w when the list is built. Pairs of the same or of touching zones can have come
+/// nearer by what their zones moved against each other; others were apart by w along an axis.
+/// Neighbours that stream past each other far apart, as in a body that turns, cost no search.
+template <int Dim>
+class ListWatch {
+ public:
+  /// Remembers a list that holds all pairs within reach_i + reach_j + skin.
+  /// reach  smoothing lengths [m]; skin  [m]
+  void start(const Points<Dim>& points, std::vector<Real> reach, Real skin);
+  /// True if the list still holds all pairs within reach_i + reach_j of the same body when every
+  /// particle has moved by dt v + dt^2/2 a.
+  /// reach  [m], of now
+  bool covers(const Points<Dim>& points, std::span<const Real> reach, Real dt) const;
+
+ private:
+  struct Zone {
+    Label body;
+    std::array<std::int64_t, Dim> cell;
+    auto operator<=>(const Zone&) const = default;
+  };
+  /// Displacements of the particles of a zone, by component, and growth of their reach.
+  struct Extent {
+    Vec<Dim> lower, upper;  // [m]
+    Real growth;            // [m]
+  };
+  std::vector<Extent> extents(const Points<Dim>& points, std::span<const Real> reach,
+                              Real dt) const;
+  bool touching_zones_hold(const std::vector<Extent>& extents) const;
+  bool far_zones_hold(const std::vector<Extent>& extents) const;
+  void link_zones();
+
+  std::vector<Vec<Dim>> x_;  // [m] when the list was built
+  std::vector<Real> reach_;  // [m] when the list was built
+  Real skin_ = 0;            // [m]
+  Real longest_ = 0;         // [m] of reach_
+  Real width_ = 0;           // [m] of a zone
+  std::vector<Zone> zones_;  // ascending
+  std::vector<LocalIndex> member_, member_begin_;
+  std::vector<std::array<LocalIndex, 2>> touching_;  // pairs of zones, a zone with itself too
+};
+
+}  // namespace brunt

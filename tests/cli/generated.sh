@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Fails when a generated file is stale: the reference manual and the JSON schema of decks.
+#   generated.sh PROGRAM SOURCE
+set -euo pipefail
+"$1" schema --markdown | cmp - "$2/docs/deck.md" ||
+  { echo "docs/deck.md is stale: brunt schema --markdown > docs/deck.md"; exit 1; }
+"$1" schema | cmp - "$2/decks/schema.json" ||
+  { echo "decks/schema.json is stale: brunt schema > decks/schema.json"; exit 1; }

@@ -1,0 +1,64 @@
+// A quad whose corners stand alternately w over and under a plane has warp w; it is split beyond 5
+// % of sqrt(area), or where it is not convex. Halves add up to the area of the quad's projection.
+#include "contact/face_plane.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brunt {
+namespace {
+
+FacePlane<3> quad(const std::array<Vec3, 4>& corners) {
+  FacePlane<3> face;
+  face.corner = corners;
+  refresh(face);
+  return face;
+}
+
+FacePlane<3> warped(Real w) { return quad({Vec3(0, 0, w), {2, 0, -w}, {2, 2, w}, {0, 2, -w}}); }
+
+TEST(FacePlane, MeanPlaneOfAWarpedQuad) {
+  const auto face = warped(0.09);
+  EXPECT_NEAR(face.warp, 0.09, 1e-15);
+  EXPECT_NEAR(face.area, 4, 1e-15);
+  EXPECT_LT((face.normal - Vec3::UnitZ()).norm(), 1e-15);
+  EXPECT_LT((face.center - Vec3(1, 1, 0)).norm(), 1e-15);
+  EXPECT_TRUE(face.simple);           // 0.09 <= 0.05 * 2
+  EXPECT_FALSE(warped(0.11).simple);  // 0.11 > 0.05 * 2
+}
+
+TEST(FacePlane, SplitsAlongTheShorterDiagonalAndOnATieAtCornerZero) {
+  const auto tie = split(warped(0.11));
+  EXPECT_EQ(tie.corners[0], (std::array<int, 3>{0, 1, 2}));
+  const auto shorter = split(quad({Vec3(0, 0, .2), {2, 0, -.2}, {3, 3, .2}, {0, 2, -.2}}));
+  EXPECT_EQ(shorter.corners[0], (std::array<int, 3>{1, 2, 3}));
+}
+
+TEST(FacePlane, SplitsAConcaveQuadAtItsInwardCorner) {
+  const auto face = quad({Vec3(0, 0, 0), {4, 0, 0}, {1, 1, 0}, {0, 4, 0}});
+  EXPECT_FALSE(face.simple);
+  const auto halves = split(face);
+  EXPECT_EQ(halves.corners[0], (std::array<int, 3>{0, 1, 2}));
+  EXPECT_NEAR(halves.part[0].area + halves.part[1].area, face.area, 1e-15);
+  for (const auto& part : halves.part) EXPECT_NEAR(part.normal[2], 1, 1e-15);
+}
+
+TEST(FacePlane, FaceWithoutAreaOrWithANaNIsNone) {
+  EXPECT_EQ(quad({Vec3(1, 1, 1), {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).area, 0);
+  const auto broken = quad({Vec3(0, 0, std::nan("")), {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+  EXPECT_EQ(broken.area, 0);
+  EXPECT_EQ(broken.normal.norm(), 0);
+}
+
+TEST(FacePlane, EdgeHasTheBodyOnItsLeft) {
+  FacePlane<2> edge;
+  edge.corner = {Vec<2>(0, 0), Vec<2>(2, 0)};
+  refresh(edge);
+  EXPECT_EQ(edge.normal, Vec<2>(0, -1));
+  EXPECT_EQ(edge.area, 2);
+  const auto box = box_of(edge, 0.5);
+  EXPECT_EQ(box.lo[0], -0.5);
+  EXPECT_EQ(box.hi[1], 0.5);
+}
+
+}  // namespace
+}  // namespace brunt
