@@ -1,19 +1,20 @@
-/// The part of the reader that reads vectors, tables and expressions over time.
+/// The part of the reader that reads vectors, points and expressions over time.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "io/deck/number.hpp"
 #include "io/deck/reader.hpp"
-#include "io/deck/suggest.hpp"
 
 namespace brunt {
 
 namespace {
 
-/// Adds `unit` behind each bare number below `node`; false where something else stands.
+std::string count_text(int size) {
+  return size == 1 ? "1 component" : std::to_string(size) + " components";
+}
+
+}  // namespace
+
 bool add_unit(Node& node, const std::string& unit) {
   if (node.is_list()) {
     return std::all_of(node.items.begin(), node.items.end(),
@@ -22,44 +23,6 @@ bool add_unit(Node& node, const std::string& unit) {
   if (!node.is_scalar() || !whole_number(node.text)) return false;
   node.text += " " + unit;
   return true;
-}
-
-std::string count_text(int size) {
-  return size == 1 ? "1 component" : std::to_string(size) + " components";
-}
-
-}  // namespace
-
-const char* over_word(Varying::Over over) {
-  switch (over) {
-    case Varying::Over::time:
-      return "time";
-    case Varying::Over::temperature:
-      return "temperature";
-    case Varying::Over::slip_speed:
-      return "slip_speed";
-    case Varying::Over::pressure:
-      return "pressure";
-    case Varying::Over::eps_p:
-      return "eps_p";
-    default:
-      return "";
-  }
-}
-
-const char* over_unit(Varying::Over over) {
-  switch (over) {
-    case Varying::Over::time:
-      return "s";
-    case Varying::Over::temperature:
-      return "K";
-    case Varying::Over::slip_speed:
-      return "m/s";
-    case Varying::Over::pressure:
-      return "Pa";
-    default:
-      return "1";
-  }
 }
 
 std::optional<Node> Reader::with_unit_once(const Node& node, const std::string& path) {
@@ -222,121 +185,6 @@ void Reader::integers(const Key& key, std::optional<std::vector<int>>& value, in
     numbers.push_back(*number);
   }
   value = std::move(numbers);
-}
-
-std::optional<Node> Reader::table_rows(const Node& node, const std::string& path) {
-  if (const Node* table = node.find("table")) {
-    if (table->is_list() && !table->items.empty()) return *table;
-    problem(*table, path,
-            "expects a list of pairs: [[0 s, 1 kN], [1 ms, 0]], got " + what_stands(*table));
-    return {};
-  }
-  const Node& name = *node.find("file");
-  if (!name.is_scalar() || name.text.empty()) {
-    problem(name, path, "expects a file of two columns, got " + what_stands(name));
-    return {};
-  }
-  const auto file = std::filesystem::path(name.place.file).parent_path() / name.text;
-  std::error_code error;
-  std::ifstream stream(file);
-  if (!std::filesystem::is_regular_file(file, error) || !stream) {
-    problem(name, path, "cannot read the file '" + file.string() + "'");
-    return {};
-  }
-  Node rows = list_node();
-  rows.place = name.place;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.find_first_not_of(" ") == std::string::npos || line[0] == '#') continue;
-    std::replace(line.begin(), line.end(), ';', ',');
-    std::istringstream columns(line);
-    Node row = list_node();
-    row.place = {file.string(), number, 1};
-    for (std::string column; std::getline(columns, column, ',');) {
-      const std::size_t from = column.find_first_not_of(' ');
-      const std::size_t to = column.find_last_not_of(' ');
-      row.items.push_back(
-          scalar_node(from == std::string::npos ? "" : column.substr(from, to - from + 1)));
-      row.items.back().place = row.place;
-    }
-    const bool header = rows.items.empty() && number == 1 && row.items.size() == 2 &&
-                        leading_number(row.items[0].text).length == 0;
-    if (!header) rows.items.push_back(std::move(row));
-  }
-  if (rows.items.empty()) {
-    problem(name, path, "the file '" + file.string() + "' has no rows");
-    return {};
-  }
-  return rows;
-}
-
-std::optional<Varying> Reader::table_value(const Node& node, const std::string& path,
-                                           const Quantity& quantity,
-                                           std::span<const Varying::Over> over) {
-  std::vector<std::string> overs, keys{"table", "file", "over", "unit"};
-  std::string over_list;
-  for (const Varying::Over candidate : over) {
-    if (*over_word(candidate) == '\0') continue;
-    overs.emplace_back(over_word(candidate));
-    over_list += (over_list.empty() ? "" : " | ") + overs.back();
-  }
-  for (const Entry& entry : node.entries) {
-    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    problem_at(entry.place, path, "unknown key '" + entry.key + "'" + suggestion(entry.key, keys));
-    return {};
-  }
-  const Node* over_node = node.find("over");
-  if ((node.find("table") != nullptr) == (node.find("file") != nullptr) || !over_node) {
-    problem(node, path,
-            "expects a value, or {table: [[...], ...], over: " + over_list +
-                "}, or {file: curve.csv, over: " + over_list + ", unit: [.., ..]}");
-    return {};
-  }
-  const auto found = std::find_if(over.begin(), over.end(), [&](Varying::Over candidate) {
-    return over_node->is_scalar() && over_node->text == over_word(candidate);
-  });
-  if (found == over.end() || over_node->text.empty()) {
-    problem(*over_node, path + ".over",
-            "expects one of " + over_list + ", got " + what_stands(*over_node));
-    return {};
-  }
-  std::optional<Node> rows = table_rows(node, path);
-  if (!rows) return {};
-  const Node* unit = node.find("unit");
-  if (unit && (!unit->is_list() || unit->items.size() != 2 || !unit->items[0].is_scalar() ||
-               !unit->items[1].is_scalar())) {
-    problem(*unit, path + ".unit",
-            "expects the units of both columns: [ms, kN], got " + what_stands(*unit));
-    return {};
-  }
-  Varying varying;
-  varying.over = *found;
-  for (std::size_t i = 0; i < rows->items.size(); ++i) {
-    Node& row = rows->items[i];
-    const std::string row_path = path + ".table." + std::to_string(i);
-    if (!row.is_list() || row.items.size() != 2) {
-      problem(row, row_path, "expects a pair, got " + what_stands(row));
-      return {};
-    }
-    for (const std::size_t column : {0, 1}) {
-      if (unit && !add_unit(row.items[column], unit->items[column].text)) {
-        problem(row.items[column], row_path,
-                "expects a number without unit, got " + what_stands(row.items[column]));
-        return {};
-      }
-    }
-    const auto s = quantity_value(row.items[0], row_path, {over_unit(*found)});
-    const auto v = quantity_value(row.items[1], row_path, quantity);
-    if (!s || !v) return {};
-    if (!varying.abscissa.empty() && !(*s > varying.abscissa.back())) {
-      problem(row, row_path, "the first column of a table rises from row to row");
-      return {};
-    }
-    varying.abscissa.push_back(*s);
-    varying.ordinate.push_back(*v);
-  }
-  return varying;
 }
 
 std::optional<Varying> Reader::varying_value(const Node& node, const std::string& path,
