@@ -7,6 +7,7 @@
 #include "app/deck/checks.hpp"
 #include "app/deck/deck.hpp"
 #include "app/deck/library.hpp"
+#include "app/deck/loader.hpp"
 #include "io/deck/echo.hpp"
 #include "io/deck/parameters.hpp"
 #include "io/deck/reader.hpp"
@@ -47,11 +48,10 @@ Geometry geometry_of(const Node& root) {
 }
 
 /// Puts library values under the materials that name one; says which are of low confidence.
-void use_library(Node& root, std::vector<DeckProblem>& problems,
+void use_library(Node& root, const Node& library, std::vector<DeckProblem>& problems,
                  std::vector<DeckProblem>& warnings) {
   Node* materials = root.find("materials");
   if (!materials || !materials->is_map()) return;
-  const Node library = deck::library();
   for (const Entry& material : materials->entries) {
     const Node* name = material.value.is_map() ? material.value.find("library") : nullptr;
     const Node* entry = name && name->is_scalar() ? library.find(name->text) : nullptr;
@@ -76,22 +76,27 @@ void sort_problems(std::vector<DeckProblem>& problems) {
                    });
 }
 
-LoadedDeck load(Node root, const std::vector<std::string>& override_texts) {
+}  // namespace
+
+namespace deck {
+
+DeckLoader::DeckLoader() : library_(library()) {}
+
+LoadedDeck DeckLoader::load(Node root, const std::vector<std::string>& override_texts) const {
   LoadedDeck loaded;
   std::vector<DeckProblem> problems;
   const std::vector<Override> overrides = read_overrides(override_texts, problems);
   for (const Override& change : overrides) {
     if (sets_library(change)) apply_override(root, change, problems);
   }
-  use_library(root, problems, loaded.warnings);
+  use_library(root, library_, problems, loaded.warnings);
   for (const Override& change : overrides) {
     if (!sets_library(change)) apply_override(root, change, problems);
   }
-  const Units units;
-  const std::vector<Parameter> parameters = resolve_parameters(root, units, is_formula, problems);
+  const std::vector<Parameter> parameters = resolve_parameters(root, units_, is_formula, problems);
   const ParameterValues values = values_of(parameters);
   ReadReport report;
-  Reader reader(root, geometry_of(root), units, values, report);
+  Reader reader(root, geometry_of(root), units_, values, report);
   describe(reader, loaded.deck);
   reader.finish();
   loaded.places.set("", root.place);
@@ -118,15 +123,20 @@ LoadedDeck load(Node root, const std::vector<std::string>& override_texts) {
   return loaded;
 }
 
-}  // namespace
+LoadedDeck DeckLoader::load_text(const std::string& text, const std::string& name,
+                                 const std::vector<std::string>& overrides) const {
+  return load(read_deck_source(text, name), overrides);
+}
+
+}  // namespace deck
 
 LoadedDeck load_deck(const std::string& path, const std::vector<std::string>& overrides) {
-  return load(read_deck_file(path), overrides);
+  return deck::DeckLoader().load(read_deck_file(path), overrides);
 }
 
 LoadedDeck load_deck_text(const std::string& text, const std::string& name,
                           const std::vector<std::string>& overrides) {
-  return load(read_deck_source(text, name), overrides);
+  return deck::DeckLoader().load_text(text, name, overrides);
 }
 
 std::string echo(const Deck& deck) {

@@ -4,6 +4,7 @@
 
 #include "io/deck/number.hpp"
 #include "io/deck/reader.hpp"
+#include "io/deck/suggest.hpp"
 
 namespace brunt {
 
@@ -263,6 +264,10 @@ const KeyInfo* find_below(const KeyInfo& key, const std::vector<std::string>& pa
     }
   }
   if (key.type != KeyInfo::Type::named || entry_named) return nullptr;
+  std::vector<std::string> keys;
+  for (const KeyInfo& child : key.children) keys.push_back(child.name);
+  // What looks like a misspelt key is not taken for the name of an entry.
+  if (at + 1 == path.size() && !nearest_word(path[at], keys).empty()) return nullptr;
   return find_below(key, path, at + 1, true);
 }
 

@@ -10,6 +10,10 @@ const Entry* Node::find_entry(std::string_view key) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
+Entry* Node::find_entry(std::string_view key) {
+  return const_cast<Entry*>(static_cast<const Node*>(this)->find_entry(key));
+}
+
 const Node* Node::find(std::string_view key) const {
   const Entry* entry = find_entry(key);
   return entry ? &entry->value : nullptr;

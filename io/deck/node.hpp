@@ -29,6 +29,7 @@ struct Node {
   const Node* find(std::string_view key) const;
   Node* find(std::string_view key);
   const Entry* find_entry(std::string_view key) const;
+  Entry* find_entry(std::string_view key);
   /// The value of a key of this map, made where it is not there.
   Node& at_or_new(const std::string& key, const SourcePlace& place);
   void erase(std::string_view key);

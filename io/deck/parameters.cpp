@@ -94,7 +94,7 @@ class Resolver {
       for (const Declared& other : declared_) known.push_back(other.parameter.name);
       problems_.push_back(
           {place, path,
-           name.empty() ? "'$' stands alone; '$$' is a dollar"
+           name.empty() ? "'$' is followed by a name, as in $speed; '$$' is a dollar"
                         : "the parameter $" + name + " is not declared" + suggestion(name, known)});
       return nullptr;
     }

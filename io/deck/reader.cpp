@@ -19,6 +19,12 @@ bool is_entry_name(const std::string& name) {
   return !name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), allowed);
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 const Node& empty_map() {
   static const Node kEmpty = map_node();
   return kEmpty;
@@ -59,8 +65,7 @@ void Reader::close_scope() {
   scopes_.pop_back();
   if (!closed.node->is_map()) {
     if (!closed.value_taken && !closed.node->is_null()) {
-      std::string keys;
-      for (const std::string& key : closed.known) keys += (keys.empty() ? "" : ", ") + key;
+      const std::string keys = joined(closed.known);
       problem(*closed.node, closed.path,
               (keys.empty() ? "has no keys and takes no value" : "expects a map of " + keys) +
                   ", got " + what_stands(*closed.node));
@@ -92,7 +97,8 @@ const Node* Reader::find(const Key& key) {
     return nullptr;
   }
   const std::string path = path_of(key.name);
-  report_.places[path] = entry->place;
+  const bool has_keys = entry->value.is_map() || entry->value.is_null();
+  report_.places[path] = has_keys ? entry->place : entry->value.place;
   if (not_applicable_) {
     problem_at(entry->place, path, std::string("this key is ") + not_applicable_);
     return nullptr;
@@ -184,6 +190,37 @@ void Reader::visit_named(const Key& key, bool list_allowed, std::function<std::s
   }
 }
 
+const Entry* Reader::chosen_alternative(const Key& key, const Node& node, const std::string& path,
+                                        const std::vector<std::string>& names) {
+  const bool is_inline = *key.name == '\0';
+  const auto is_alternative = [&](const Entry& entry) {
+    return std::find(names.begin(), names.end(), entry.key) != names.end();
+  };
+  const Entry* chosen = nullptr;
+  for (const Entry& entry : node.entries) {
+    if (!is_alternative(entry)) {
+      if (is_inline) continue;
+      problem_at(entry.place, path,
+                 "unknown key '" + entry.key + "'" + suggestion(entry.key, names));
+      return nullptr;
+    }
+    if (chosen) {
+      problem_at(entry.place, path,
+                 "has both '" + chosen->key + "' and '" + entry.key + "': keep one");
+      return nullptr;
+    }
+    chosen = &entry;
+  }
+  if (chosen || (is_inline && key.need == Need::optional)) return chosen;
+  // A misspelt alternative among other keys is told as an unknown key, once.
+  const bool misspelt =
+      is_inline && std::any_of(node.entries.begin(), node.entries.end(), [&](const Entry& entry) {
+        return !nearest_word(entry.key, names).empty();
+      });
+  if (!misspelt) problem(node, path, "needs one of " + joined(names));
+  return nullptr;
+}
+
 void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                           std::function<std::size_t()>, std::function<void(std::size_t)> choose,
                           Members members, std::function<void(std::size_t, Schema&)>) {
@@ -192,60 +229,29 @@ void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternati
   if (!node) return;
   const std::string path = is_inline ? scope().path : path_of(key.name);
   std::vector<std::string> names;
-  std::string list;
-  for (const Alternative& alternative : alternatives) {
-    names.emplace_back(alternative.name);
-    list += (list.empty() ? "" : ", ") + std::string(alternative.name);
-  }
+  for (const Alternative& alternative : alternatives) names.emplace_back(alternative.name);
   const auto index_of = [&](const std::string& name) {
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   };
-  if (is_inline) scope().known.insert(scope().known.end(), names.begin(), names.end());
-  if (!is_inline && node->is_scalar()) {
+  if (is_inline) {
+    scope().known.insert(scope().known.end(), names.begin(), names.end());
+    if (!node->is_map()) return;  // told when the scope closes
+  } else if (node->is_scalar() && index_of(node->text) < names.size()) {
     const std::size_t index = index_of(node->text);
-    if (index == names.size()) {
-      problem(*node, path,
-              "expects one of " + list + ", got " + what_stands(*node) +
-                  (nearest_word(node->text, names).empty() ? "" : suggestion(node->text, names)));
-      return;
-    }
     choose(index);
     Node blank = map_node();
     blank.place = node->place;
     read_members(blank, path + "." + names[index], members);
     return;
-  }
-  if (!node->is_map()) {
-    if (!is_inline) problem(*node, path, "expects one of " + list + ", got " + what_stands(*node));
+  } else if (!node->is_map()) {
+    const std::string near = node->is_scalar() ? nearest_word(node->text, names) : "";
+    problem(*node, path,
+            "expects one of " + joined(names) + ", got " + what_stands(*node) +
+                (near.empty() ? "" : "; did you mean '" + near + "'?"));
     return;
   }
-  const Entry* chosen = nullptr;
-  for (const Entry& entry : node->entries) {
-    if (index_of(entry.key) == names.size()) {
-      if (!is_inline) {
-        problem_at(entry.place, path,
-                   "unknown key '" + entry.key + "'" + suggestion(entry.key, names));
-        return;
-      }
-    } else if (chosen) {
-      problem_at(entry.place, path,
-                 "has both '" + chosen->key + "' and '" + entry.key + "': keep one of " + list);
-      return;
-    } else {
-      chosen = &entry;
-    }
-  }
-  if (!chosen) {
-    if (!is_inline || key.need == Need::required) {
-      // A misspelt alternative among other keys is told as an unknown key, once.
-      const bool misspelt =
-          std::any_of(node->entries.begin(), node->entries.end(),
-                      [&](const Entry& entry) { return !nearest_word(entry.key, names).empty(); });
-      if (!is_inline || !misspelt) problem(*node, path, "needs one of " + list);
-    }
-    return;
-  }
-  if (is_inline && not_applicable_) return;
+  const Entry* chosen = chosen_alternative(key, *node, path, names);
+  if (!chosen || (is_inline && not_applicable_)) return;
   choose(index_of(chosen->key));
   const std::string chosen_path = path.empty() ? chosen->key : path + "." + chosen->key;
   report_.places[chosen_path] = chosen->place;

@@ -92,6 +92,9 @@ class Reader final : public Schema {
   const Node* find(const Key& key);
   void open_scope(const Node* node, const std::string& path);
   void close_scope();
+  /// The one alternative among the keys of a map, or null after a problem.
+  const Entry* chosen_alternative(const Key& key, const Node& node, const std::string& path,
+                                  const std::vector<std::string>& names);
   /// Reads members of `node` as one scope.
   void read_members(const Node& node, const std::string& path, const Members& members);
   void problem(const Node& node, const std::string& path, const std::string& message);
@@ -119,6 +122,9 @@ class Reader final : public Schema {
                                        std::span<const Varying::Over> over);
   std::optional<Varying> table_value(const Node& node, const std::string& path,
                                      const Quantity& quantity, std::span<const Varying::Over> over);
+  /// What a table is over; nothing after a problem with its keys.
+  std::optional<Varying::Over> table_over(const Node& node, const std::string& path,
+                                          std::span<const Varying::Over> over);
   std::optional<Node> table_rows(const Node& node, const std::string& path);
 
   Geometry geometry_;
@@ -129,6 +135,8 @@ class Reader final : public Schema {
   const char* not_applicable_ = nullptr;  ///< inside a section that does not apply: when it does
 };
 
+/// Adds `unit` behind each bare number below `node`; false where something else stands.
+bool add_unit(Node& node, const std::string& unit);
 /// "at least 0", "above 0", "from 0 to 1".
 std::string range_text(const Range& range);
 bool in_range(Real value, const Range& range);
@@ -140,10 +148,5 @@ const char* over_unit(Varying::Over over);
 std::string main_word(const char* words);
 /// A text for "needs one of": "a, b or c" of the first spellings; refused words left out.
 std::string word_list(std::span<const char* const> words);
-
-/// Adds `unit` behind each bare number below `node`; false where something else stands.
-bool add_unit(Node& node, const std::string& unit);
-/// "1 component", "3 components".
-std::string count_text(int size);
 
 }  // namespace brunt

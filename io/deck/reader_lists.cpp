@@ -1,15 +1,19 @@
-/// The part of the reader that reads vectors and lists.
+/// The part of the reader that reads vectors, points and expressions over time.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "io/deck/number.hpp"
 #include "io/deck/reader.hpp"
-#include "io/deck/suggest.hpp"
 
 namespace brunt {
+
+namespace {
+
+std::string count_text(int size) {
+  return size == 1 ? "1 component" : std::to_string(size) + " components";
+}
+
+}  // namespace
 
 bool add_unit(Node& node, const std::string& unit) {
   if (node.is_list()) {
@@ -19,42 +23,6 @@ bool add_unit(Node& node, const std::string& unit) {
   if (!node.is_scalar() || !whole_number(node.text)) return false;
   node.text += " " + unit;
   return true;
-}
-
-std::string count_text(int size) {
-  return size == 1 ? "1 component" : std::to_string(size) + " components";
-}
-
-const char* over_word(Varying::Over over) {
-  switch (over) {
-    case Varying::Over::time:
-      return "time";
-    case Varying::Over::temperature:
-      return "temperature";
-    case Varying::Over::slip_speed:
-      return "slip_speed";
-    case Varying::Over::pressure:
-      return "pressure";
-    case Varying::Over::eps_p:
-      return "eps_p";
-    default:
-      return "";
-  }
-}
-
-const char* over_unit(Varying::Over over) {
-  switch (over) {
-    case Varying::Over::time:
-      return "s";
-    case Varying::Over::temperature:
-      return "K";
-    case Varying::Over::slip_speed:
-      return "m/s";
-    case Varying::Over::pressure:
-      return "Pa";
-    default:
-      return "1";
-  }
 }
 
 std::optional<Node> Reader::with_unit_once(const Node& node, const std::string& path) {
@@ -217,6 +185,79 @@ void Reader::integers(const Key& key, std::optional<std::vector<int>>& value, in
     numbers.push_back(*number);
   }
   value = std::move(numbers);
+}
+
+std::optional<Varying> Reader::varying_value(const Node& node, const std::string& path,
+                                             const Quantity& quantity,
+                                             std::span<const Varying::Over> over) {
+  if (node.is_map()) return table_value(node, path, quantity, over);
+  Varying varying;
+  const bool expressions =
+      std::find(over.begin(), over.end(), Varying::Over::expression) != over.end();
+  if (expressions && node.is_scalar() && is_expression(node.text) &&
+      depends_on_place_or_time(node.text)) {
+    CompiledExpression compiled = compile_expression(node.text, parameters_);
+    if (!compiled.problem.empty()) {
+      problem(node, path, what_stands(node) + ": " + compiled.problem);
+      return {};
+    }
+    varying.over = Varying::Over::expression;
+    varying.expression = std::move(compiled.text);
+    varying.evaluate = std::move(compiled.evaluate);
+    return varying;
+  }
+  const auto value = quantity_value(node, path, quantity);
+  if (!value) return {};
+  varying.constant = *value;
+  return varying;
+}
+
+void Reader::varying(const Key& key, std::optional<Varying>& value, const Quantity& quantity,
+                     std::span<const Varying::Over> over) {
+  const Node* node = find(key);
+  if (!node) return;
+  auto read = varying_value(*node, path_of(key.name), quantity, over);
+  if (read) value = std::move(*read);
+}
+
+void Reader::components(const Key& key, std::optional<std::vector<std::optional<Varying>>>& value,
+                        const Quantity& quantity, std::span<const Varying::Over> over) {
+  const Node* given = find(key);
+  if (!given) return;
+  const std::string path = path_of(key.name);
+  const bool unit_once = given->is_map() && given->find("unit") && given->find("value");
+  const std::optional<Node> node = unit_once ? with_unit_once(*given, path) : *given;
+  if (!node) return;
+  if (!node->is_list() || static_cast<int>(node->items.size()) != dimensions()) {
+    problem(*given, path,
+            "expects a list of " + count_text(dimensions()) + ", each " +
+                describe_unit(quantity.unit) + ", a table, an expression or free, got " +
+                what_stands(*given));
+    return;
+  }
+  std::vector<std::optional<Varying>> components;
+  const Node* bare = nullptr;
+  const Node* with_unit = nullptr;
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    const Node& item = node->items[i];
+    if (item.is_scalar() && item.text == "free") {
+      components.emplace_back();
+      continue;
+    }
+    auto read = varying_value(item, path + "." + std::to_string(i), quantity, over);
+    if (!read) return;
+    if (item.is_scalar() && !is_expression(item.text) && read->constant != 0) {
+      (units_.read(item.text).has_unit ? with_unit : bare) = &item;
+    }
+    components.push_back(std::move(read));
+  }
+  if (bare && with_unit) {
+    problem(*bare, path,
+            what_stands(*bare) + " has no unit and " + what_stands(*with_unit) +
+                " has one: every component but 0 has a unit, or none has");
+    return;
+  }
+  value = std::move(components);
 }
 
 }  // namespace brunt

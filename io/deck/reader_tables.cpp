@@ -1,6 +1,5 @@
-/// The part of the reader that reads tables and what varies over time.
+/// The part of the reader that reads tables, inline and from files.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,6 +9,60 @@
 #include "io/deck/suggest.hpp"
 
 namespace brunt {
+
+const char* over_word(Varying::Over over) {
+  switch (over) {
+    case Varying::Over::time:
+      return "time";
+    case Varying::Over::temperature:
+      return "temperature";
+    case Varying::Over::slip_speed:
+      return "slip_speed";
+    case Varying::Over::pressure:
+      return "pressure";
+    case Varying::Over::eps_p:
+      return "eps_p";
+    default:
+      return "";
+  }
+}
+
+const char* over_unit(Varying::Over over) {
+  switch (over) {
+    case Varying::Over::time:
+      return "s";
+    case Varying::Over::temperature:
+      return "K";
+    case Varying::Over::slip_speed:
+      return "m/s";
+    case Varying::Over::pressure:
+      return "Pa";
+    default:
+      return "1";
+  }
+}
+
+namespace {
+
+/// One row of a file of columns; a blank line and a comment have none.
+Node csv_row(std::string line, const SourcePlace& place) {
+  Node row = list_node();
+  row.place = place;
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  if (line.find_first_not_of(" ") == std::string::npos || line[0] == '#') return row;
+  std::replace(line.begin(), line.end(), ';', ',');
+  std::istringstream columns(line);
+  for (std::string column; std::getline(columns, column, ',');) {
+    const std::size_t from = column.find_first_not_of(' ');
+    const std::size_t to = column.find_last_not_of(' ');
+    row.items.push_back(
+        scalar_node(from == std::string::npos ? "" : column.substr(from, to - from + 1)));
+    row.items.back().place = place;
+  }
+  return row;
+}
+
+}  // namespace
 
 std::optional<Node> Reader::table_rows(const Node& node, const std::string& path) {
   if (const Node* table = node.find("table")) {
@@ -34,22 +87,10 @@ std::optional<Node> Reader::table_rows(const Node& node, const std::string& path
   rows.place = name.place;
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.find_first_not_of(" ") == std::string::npos || line[0] == '#') continue;
-    std::replace(line.begin(), line.end(), ';', ',');
-    std::istringstream columns(line);
-    Node row = list_node();
-    row.place = {file.string(), number, 1};
-    for (std::string column; std::getline(columns, column, ',');) {
-      const std::size_t from = column.find_first_not_of(' ');
-      const std::size_t to = column.find_last_not_of(' ');
-      row.items.push_back(
-          scalar_node(from == std::string::npos ? "" : column.substr(from, to - from + 1)));
-      row.items.back().place = row.place;
-    }
-    const bool header = rows.items.empty() && number == 1 && row.items.size() == 2 &&
-                        leading_number(row.items[0].text).length == 0;
-    if (!header) rows.items.push_back(std::move(row));
+    Node row = csv_row(line, {file.string(), number, 1});
+    const bool header =
+        number == 1 && row.items.size() == 2 && leading_number(row.items[0].text).length == 0;
+    if (!row.items.empty() && !header) rows.items.push_back(std::move(row));
   }
   if (rows.items.empty()) {
     problem(name, path, "the file '" + file.string() + "' has no rows");
@@ -58,26 +99,24 @@ std::optional<Node> Reader::table_rows(const Node& node, const std::string& path
   return rows;
 }
 
-std::optional<Varying> Reader::table_value(const Node& node, const std::string& path,
-                                           const Quantity& quantity,
-                                           std::span<const Varying::Over> over) {
-  std::vector<std::string> overs, keys{"table", "file", "over", "unit"};
-  std::string over_list;
+std::optional<Varying::Over> Reader::table_over(const Node& node, const std::string& path,
+                                                std::span<const Varying::Over> over) {
+  static const std::vector<std::string> kKeys{"table", "file", "over", "unit"};
+  std::string list;
   for (const Varying::Over candidate : over) {
-    if (*over_word(candidate) == '\0') continue;
-    overs.emplace_back(over_word(candidate));
-    over_list += (over_list.empty() ? "" : " | ") + overs.back();
+    const std::string word = over_word(candidate);
+    if (!word.empty()) list += (list.empty() ? "" : " | ") + word;
   }
   for (const Entry& entry : node.entries) {
-    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    problem_at(entry.place, path, "unknown key '" + entry.key + "'" + suggestion(entry.key, keys));
+    if (std::find(kKeys.begin(), kKeys.end(), entry.key) != kKeys.end()) continue;
+    problem_at(entry.place, path, "unknown key '" + entry.key + "'" + suggestion(entry.key, kKeys));
     return {};
   }
   const Node* over_node = node.find("over");
   if ((node.find("table") != nullptr) == (node.find("file") != nullptr) || !over_node) {
     problem(node, path,
-            "expects a value, or {table: [[...], ...], over: " + over_list +
-                "}, or {file: curve.csv, over: " + over_list + ", unit: [.., ..]}");
+            "expects a value, or {table: [[...], ...], over: " + list +
+                "}, or {file: curve.csv, over: " + list + ", unit: [.., ..]}");
     return {};
   }
   const auto found = std::find_if(over.begin(), over.end(), [&](Varying::Over candidate) {
@@ -85,9 +124,17 @@ std::optional<Varying> Reader::table_value(const Node& node, const std::string& 
   });
   if (found == over.end() || over_node->text.empty()) {
     problem(*over_node, path + ".over",
-            "expects one of " + over_list + ", got " + what_stands(*over_node));
+            "expects one of " + list + ", got " + what_stands(*over_node));
     return {};
   }
+  return *found;
+}
+
+std::optional<Varying> Reader::table_value(const Node& node, const std::string& path,
+                                           const Quantity& quantity,
+                                           std::span<const Varying::Over> over) {
+  const auto chosen = table_over(node, path, over);
+  if (!chosen) return {};
   std::optional<Node> rows = table_rows(node, path);
   if (!rows) return {};
   const Node* unit = node.find("unit");
@@ -98,7 +145,7 @@ std::optional<Varying> Reader::table_value(const Node& node, const std::string& 
     return {};
   }
   Varying varying;
-  varying.over = *found;
+  varying.over = *chosen;
   for (std::size_t i = 0; i < rows->items.size(); ++i) {
     Node& row = rows->items[i];
     const std::string row_path = path + ".table." + std::to_string(i);
@@ -113,7 +160,7 @@ std::optional<Varying> Reader::table_value(const Node& node, const std::string& 
         return {};
       }
     }
-    const auto s = quantity_value(row.items[0], row_path, {over_unit(*found)});
+    const auto s = quantity_value(row.items[0], row_path, {over_unit(*chosen)});
     const auto v = quantity_value(row.items[1], row_path, quantity);
     if (!s || !v) return {};
     if (!varying.abscissa.empty() && !(*s > varying.abscissa.back())) {
@@ -124,79 +171,6 @@ std::optional<Varying> Reader::table_value(const Node& node, const std::string& 
     varying.ordinate.push_back(*v);
   }
   return varying;
-}
-
-std::optional<Varying> Reader::varying_value(const Node& node, const std::string& path,
-                                             const Quantity& quantity,
-                                             std::span<const Varying::Over> over) {
-  if (node.is_map()) return table_value(node, path, quantity, over);
-  Varying varying;
-  const bool expressions =
-      std::find(over.begin(), over.end(), Varying::Over::expression) != over.end();
-  if (expressions && node.is_scalar() && is_expression(node.text) &&
-      depends_on_place_or_time(node.text)) {
-    CompiledExpression compiled = compile_expression(node.text, parameters_);
-    if (!compiled.problem.empty()) {
-      problem(node, path, what_stands(node) + ": " + compiled.problem);
-      return {};
-    }
-    varying.over = Varying::Over::expression;
-    varying.expression = std::move(compiled.text);
-    varying.evaluate = std::move(compiled.evaluate);
-    return varying;
-  }
-  const auto value = quantity_value(node, path, quantity);
-  if (!value) return {};
-  varying.constant = *value;
-  return varying;
-}
-
-void Reader::varying(const Key& key, std::optional<Varying>& value, const Quantity& quantity,
-                     std::span<const Varying::Over> over) {
-  const Node* node = find(key);
-  if (!node) return;
-  auto read = varying_value(*node, path_of(key.name), quantity, over);
-  if (read) value = std::move(*read);
-}
-
-void Reader::components(const Key& key, std::optional<std::vector<std::optional<Varying>>>& value,
-                        const Quantity& quantity, std::span<const Varying::Over> over) {
-  const Node* given = find(key);
-  if (!given) return;
-  const std::string path = path_of(key.name);
-  const bool unit_once = given->is_map() && given->find("unit") && given->find("value");
-  const std::optional<Node> node = unit_once ? with_unit_once(*given, path) : *given;
-  if (!node) return;
-  if (!node->is_list() || static_cast<int>(node->items.size()) != dimensions()) {
-    problem(*given, path,
-            "expects a list of " + count_text(dimensions()) + ", each " +
-                describe_unit(quantity.unit) + ", a table, an expression or free, got " +
-                what_stands(*given));
-    return;
-  }
-  std::vector<std::optional<Varying>> components;
-  const Node* bare = nullptr;
-  const Node* with_unit = nullptr;
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
-    const Node& item = node->items[i];
-    if (item.is_scalar() && item.text == "free") {
-      components.emplace_back();
-      continue;
-    }
-    auto read = varying_value(item, path + "." + std::to_string(i), quantity, over);
-    if (!read) return;
-    if (item.is_scalar() && !is_expression(item.text) && read->constant != 0) {
-      (units_.read(item.text).has_unit ? with_unit : bare) = &item;
-    }
-    components.push_back(std::move(read));
-  }
-  if (bare && with_unit) {
-    problem(*bare, path,
-            what_stands(*bare) + " has no unit and " + what_stands(*with_unit) +
-                " has one: every component but 0 has a unit, or none has");
-    return;
-  }
-  value = std::move(components);
 }
 
 }  // namespace brunt

@@ -162,7 +162,9 @@ void apply_override(Node& root, const Override& change, std::vector<DeckProblem>
         node->erase(key);
         return;
       }
-      node = &node->at_or_new(key, change.place);
+      Node* map = node;
+      node = &map->at_or_new(key, change.place);
+      if (last) map->find_entry(key)->place = change.place;
     } else {
       problems.push_back({change.place, join_path(path, key),
                           path + " is " + what_stands(*node) + " and has no keys"});
