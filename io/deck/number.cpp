@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/number.hpp"
+
 namespace brunt {
 
 namespace {
@@ -72,12 +74,6 @@ std::optional<Real> whole_number(std::string_view text) {
   return number.value;
 }
 
-std::string shortest_text(Real value) {
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  if (std::isnan(value)) return "nan";
-  char buffer[32];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, result.ptr};
-}
+std::string shortest_text(Real value) { return shortest(value); }
 
 }  // namespace brunt
