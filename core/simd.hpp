@@ -56,6 +56,29 @@ BRUNT_INLINE bool any(PackMask m) {
   return (m[0] | m[1] | m[2] | m[3]) != 0;
 #endif
 }
+/// One bit a lane.
+BRUNT_INLINE unsigned mask_bits(PackMask m) {
+#ifdef __AVX__
+  return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<Pack>(m)));
+#else
+  return static_cast<unsigned>((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
+#endif
+}
+/// to[k] = from[lane[k]] for four indices; `to` may overlap nothing.
+BRUNT_INLINE void store_permuted(LocalIndex* to, const LocalIndex* from, const std::int32_t* lane) {
+#ifdef __AVX__
+  using Four = float __attribute__((vector_size(16)));
+  using Lanes = std::int32_t __attribute__((vector_size(16)));
+  Four indices;
+  Lanes lanes;
+  std::memcpy(&indices, from, sizeof indices);
+  std::memcpy(&lanes, lane, sizeof lanes);
+  indices = __builtin_ia32_vpermilvarps(indices, lanes);  // moves bits; they are no numbers here
+  std::memcpy(to, &indices, sizeof indices);
+#else
+  for (int k = 0; k < kLanes; ++k) to[k] = from[lane[k]];
+#endif
+}
 BRUNT_INLINE bool lane_of(bool m, int) { return m; }
 BRUNT_INLINE bool lane_of(PackMask m, int lane) { return m[lane] != 0; }
 BRUNT_INLINE Real lane_of(Real a, int) { return a; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "sph/parallel.hpp"
 
@@ -33,20 +32,31 @@ void ListWatch<Dim>::start(const Points<Dim>& points, std::vector<Real> reach, R
           static_cast<std::int64_t>(cell >= -0x1p52 ? std::min(cell, 0x1p52) : -0x1p52);
     }
   });
-  member_.resize(x_.size());
-  std::iota(member_.begin(), member_.end(), 0);
-  std::sort(member_.begin(), member_.end(), [&](LocalIndex a, LocalIndex b) {
-    const auto& za = zone_of[static_cast<std::size_t>(a)];
-    const auto& zb = zone_of[static_cast<std::size_t>(b)];
-    return za < zb || (za == zb && a < b);
-  });
+  // Neighbours along the curve share zones: runs of them are sorted, not particles
+  struct Run {
+    Zone zone;
+    std::size_t begin, end;
+    bool operator<(const Run& other) const {
+      return zone < other.zone || (zone == other.zone && begin < other.begin);
+    }
+  };
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < zone_of.size(); ++i) {
+    if (runs.empty() || runs.back().zone != zone_of[i]) runs.push_back({zone_of[i], i, i});
+    ++runs.back().end;
+  }
+  std::sort(runs.begin(), runs.end());
   zones_.clear();
+  member_.clear();
   member_begin_.clear();
-  for (std::size_t k = 0; k < member_.size(); ++k) {
-    const Zone& zone = zone_of[static_cast<std::size_t>(member_[k])];
-    if (!zones_.empty() && zones_.back() == zone) continue;
-    zones_.push_back(zone);
-    member_begin_.push_back(static_cast<LocalIndex>(k));
+  for (const Run& run : runs) {
+    if (zones_.empty() || zones_.back() != run.zone) {
+      zones_.push_back(run.zone);
+      member_begin_.push_back(static_cast<LocalIndex>(member_.size()));
+    }
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      member_.push_back(static_cast<LocalIndex>(i));
+    }
   }
   member_begin_.push_back(static_cast<LocalIndex>(member_.size()));
   link_zones();

@@ -1,5 +1,6 @@
 #include "sph/neighbour_rows.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace brunt {
@@ -16,30 +17,53 @@ void NeighbourRows<Dim>::assign(NeighbourList list) {
     next += (list_.offset[i + 1] - list_.offset[i] + kLanes - 1) / kLanes * kLanes;
   }
   near_.resize(static_cast<std::size_t>(next));
+  weight_.resize(static_cast<std::size_t>(next));
 }
+
+/// Which of four pairs (i, j) interact.
+template <int Dim>
+BRUNT_INLINE PackMask inside_support(const MotionRecord<Dim>* records, const Real* own,
+                                     const LocalIndex* j) {
+  FourPairs<Dim> pairs;
+  set_arms(records, own, j, pairs);
+  return pairs.q2 < 4.0;
+}
+
+/// For each set of lanes: its lanes moved to the front, in their order, and how many they are.
+struct Compression {
+  alignas(16) std::int32_t lane[16][4];
+  int count[16];
+};
+constexpr Compression compression() {
+  Compression table{};
+  for (int set = 0; set < 16; ++set) {
+    for (int lane = 0; lane < 4; ++lane) {
+      if ((set >> lane & 1) != 0) table.lane[set][table.count[set]++] = lane;
+    }
+  }
+  return table;
+}
+constexpr Compression kCompression = compression();
 
 template <int Dim>
 void NeighbourRows<Dim>::refresh(const MotionRecord<Dim>* records, LocalIndex i) {
-  constexpr int inverse = MotionRecord<Dim>::kInverse;
   const auto k = static_cast<std::size_t>(i);
   const LocalIndex* candidate = list_.neighbour.data() + list_.offset[k];
   const auto n = static_cast<int>(list_.offset[k + 1] - list_.offset[k]);
   const Real* own = records[i].data;
   LocalIndex* out = near_.data() + first_[k];
-  int found = 0, c = 0;
-  for (; c + kLanes <= n; c += kLanes) {
-    const PackMask inside = SquaredRatio<Dim>(records, own, candidate + c).q2 < 4.0;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      out[found] = candidate[c + lane];
-      found -= static_cast<int>(inside[lane]);  // an inside lane is -1
-    }
-  }
-  for (; c < n; ++c) {
-    const Real* other = records[candidate[c]].data;
-    Real r2 = (other[0] - own[0]) * (other[0] - own[0]);
-    for (int d = 1; d < Dim; ++d) r2 = r2 + (other[d] - own[d]) * (other[d] - own[d]);
-    const Real inverse_h = 0.5 * (other[inverse] + own[inverse]);
-    if (r2 * (inverse_h * inverse_h) < 4.0) out[found++] = candidate[c];
+  int found = 0;
+  const auto take = [&](const LocalIndex* four, unsigned among) {
+    const unsigned set = mask_bits(inside_support(records, own, four)) & among;
+    store_permuted(out + found, four, kCompression.lane[set]);  // never past the padded row
+    found += kCompression.count[set];
+  };
+  int c = 0;
+  for (; c + kLanes <= n; c += kLanes) take(candidate + c, 15U);
+  if (c < n) {
+    LocalIndex rest[kLanes] = {i, i, i, i};
+    std::copy(candidate + c, candidate + n, rest);
+    take(rest, (1U << (n - c)) - 1U);
   }
   count_[k] = found;
   while (found % kLanes != 0) out[found++] = i;

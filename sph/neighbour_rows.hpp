@@ -24,6 +24,8 @@ class NeighbourRows {
     const auto padded = static_cast<std::size_t>((count_[k] + kLanes - 1) / kLanes * kLanes);
     return {near_.data() + first_[k], padded};
   }
+  /// What the first pass leaves to the second of each pair of the row, beside row(i).
+  Real* weights(LocalIndex i) { return weight_.data() + first_[static_cast<std::size_t>(i)]; }
   int count(LocalIndex i) const { return count_[static_cast<std::size_t>(i)]; }
   std::size_t n_candidates() const { return list_.neighbour.size(); }
 
@@ -31,6 +33,7 @@ class NeighbourRows {
   NeighbourList list_;
   std::vector<std::int64_t> first_;  // start of each padded row
   std::vector<LocalIndex> near_;
+  std::vector<Real> weight_;  // [1/m^2]
   std::vector<int> count_;
 };
 

@@ -39,26 +39,59 @@ BRUNT_INLINE void clear(Pack (&sums)[n]) {
   for (std::size_t k = 0; k < n; ++k) sums[k] = broadcast<Pack>(0.0);
 }
 
+/// Adds the rates of a stretch, and volumes to the weights of its pairs.
+template <int Dim>
+BRUNT_INLINE void add_rates(const MotionRecord<Dim>* motion, const Real* own, const LocalIndex* j,
+                            std::size_t n, FourPairs<Dim>* pairs, Pack (&rate)[Dim * Dim]) {
+  for (std::size_t k = 0; k < n; k += kLanes, ++pairs) {
+    pairs->weight = set_velocities(motion, own, j + k, *pairs) * pairs->weight;
+    for (int b = 0; b < Dim; ++b) {
+      const Pack gradient = pairs->weight * pairs->arm[b];
+      for (int a = 0; a < Dim; ++a) {
+        rate[Dim * a + b] = rate[Dim * a + b] + pairs->velocity[a] * gradient;
+      }
+    }
+  }
+}
+
+/// Adds the moments of a stretch, and keeps its weights for the second pass.
+template <int Dim>
+BRUNT_INLINE void add_moments(std::size_t n, const FourPairs<Dim>* pairs,
+                              Pack (&moment)[kSymmetric<Dim>], Real* weights) {
+  for (std::size_t k = 0; k < n; k += kLanes, ++pairs) {
+    store(weights + k, pairs->weight);
+    for (int b = 0; b < Dim; ++b) {
+      const Pack gradient = pairs->weight * pairs->arm[b];
+      for (int a = 0; a <= b; ++a) {
+        Pack& m = moment[symmetric_place<Dim>(a, b)];
+        m = m + pairs->arm[a] * gradient;
+      }
+    }
+  }
+}
+
+/// The first pass over the row of a particle.
+/// weights  [1/m^2] V_j grad_i W = weight (x_j - x_i) of each pair of the row, out
 template <int Dim, class Kernel>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim>* motion, LocalIndex i,
-                                             std::span<const LocalIndex> row) {
+                                             std::span<const LocalIndex> row, Real* weights) {
+  constexpr std::size_t length = RowStretch<Dim>::kLength;
+  const Real* own = motion[i].data;
+  RowStretch<Dim> stretch;
   Pack moment[kSymmetric<Dim>], rate[Dim * Dim];
   clear(moment);
   clear(rate);
-  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real*, const LocalIndex*)
-      __attribute__((always_inline)) {
-    for (int b = 0; b < Dim; ++b) {
-      const Pack gradient = weight * pair.arm[b];
-      for (int a = 0; a <= b; ++a) {
-        Pack& m = moment[symmetric_place<Dim>(a, b)];
-        m = m + pair.arm[a] * gradient;
-      }
-      for (int a = 0; a < Dim; ++a) {
-        rate[Dim * a + b] = rate[Dim * a + b] + pair.velocity[a] * gradient;
-      }
+  for (std::size_t first = 0; first < row.size(); first += length) {
+    const std::size_t n = std::min(length, row.size() - first);
+    const LocalIndex* j = row.data() + first;
+    for (std::size_t k = 0; k < n; k += kLanes) {
+      FourPairs<Dim>& pairs = stretch.pairs[k / kLanes];
+      set_arms(motion, own, j + k, pairs);
+      pairs.weight = kernel_weight<Dim, Kernel>(pairs);
     }
-  };
-  for_each_four<Dim, Kernel, false>(motion, i, row, add);
+    add_rates(motion, own, j, n, stretch.pairs, rate);
+    add_moments(n, stretch.pairs, moment, weights + first);
+  }
   GradientSums<Dim> sums;
   for (int k = 0; k < kSymmetric<Dim>; ++k) sums.moment[k] = sum_lanes(moment[k]);
   for (int k = 0; k < Dim * Dim; ++k) sums.rate[k] = sum_lanes(rate[k]);
@@ -70,18 +103,21 @@ template <int Dim, class Kernel>
 BRUNT_INLINE Vec<Dim> mean_velocity(const MotionRecord<Dim>* motion,
                                     const StressRecord<Dim>* stress, LocalIndex i,
                                     std::span<const LocalIndex> row) {
-  Pack sum[Dim] = {};
+  Pack sum[Dim];
+  clear(sum);
   const Real own = stress[i].data[StressRecord<Dim>::kDensity];
   for (std::size_t k = 0; k < row.size(); k += kLanes) {
     const LocalIndex* j = row.data() + k;
-    const FourPairs<Dim> pair(motion, motion[i].data, j);
+    FourPairs<Dim> pair;
+    set_arms(motion, motion[i].data, j, pair);
+    const Pack volume = set_velocities(motion, motion[i].data, j, pair);
     Pack density;
     for (int lane = 0; lane < kLanes; ++lane) {
       density[lane] = stress[j[lane]].data[StressRecord<Dim>::kDensity];
     }
     Pack value = Kernel::template kAlpha<Dim> * Kernel::value(vsqrt(pair.q2));
     for (int d = 0; d < Dim; ++d) value = value * pair.inverse_h;
-    const Pack weight = pair.volume * density * value / (0.5 * (density + own));
+    const Pack weight = volume * density * value / (0.5 * (density + own));
     for (int d = 0; d < Dim; ++d) sum[d] = sum[d] + weight * pair.velocity[d];
   }
   Vec<Dim> mean;
@@ -97,25 +133,33 @@ struct ForceRecords {
   const ArtificialRecord<Dim>* artificial;
 };
 
-/// Stress divergence of four pairs: the part of i is the sum of w (x_j - x_i), applied at the end.
+/// Stress divergence: sum w T_j (x_j - x_i), and sum w (x_j - x_i) for the part of i.
 template <int Dim>
 struct StressPart {
-  Pack force[Dim];  // sum w T_j (x_j - x_i)
-  Pack arm[Dim];    // sum w (x_j - x_i)
+  Pack force[Dim];
+  Pack arm[Dim];
 
   BRUNT_INLINE StressPart() {
     clear(force);
     clear(arm);
   }
-  BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, const Pack* stress) {
-    Pack gradient[Dim];
+  BRUNT_INLINE void add(const StressRecord<Dim>* records, const LocalIndex* j,
+                        const FourPairs<Dim>& pair) {
+    Pack gradient[Dim], stress[8];
     for (int a = 0; a < Dim; ++a) {
-      gradient[a] = weight * pair.arm[a];
+      gradient[a] = pair.weight * pair.arm[a];
       arm[a] = arm[a] + gradient[a];
+    }
+    for (int g = 0; g < StressRecord<Dim>::kScalars; g += 4) {
+      load_transposed(records[j[0]].data + g, records[j[1]].data + g, records[j[2]].data + g,
+                      records[j[3]].data + g, stress + g);
     }
     for (int a = 0; a < Dim; ++a) {
       Pack row = stress[Dim * a] * gradient[0];
-      for (int b = 1; b < Dim; ++b) row = row + stress[Dim * a + b] * gradient[b];
+      for (int b = 1; b < Dim; ++b) {
+        const int place = Dim * a + b;
+        row = row + (place < 8 ? stress[place] : pair.last_stress) * gradient[b];
+      }
       force[a] = force[a] + row;
     }
   }
@@ -129,21 +173,20 @@ struct ViscousPart {
   Pack power = {}, largest_mu = {}, largest_speed2 = {};
 
   BRUNT_INLINE ViscousPart() { clear(force); }
-  BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, const Real* own, Pack sound_speed,
-                        Pack density, const SphPairOptions& options) {
+  BRUNT_INLINE void add(const FourPairs<Dim>& pair, Real own_sound_speed, Real own_density,
+                        Pack sound_speed, Pack density, const SphPairOptions& options) {
     Pack approach = pair.velocity[0] * pair.arm[0], speed2 = pair.velocity[0] * pair.velocity[0];
     for (int a = 1; a < Dim; ++a) {
       approach = approach + pair.velocity[a] * pair.arm[a];
       speed2 = speed2 + pair.velocity[a] * pair.velocity[a];
     }
-    const Real own_density = own[StressRecord<Dim>::kDensity];
     // one division gives mu = approach/h / (q^2 + 0.01) and 2 rho_i rho_j/(rho_i + rho_j)
     const Pack distance2 = pair.q2 + 0.01, densities = density + own_density;
     const Pack inverse = 1.0 / (distance2 * densities);
     const Pack mu = vmin(pair.inverse_h * approach * (densities * inverse), broadcast<Pack>(0.0));
     const Pack both = 2.0 * own_density * density * (distance2 * inverse);
-    const Pack c = 0.5 * (sound_speed + own[StressRecord<Dim>::kSoundSpeed]);
-    const Pack push = -(both * weight) * (mu * (options.beta * mu - options.alpha * c));
+    const Pack c = 0.5 * (sound_speed + own_sound_speed);
+    const Pack push = -(both * pair.weight) * (mu * (options.beta * mu - options.alpha * c));
     for (int a = 0; a < Dim; ++a) force[a] = force[a] + push * pair.arm[a];
     power = power + push * approach;
     largest_mu = vmin(largest_mu, mu);
@@ -158,9 +201,9 @@ struct ArtificialPart {
   Pack power = {};
 
   BRUNT_INLINE ArtificialPart() { clear(force); }
-  BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack weight, Pack relative_value,
-                        const Real* own, const ArtificialRecord<Dim>* records,
-                        const LocalIndex* j) {
+  /// relative_value  W(r)/W(dp)
+  BRUNT_INLINE void add(const FourPairs<Dim>& pair, Pack relative_value, const Real* own,
+                        const ArtificialRecord<Dim>* records, const LocalIndex* j) {
     constexpr int groups = Dim == 3 ? 2 : 1;
     Pack stress[4 * groups];
     for (int g = 0; g < groups; ++g) {
@@ -168,7 +211,7 @@ struct ArtificialPart {
                       records[j[2]].data + 4 * g, records[j[3]].data + 4 * g, stress + 4 * g);
     }
     const Pack square = relative_value * relative_value;
-    const Pack factor = weight * (square * square);
+    const Pack factor = pair.weight * (square * square);
     for (int a = 0; a < Dim; ++a) {
       Pack row = {};
       for (int b = 0; b < Dim; ++b) {
@@ -182,33 +225,85 @@ struct ArtificialPart {
   }
 };
 
+/// Packs of a stretch in which the artificial stress acts.
+struct TensePacks {
+  std::uint32_t pack[RowStretch<3>::kLength / kLanes];
+  std::size_t n = 0;
+};
+
+/// Viscosity of a stretch, and beside it what the other sums need: its pairs and which of them are
+/// in tension.
+/// weights  [1/m^2] of the first pass
+template <int Dim>
+BRUNT_INLINE void add_viscosity(const ForceRecords<Dim>& records, LocalIndex i, const LocalIndex* j,
+                                const Real* weights, std::size_t n, const SphPairOptions& options,
+                                FourPairs<Dim>* pairs, TensePacks& tense,
+                                ViscousPart<Dim>& viscous) {
+  using Record = StressRecord<Dim>;
+  constexpr int g = Record::kScalars;
+  const Real* own = records.stress[i].data;
+  const Real own_sound_speed = own[Record::kSoundSpeed], own_density = own[Record::kDensity];
+  const int own_tension = own[Record::kTension] != 0 ? 1 : 0;
+  ViscousPart<Dim> sums = viscous;
+  std::size_t found = 0;
+  for (std::size_t p = 0; p < n / kLanes; ++p, j += kLanes) {
+    Pack part[4];
+    set_arms(records.motion, records.motion[i].data, j, pairs[p]);
+    set_velocities(records.motion, records.motion[i].data, j, pairs[p]);
+    pairs[p].weight = load(weights + kLanes * p);
+    load_transposed(records.stress[j[0]].data + g, records.stress[j[1]].data + g,
+                    records.stress[j[2]].data + g, records.stress[j[3]].data + g, part);
+    if constexpr (Dim == 3) pairs[p].last_stress = part[0];
+    sums.add(pairs[p], own_sound_speed, own_density, part[Record::kSoundSpeed - g],
+             part[Record::kDensity - g], options);
+    tense.pack[found] = static_cast<std::uint32_t>(p);
+    found += static_cast<std::size_t>(own_tension | int{any(part[Record::kTension - g] != 0.0)});
+  }
+  tense.n = found;
+  viscous = sums;
+}
+
+/// Artificial stress of the packs of a stretch that are in tension.
+template <int Dim, class Kernel>
+BRUNT_INLINE void add_artificial(const ArtificialRecord<Dim>* records, LocalIndex i,
+                                 const LocalIndex* j, const TensePacks& tense,
+                                 Real inverse_spacing_value, const FourPairs<Dim>* pairs,
+                                 ArtificialPart<Dim>& artificial) {
+  ArtificialPart<Dim> sums = artificial;
+  for (std::size_t t = 0; t < tense.n; ++t) {
+    const FourPairs<Dim>& pair = pairs[tense.pack[t]];
+    const Pack value = inverse_spacing_value * Kernel::value(vsqrt(pair.q2));
+    sums.add(pair, value, records[i].data, records, j + kLanes * tense.pack[t]);
+  }
+  artificial = sums;
+}
+
 /// Forces on i per volume of i: sum V_j (T_i + T_j) grad_i W and its viscous and artificial kin,
 /// T = sigma B. The artificial part is skipped where it is zero for all four pairs.
+/// weights  [1/m^2] that the first pass gave to the row
 template <int Dim, class Kernel>
 BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIndex i,
-                                       std::span<const LocalIndex> row,
+                                       std::span<const LocalIndex> row, const Real* weights,
                                        const SphPairOptions& options) {
-  using Record = StressRecord<Dim>;
+  constexpr std::size_t length = RowStretch<Dim>::kLength;
   const Real* own = records.stress[i].data;
-  const bool own_tension = own[Record::kTension] != 0;
   StressPart<Dim> stress;
   ViscousPart<Dim> viscous;
   ArtificialPart<Dim> artificial;
-  const auto add = [&](const FourPairs<Dim>& pair, Pack weight, const Real* value,
-                       const LocalIndex* j) __attribute__((always_inline)) {
-    Pack part[Record::kSize];
-    for (int g = 0; g < Record::kSize; g += 4) {
-      load_transposed(records.stress[j[0]].data + g, records.stress[j[1]].data + g,
-                      records.stress[j[2]].data + g, records.stress[j[3]].data + g, part + g);
+  RowStretch<Dim> stretch;
+  TensePacks tense;
+  for (std::size_t first = 0; first < row.size(); first += length) {
+    const std::size_t n = std::min(length, row.size() - first);
+    const LocalIndex* j = row.data() + first;
+    add_viscosity(records, i, j, weights + first, n, options, stretch.pairs, tense, viscous);
+    StressPart<Dim> sums = stress;
+    for (std::size_t p = 0; p < n / kLanes; ++p) {
+      sums.add(records.stress, j + p * kLanes, stretch.pairs[p]);
     }
-    stress.add(pair, weight, part);
-    viscous.add(pair, weight, own, part[Record::kSoundSpeed], part[Record::kDensity], options);
-    if (own_tension || any(part[Record::kTension] != 0.0)) {
-      artificial.add(pair, weight, options.inverse_spacing_value * load(value),
-                     records.artificial[i].data, records.artificial, j);
-    }
-  };
-  for_each_four<Dim, Kernel, true>(records.motion, i, row, add);
+    stress = sums;
+    add_artificial<Dim, Kernel>(records.artificial, i, j, tense, options.inverse_spacing_value,
+                                stretch.pairs, artificial);
+  }
   ForceSums<Dim> sums;
   for (int a = 0; a < Dim; ++a) {
     sums.stress[a] = sum_lanes(stress.force[a]);

@@ -77,7 +77,8 @@ void SphParticles<Dim>::refresh_gradients() {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         rows_.refresh(motion_.data(), i);
-        const auto sums = sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i));
+        const auto sums =
+            sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i), rows_.weights(i));
         auto& state = state_[static_cast<std::size_t>(i)];
         const bool usable = corrected && rows_.count(i) >= Dim + 1;
         invert_moment<Dim>(sums.moment, usable, state.correction);
@@ -117,7 +118,7 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         const auto k = static_cast<std::size_t>(i);
-        const auto sums = sum_forces<Dim, Kernel>(records, i, rows_.row(i), pair);
+        const auto sums = sum_forces<Dim, Kernel>(records, i, rows_.row(i), rows_.weights(i), pair);
         auto& state = state_[k];
         const Real volume = depth_ * motion_[k].data[MotionRecord<Dim>::kVolume];
         for (int d = 0; d < Dim; ++d) {

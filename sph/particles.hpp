@@ -113,7 +113,7 @@ class SphParticles final : public Solid<Dim> {
 
   NeighbourRows<Dim> rows_;
   ListWatch<Dim> watch_;
-  Real skin_ratio_ = 0.25;  // [1] of the largest smoothing length
+  Real skin_ratio_ = 0.35;  // [1] of the largest smoothing length; flat optimum
   SearchMode search_ = SearchMode::grid;
   std::int64_t n_searches_ = 0;
 };

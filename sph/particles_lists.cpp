@@ -58,7 +58,9 @@ void SphParticles<Dim>::seed_votes() {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         rows_.refresh(motion_.data(), i);
-        const auto sums = sum_forces<Dim, Kernel>(records, i, rows_.row(i), inviscid);
+        sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i), rows_.weights(i));
+        const auto sums =
+            sum_forces<Dim, Kernel>(records, i, rows_.row(i), rows_.weights(i), inviscid);
         state_[static_cast<std::size_t>(i)].speed = sums.speed;
         state_[static_cast<std::size_t>(i)].mu = sums.mu;
       });

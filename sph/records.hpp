@@ -38,6 +38,7 @@ struct alignas(32) StressRecord {
   static constexpr int kDensity = Dim * Dim + 1;  ///< [kg/m^3]
   static constexpr int kTension = Dim * Dim + 2;  ///< 1: the artificial stress is not zero
   static constexpr int kSize = Dim == 3 ? 12 : 8;
+  static constexpr int kScalars = kSize - 4;  ///< the last four, in space with a stress before
   Real data[kSize] = {};
 };
 
@@ -84,80 +85,66 @@ struct SquaredRatio {
   }
 };
 
-/// Four pairs (i, j): what every pair sum starts from.
+/// Four pairs (i, j) of a row, kept from one sum over the row to the next: each sum runs by itself,
+/// so that its accumulators stay in registers, and roots and divisions of many pairs overlap.
 template <int Dim>
 struct FourPairs {
-  using Record = MotionRecord<Dim>;
   Pack arm[Dim];       ///< [m] x_j - x_i
   Pack velocity[Dim];  ///< [m/s] v_j - v_i
   Pack inverse_h;      ///< [1/m]
   Pack q2;             ///< [1] (r/h)^2
-  Pack volume;         ///< [m^Dim] of j
-
-  /// own  record of i;  j  four places
-  BRUNT_INLINE FourPairs(const Record* records, const Real* own, const LocalIndex* j) {
-    const Real *a = records[j[0]].data, *b = records[j[1]].data, *c = records[j[2]].data,
-               *d = records[j[3]].data;
-    Pack first[4], second[4];
-    load_transposed(a, b, c, d, first);
-    load_transposed(a + 4, b + 4, c + 4, d + 4, second);
-    for (int k = 0; k < Dim; ++k) {
-      arm[k] = first[k] - own[k];
-      velocity[k] = second[k] - own[Record::kVelocity + k];
-    }
-    Pack r2 = arm[0] * arm[0];
-    for (int k = 1; k < Dim; ++k) r2 = r2 + arm[k] * arm[k];
-    inverse_h = 0.5 * (first[Record::kInverse] + own[Record::kInverse]);
-    q2 = r2 * (inverse_h * inverse_h);
-    volume = second[Record::kVolume - 4];
-  }
+  Pack weight;         ///< [1/m^2] w in V_j grad_i W = w (x_j - x_i), w >= 0
+  Pack last_stress;    ///< [Pa] T_zz of j, in space
 };
 
-/// Kernel factors of a stretch of a row, ahead of its sums: roots and divisions of many pairs run
-/// side by side instead of each holding up the sums of its own pair.
-struct RowFactors {
-  static constexpr std::size_t kLength = 64;
-  alignas(32) Real weight[kLength];  ///< [1/m^(Dim+2)] w in grad_i W = w (x_j - x_i), w >= 0
-  alignas(32) Real value[kLength];   ///< [1] f(q), where asked for
+/// Pairs of a stretch of a row.
+template <int Dim>
+struct RowStretch {
+  static constexpr std::size_t kLength = 128;
+  FourPairs<Dim> pairs[kLength / kLanes];
 };
 
-/// Fills the factors of n pairs (i, j), n a multiple of kLanes up to RowFactors::kLength.
-template <int Dim, class Kernel, bool with_value>
-BRUNT_INLINE void weigh(const MotionRecord<Dim>* records, const Real* own, const LocalIndex* j,
-                        std::size_t n, RowFactors& factors) {
-  for (std::size_t k = 0; k < n; k += kLanes) {
-    const SquaredRatio<Dim> four(records, own, j + k);
-    const Pack q = vsqrt(four.q2), inverse_h = four.inverse_h;
-    Pack inverse_q = {};
-    if constexpr (Kernel::kDivides) {
-      // beside the root and not after it; below the smallest ratio the force goes to zero
-      inverse_q = q * (1.0 / vmax(four.q2, broadcast<Pack>(kSmallestRatio * kSmallestRatio)));
-    }
-    Pack scale = inverse_h * inverse_h;
-    scale = scale * scale;
-    if constexpr (Dim == 3) scale = scale * inverse_h;
-    const Pack slope = Kernel::slope_over_q(q, inverse_q);
-    store(factors.weight + k, (-Kernel::template kAlpha<Dim> * scale) * slope);
-    if constexpr (with_value) store(factors.value + k, Kernel::value(q));
-  }
+/// Arms and ratios of four pairs (i, j).
+/// own  record of i;  j  four places
+template <int Dim>
+BRUNT_INLINE void set_arms(const MotionRecord<Dim>* records, const Real* own, const LocalIndex* j,
+                           FourPairs<Dim>& pairs) {
+  Pack part[4];
+  load_transposed(records[j[0]].data, records[j[1]].data, records[j[2]].data, records[j[3]].data,
+                  part);
+  Pack arm[Dim];
+  for (int d = 0; d < Dim; ++d) pairs.arm[d] = arm[d] = part[d] - own[d];
+  Pack r2 = arm[0] * arm[0];
+  for (int d = 1; d < Dim; ++d) r2 = r2 + arm[d] * arm[d];
+  pairs.inverse_h = 0.5 * (part[MotionRecord<Dim>::kInverse] + own[MotionRecord<Dim>::kInverse]);
+  pairs.q2 = r2 * (pairs.inverse_h * pairs.inverse_h);
 }
 
-/// Calls add(pair, w, f, j) for each four pairs of a row: V_j grad_i W = w (x_j - x_i), f(q),
-/// places.
-template <int Dim, class Kernel, bool with_value, class Add>
-BRUNT_INLINE void for_each_four(const MotionRecord<Dim>* records, LocalIndex i,
-                                std::span<const LocalIndex> row, Add add) {
-  const Real* own = records[i].data;
-  RowFactors factors;
-  for (std::size_t first = 0; first < row.size(); first += RowFactors::kLength) {
-    const std::size_t n = std::min(RowFactors::kLength, row.size() - first);
-    const LocalIndex* j = row.data() + first;
-    weigh<Dim, Kernel, with_value>(records, own, j, n, factors);
-    for (std::size_t k = 0; k < n; k += kLanes) {
-      const FourPairs<Dim> pair(records, own, j + k);
-      add(pair, pair.volume * load(factors.weight + k), factors.value + k, j + k);
-    }
+/// Relative velocities of four pairs (i, j); returns the volumes of j [m^Dim].
+template <int Dim>
+BRUNT_INLINE Pack set_velocities(const MotionRecord<Dim>* records, const Real* own,
+                                 const LocalIndex* j, FourPairs<Dim>& pairs) {
+  using Record = MotionRecord<Dim>;
+  Pack part[4];
+  load_transposed(records[j[0]].data + 4, records[j[1]].data + 4, records[j[2]].data + 4,
+                  records[j[3]].data + 4, part);
+  for (int d = 0; d < Dim; ++d) pairs.velocity[d] = part[d] - own[Record::kVelocity + d];
+  return part[Record::kVolume - 4];
+}
+
+/// w of four pairs without V_j [1/m^(Dim+2)].
+template <int Dim, class Kernel>
+BRUNT_INLINE Pack kernel_weight(const FourPairs<Dim>& pairs) {
+  const Pack q = vsqrt(pairs.q2);
+  Pack inverse_q = {};
+  if constexpr (Kernel::kDivides) {
+    // beside the root and not after it; below the smallest ratio the force goes to zero
+    inverse_q = q * (1.0 / vmax(pairs.q2, broadcast<Pack>(kSmallestRatio * kSmallestRatio)));
   }
+  Pack scale = pairs.inverse_h * pairs.inverse_h;
+  scale = scale * scale;
+  if constexpr (Dim == 3) scale = scale * pairs.inverse_h;
+  return (-Kernel::template kAlpha<Dim> * scale) * Kernel::slope_over_q(q, inverse_q);
 }
 
 }  // namespace brunt
