@@ -1,5 +1,6 @@
 #include "sph/neighbour_rows.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace brunt {
@@ -16,6 +17,17 @@ void NeighbourRows<Dim>::assign(NeighbourList list) {
     next += (list_.offset[i + 1] - list_.offset[i] + kLanes - 1) / kLanes * kLanes;
   }
   near_.resize(static_cast<std::size_t>(next));
+}
+
+template <int Dim>
+void NeighbourRows<Dim>::sort_by(std::span<const GlobalId> id) {
+  const auto before = [&](LocalIndex a, LocalIndex b) {
+    return id[static_cast<std::size_t>(a)] < id[static_cast<std::size_t>(b)];
+  };
+  const auto begin = list_.neighbour.begin();
+  for (std::size_t i = 0; i + 1 < list_.offset.size(); ++i) {
+    std::sort(begin + list_.offset[i], begin + list_.offset[i + 1], before);
+  }
 }
 
 template <int Dim>
