@@ -1,10 +1,13 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <new>
+#include <thread>
 
 #include "app/deck/deck.hpp"
+#include "app/launch_ranks.hpp"
 #include "app/pictures.hpp"
 #include "app/reference.hpp"
 #include "app/run.hpp"
@@ -28,31 +31,43 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   run->add_flag("--resume", arguments.resume, "skips a run that is done with the same deck");
   run->add_option("--threads", arguments.threads, "threads; default: OMP_NUM_THREADS or all cores")
       ->check(CLI::Range(1, 4096));
+  run->add_option("--ranks", arguments.ranks, "processes: brunt starts mpirun itself")
+      ->check(CLI::Range(1, 1 << 20));
+  run->add_flag("--oversubscribe", arguments.oversubscribe, "lets ranks share cores");
   run->add_option("--until", arguments.until, "ends at this time instead");
   run->add_flag("--quiet", arguments.quiet, "no progress");
   run->add_flag("--json", arguments.json, "prints the summary to stdout");
   return run;
 }
 
+/// A message on stderr. Where all ranks fail alike the root speaks and ends them all; another rank
+/// that is still there after a while is alone with its failure.
+void say(const ParallelSession& session, const std::string& text) {
+  if (!session.ranks().is_root()) std::this_thread::sleep_for(std::chrono::seconds(3));
+  std::fputs(text.c_str(), stderr);
+}
+
 /// Runs a command and turns what it throws into a message and a status.
 template <class Command>
-int guarded(Command command) {
+int guarded(const ParallelSession& session, Command command) {
+  int status = kMachineFailed;
   try {
     return command();
   } catch (const DeckError& error) {
-    for (const auto& problem : error.problems())
-      std::fprintf(stderr, "%s\n", problem.text().c_str());
-    return kDeckWrong;
+    std::string text;
+    for (const auto& problem : error.problems()) text += problem.text() + "\n";
+    say(session, text);
+    status = kDeckWrong;
   } catch (const PhysicsError& error) {
-    std::fprintf(stderr, "brunt: %s\n", error.what());
-    return kPhysicsBroke;
+    say(session, std::string("brunt: ") + error.what() + "\n");
+    status = kPhysicsBroke;
   } catch (const MachineError& error) {
-    std::fprintf(stderr, "brunt: %s\n", error.what());
-    return kMachineFailed;
+    say(session, std::string("brunt: ") + error.what() + "\n");
   } catch (const std::bad_alloc&) {
-    std::fputs("brunt: not enough memory; `brunt plan` says what the deck needs\n", stderr);
-    return kMachineFailed;
+    say(session, "brunt: not enough memory; `brunt plan` says what the deck needs\n");
   }
+  if (!session.ranks().alone()) session.abort(status);
+  return status;
 }
 }  // namespace
 
@@ -99,8 +114,12 @@ int command_line(int argc, char** argv) {
     const int status = app.exit(error);
     return status == 0 ? kDone : kDeckWrong;
   }
-  return guarded([&]() -> int {
-    if (*run) return run_command(arguments);
+  if (*run && arguments.ranks > 1 && !launched_by_mpirun()) {
+    return launch_ranks(arguments, argc, argv);
+  }
+  const ParallelSession session(argc, argv);
+  return guarded(session, [&]() -> int {
+    if (*run) return run_command(arguments, session.ranks());
     if (*check) return check_command(arguments);
     if (*plan) return plan_command(arguments);
     if (*table) {

@@ -18,12 +18,19 @@ class VtkFrames final : public FrameSink {
  private:
   FrameWriter writer_;
 };
+
+class NoFrames final : public FrameSink {
+ public:
+  void write(Real, const std::vector<BodyView>&, const ContactView*) override {}
+};
 }  // namespace
 
 std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& folder) {
   return std::make_unique<VtkFrames>(folder);
 }
+std::unique_ptr<FrameSink> drop_frames() { return std::make_unique<NoFrames>(); }
 #else
+std::unique_ptr<FrameSink> drop_frames() { return nullptr; }
 std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path&) { return nullptr; }
 #endif
 

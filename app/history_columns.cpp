@@ -91,6 +91,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     for (int c = 0; c < Dim; ++c) {
       ExactSum reaction;
       for (const auto& force : constraint.reaction) reaction.add(force[c]);
+      reaction = scene.ranks->reduce(reaction, [](ExactSum& a, const ExactSum& b) { a.add(b); });
       values.push_back(reaction.value());
     }
   }

@@ -1,10 +1,12 @@
 #include "app/loads.hpp"
 
+#include <utility>
+
 namespace brunt {
 
 template <int Dim>
 void Loads<Dim>::act_on(Points<Dim>& points) {
-  const auto n = points.x.size();
+  const auto n = static_cast<std::size_t>(points.n_owned);
   Body body{&points, {}, {}, {}, true};
   if (has_gravity_) body.load_work.assign(n, 0.0);
   if (rate_ > 0) {
@@ -12,6 +14,28 @@ void Loads<Dim>::act_on(Points<Dim>& points) {
     body.last_damping.assign(n, Vec<Dim>::Zero());
   }
   bodies_.push_back(std::move(body));
+}
+
+template <int Dim>
+void Loads<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
+  const auto bodies = std::exchange(bodies_, {});
+  for (const auto& body : bodies) {
+    act_on(body.points == &old ? now : *body.points);
+  }
+  for (auto& load : forces_) {
+    if (load.points != &old) continue;
+    AppliedForce<Dim> part = load;
+    part.points = &now;
+    part.chosen.clear();
+    part.share.clear();
+    for (std::size_t j = 0; j < load.chosen.size(); ++j) {
+      const LocalIndex here = now.find(old.id[static_cast<std::size_t>(load.chosen[j])]);
+      if (here < 0 || here >= now.n_owned) continue;
+      part.chosen.push_back(here);
+      part.share.push_back(load.share[j]);
+    }
+    load = std::move(part);
+  }
 }
 
 template <int Dim>
@@ -39,11 +63,10 @@ void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
     }
     body.fresh = false;
   }
-  force_work_.resize(forces_.size(), 0.0);
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
-    auto& load = forces_[k];
+  for (auto& load : forces_) {
     auto& points = *load.points;
     load.last.resize(load.chosen.size(), Vec<Dim>::Zero());
+    load.work.resize(load.chosen.size(), 0.0);
     for (std::size_t j = 0; j < load.chosen.size(); ++j) {
       const auto i = static_cast<std::size_t>(load.chosen[j]);
       Vec3 place = Vec3::Zero();
@@ -53,7 +76,7 @@ void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
         if (load.force[c]) now[c] = load.share[j] * (*load.force[c])(time, place);
       }
       points.f[i] += now;
-      force_work_[k] += 0.5 * dt * points.v[i].dot(now + load.last[j]);
+      load.work[j] += 0.5 * dt * points.v[i].dot(now + load.last[j]);
       load.last[j] = now;
     }
   }
@@ -72,7 +95,9 @@ void Loads<Dim>::add_totals(Totals<Dim>& totals) const {
     for (const Real work : body.load_work) totals.add(Column::boundary, -work);
     for (const Real work : body.damping_work) totals.add(Column::damping, -work);
   }
-  for (const Real work : force_work_) totals.add(Column::boundary, -work);
+  for (const auto& load : forces_) {
+    for (const Real work : load.work) totals.add(Column::boundary, -work);
+  }
 }
 
 template class Loads<2>;

@@ -15,6 +15,7 @@ struct AppliedForce {
   std::array<std::optional<PrescribedVelocity>, Dim> force;  ///< [N] as a function of time, place
   Real from = 0, to = kInfinity;
   std::vector<Vec<Dim>> last;  ///< [N] at the last full step
+  std::vector<Real> work;      ///< [J] done on each point
 };
 
 /// Gravity, applied forces and mass-proportional damping, each with its work.
@@ -25,6 +26,8 @@ class Loads {
   void damp(Real rate, Real until) { rate_ = rate, until_ = until; }  ///< [1/s], [s]
   void apply(AppliedForce<Dim> force) { forces_.push_back(std::move(force)); }
   void act_on(Points<Dim>& points);  ///< a group whose points feel gravity and damping
+  /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
+  void follow(const Points<Dim>& old, Points<Dim>& now);
   bool empty() const { return !has_gravity_ && rate_ == 0 && forces_.empty(); }
 
   /// Adds forces at the end of the step; books 1/2 (f(n) + f(n+1)).dx to boundary and damping.
@@ -44,7 +47,6 @@ class Loads {
   Real rate_ = 0, until_ = kInfinity;
   std::vector<Body> bodies_;
   std::vector<AppliedForce<Dim>> forces_;
-  std::vector<Real> force_work_;
 };
 
 }  // namespace brunt

@@ -15,12 +15,15 @@ Real center(const Scene<Dim>& scene, Label body, int axis) {
   ExactSum mass, moment;
   for (const auto& solid : scene.solids) {
     const auto& points = solid->points();
-    for (std::size_t i = 0; i < points.x.size(); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
       if (points.body[i] != body) continue;
       mass.add(points.mass[i]);
       moment.add(points.mass[i] * points.x[i][axis]);
     }
   }
+  const auto add = [](ExactSum& a, const ExactSum& b) { a.add(b); };
+  mass = scene.ranks->reduce(mass, add);
+  moment = scene.ranks->reduce(moment, add);
   return moment.value() / mass.value() + scene.origin[axis];
 }
 
@@ -116,14 +119,8 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
     }
   }
   ContactView contact;
-  if (scene.contact) {
-    contact = scene.contact->view();
-    for (std::size_t i = 0; i < contact.position.size(); ++i) {
-      const auto c = static_cast<int>(i % 3);
-      if (c < Dim) contact.position[i] += scene.origin[c];
-    }
-  }
-  frames_->write(time, views, scene.contact ? &contact : nullptr);
+  if (scene.contact) contact = scene.contact_view();
+  if (scene.ranks->is_root()) frames_->write(time, views, scene.contact ? &contact : nullptr);
 }
 
 template <int Dim>
@@ -152,7 +149,7 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   const auto& whose = clock.whose();
   progress_.show(clock, body_names_.empty() ? "" : body_names_[whose.body] + ": " + whose.reason,
                  drift_);
-  if (interrupted_ && interrupted_()) {
+  if (interrupted_ && scene.ranks->any(interrupted_())) {
     was_interrupted_ = true;
     reason_ = "stopped by a signal";
     clock.stop();
@@ -166,10 +163,11 @@ void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
     Real fastest = 0;
     for (const auto& solid : scene.solids) {
       const auto& points = solid->points();
-      for (std::size_t i = 0; i < points.x.size(); ++i) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
         if (points.body[i] == body) fastest = std::max(fastest, points.v[i].squaredNorm());
       }
     }
+    fastest = scene.ranks->max(fastest);
     if (std::sqrt(fastest) >= rest->below) {
       at_rest_since_ = -1;
     } else {
@@ -193,12 +191,25 @@ void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
 
 template <int Dim>
 void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
-  const MeasureSource source{[&](const std::string& body) { return scene.view(label(body)); },
+  const auto is_due = [&](std::size_t i) {
+    const auto& measure = deck_.measures[i].value;
+    return !measured_[i] && (measure.at ? time >= *measure.at : at_end);
+  };
+  bool any_due = false;
+  for (std::size_t i = 0; i < deck_.measures.size(); ++i) any_due = any_due || is_due(i);
+  if (!any_due) return;
+  std::map<std::string, BodyView> views;  // all ranks take part, the root evaluates
+  for (const auto& body : body_names_) views[body] = scene.view(label(body));
+  const MeasureSource source{[&](const std::string& body) {
+                               label(body);  // throws where there is none
+                               return views.at(body);
+                             },
                              &start_, &columns_, &rows_};
   for (std::size_t i = 0; i < deck_.measures.size(); ++i) {
     const auto& [name, measure] = deck_.measures[i];
-    if (measured_[i] || (measure.at ? time < *measure.at : !at_end)) continue;
+    if (!is_due(i)) continue;
     measured_[i] = true;
+    if (!scene.ranks->is_root()) continue;
     try {
       const Real value = evaluate_measure(measure, source, measures_);
       measures_.push_back({name, value, deck::unit_of(measure), measure.reference});

@@ -8,8 +8,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 #include "app/build/scene_builder.hpp"
+#include "app/distribute.hpp"
 #include "app/frames.hpp"
 #include "app/monitor.hpp"
 #include "app/output_folder.hpp"
@@ -69,6 +71,18 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   }
 }
 
+/// What goes between ranks in a step, of all ranks together.
+void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& summary) {
+  if (ranks.alone() || steps == 0) return;
+  const auto sum = [&](std::int64_t mine) {
+    return static_cast<double>(ranks.sum(static_cast<std::uint64_t>(mine)));
+  };
+  const Traffic own = ranks.traffic();
+  summary.messages_step = sum(own.messages) / static_cast<double>(steps);
+  summary.bytes_step = sum(own.bytes) / static_cast<double>(steps);
+  summary.reductions_step = static_cast<double>(own.reductions) / static_cast<double>(steps);
+}
+
 struct Ended {
   int status = kDone;
   std::string reason;
@@ -90,34 +104,43 @@ Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim
 }
 
 template <int Dim>
-int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
+int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
   const auto wall_start = std::chrono::steady_clock::now();
   auto scene = build_scene<Dim>(loaded);
+  distribute(*scene, ranks);
   const auto folder = output_path(arguments);
   RunSummary summary;
-  if (prepare_output(folder, arguments, loaded.hash) == FolderState::finished) {
+  const bool root = ranks.is_root();
+  const bool finished =
+      root && prepare_output(folder, arguments, loaded.hash) == FolderState::finished;
+  if (ranks.any(finished)) {
+    if (!root) return kDone;
     summary = read_summary(folder);
     if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
     if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
     return kDone;
   }
-  write_file_atomically(folder / "deck.resolved.yaml", loaded.resolved);
-  auto log = std::make_shared<spdlog::logger>(
-      "brunt",
-      std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "log.txt").string(), true));
-  log->info("brunt {} ({}), {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA, omp_get_max_threads(),
-            arguments.deck);
+  auto log = std::make_shared<spdlog::logger>("brunt");  // of the root alone
+  if (root) {
+    write_file_atomically(folder / "deck.resolved.yaml", loaded.resolved);
+    log->sinks().push_back(
+        std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "log.txt").string(), true));
+  }
+  log->info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA,
+            ranks.size(), omp_get_max_threads(), arguments.deck);
   for (const auto& warning : loaded.warnings) {
     log->warn("{}", warning.text());
-    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
+    if (root) std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
     summary.warnings.push_back({warning.path, warning.message});
   }
 
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
-  HistoryWriter history(folder / "history.csv", HistoryColumns<Dim>(*scene).names());
-  const auto frames = make_frame_sink(folder);
-  Monitor<Dim> monitor(deck, &history, frames.get(), arguments.quiet,
+  const auto columns = HistoryColumns<Dim>(*scene).names();
+  std::optional<HistoryWriter> history;
+  if (root) history.emplace(folder / "history.csv", columns);
+  const auto frames = root ? make_frame_sink(folder) : drop_frames();
+  Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
                        [] { return signal_received != 0; });
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
@@ -146,8 +169,11 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
         {measure.name, measure.value, measure.unit, measure.reference, error});
   }
   for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
+  summary.ranks = ranks.size();
   summary.threads = omp_get_max_threads();
   summary.instruction_set = BRUNT_ISA;
+  fill_traffic(ranks, clock.step(), summary);
+  if (!root) return ended.status;
   write_summary(folder, summary);
 
   if (ended.status == kPhysicsBroke) {
@@ -176,11 +202,11 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
 }
 }  // namespace
 
-int run_command(const RunArguments& arguments) {
+int run_command(const RunArguments& arguments, const Communicator& ranks) {
   choose_threads(arguments.threads);
   const LoadedDeck loaded = load(arguments);
-  return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments)
-                                                   : run_scene<2>(loaded, arguments);
+  return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)
+                                                   : run_scene<2>(loaded, arguments, ranks);
 }
 
 }  // namespace brunt

@@ -1,10 +1,12 @@
 #pragma once
 #include "app/run_arguments.hpp"
+#include "core/parallel/communicator.hpp"
 
 namespace brunt {
 
-/// `brunt run`: deck to folder. Returns the exit status; throws DeckError and MachineError.
-int run_command(const RunArguments& arguments);
+/// `brunt run`: deck to folder, by all ranks. Returns the exit status, the same on all ranks;
+/// throws DeckError and MachineError, perhaps on one rank only.
+int run_command(const RunArguments& arguments, const Communicator& ranks);
 
 /// `brunt check`: reads the deck and builds the scene; prints what is wrong or that it is right.
 int check_command(const RunArguments& arguments);

@@ -15,6 +15,8 @@ struct RunArguments {
   bool quiet = false;
   bool json = false;
   int threads = 0;                   ///< 0: OMP_NUM_THREADS, else all cores
+  int ranks = 1;                     ///< processes that brunt starts by mpirun
+  bool oversubscribe = false;        ///< more ranks than cores
   std::optional<std::string> until;  ///< overrides time.end
 };
 

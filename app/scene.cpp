@@ -2,9 +2,43 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <set>
 #include <stdexcept>
 
+#include "app/gather_view.hpp"
+#include "core/parallel/packing.hpp"
+
 namespace brunt {
+
+namespace {
+/// A vote as it travels: the reason by its text.
+struct PackedVote {
+  Real step;
+  GlobalId entity;
+  Label body;
+  std::array<char, 32> reason;
+};
+
+/// A text that lives as long as the program.
+const char* interned(const std::string& text) {
+  static std::set<std::string> texts;
+  return texts.insert(text).first->c_str();
+}
+
+StepVote over_ranks(const StepVote& vote, const Communicator& ranks) {
+  PackedVote packed{vote.step, vote.entity, vote.body, {}};
+  std::strncpy(packed.reason.data(), vote.reason, packed.reason.size() - 1);
+  packed = ranks.reduce(packed, [](PackedVote& a, const PackedVote& b) {
+    // A step that is not a number wins: it ends the run.
+    const bool less = !(b.step >= a.step) || (b.step == a.step && b.entity < a.entity);
+    if (a.step == a.step && less) a = b;
+  });
+  return {packed.step, interned(packed.reason.data()), packed.body, packed.entity};
+}
+}  // namespace
 
 template <int Dim>
 StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
@@ -12,15 +46,23 @@ StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
   for (const auto& solid : solids) vote.take(solid->stable_step());
   if (contact) vote.take(contact->stable_step(dt_last));
   vote.take(loads.stable_step(time));
-  return vote;
+  return ranks->alone() ? vote : over_ranks(vote, *ranks);
 }
 
 template <int Dim>
-bool Scene<Dim>::must_rearrange(Real dt) const {
-  for (const auto& solid : solids) {
-    if (solid->must_rearrange(dt)) return true;
+void Scene<Dim>::refresh_motion() {
+  if (ranks->alone()) return;
+  for (auto& solid : solids) {
+    auto& points = solid->points();
+    refresh_ghosts(
+        *ranks, solid->ghosts(), 2 * Dim,
+        [&](std::size_t i, Real* out) {
+          for (int c = 0; c < Dim; ++c) out[c] = points.x[i][c], out[Dim + c] = points.v[i][c];
+        },
+        [&](std::size_t i, const Real* in) {
+          for (int c = 0; c < Dim; ++c) points.x[i][c] = in[c], points.v[i][c] = in[Dim + c];
+        });
   }
-  return contact && contact->must_rearrange(dt);
 }
 
 template <int Dim>
@@ -59,19 +101,30 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
 }
 
 template <int Dim>
+void add_body(BodySums<Dim>& sum, const BodySums<Dim>& part) {
+  sum.mass.add(part.mass), sum.kinetic.add(part.kinetic), sum.internal.add(part.internal);
+  sum.hourglass.add(part.hourglass), sum.heat.add(part.heat);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
+    sum.mass_position[c].add(part.mass_position[c]);
+    sum.momentum[c].add(part.momentum[c]);
+  }
+}
+
+template <int Dim>
 void merge(Totals<Dim>& into, const Totals<Dim>& from) {
   for (std::size_t c = 0; c < into.columns.size(); ++c) into.columns[c].add(from.columns[c]);
-  for (std::size_t b = 0; b < into.bodies.size(); ++b) {
-    auto& sum = into.bodies[b];
-    const auto& part = from.bodies[b];
-    sum.mass.add(part.mass), sum.kinetic.add(part.kinetic), sum.internal.add(part.internal);
-    sum.hourglass.add(part.hourglass), sum.heat.add(part.heat);
-    for (int c = 0; c < Dim; ++c) {
-      sum.mass_position[c].add(part.mass_position[c]);
-      sum.momentum[c].add(part.momentum[c]);
-    }
-  }
+  for (std::size_t b = 0; b < into.bodies.size(); ++b) add_body(into.bodies[b], from.bodies[b]);
   into.state_hash += from.state_hash;
+}
+
+template <int Dim>
+void sum_over_ranks(Totals<Dim>& totals, const Communicator& ranks) {
+  const auto add = [](ExactSum& a, const ExactSum& b) { a.add(b); };
+  for (auto& column : totals.columns) column = ranks.reduce(column, add);
+  for (auto& body : totals.bodies) {
+    body = ranks.reduce(body, [](BodySums<Dim>& a, const BodySums<Dim>& b) { add_body(a, b); });
+  }
+  totals.state_hash = ranks.sum(totals.state_hash);
 }
 }  // namespace
 
@@ -95,20 +148,55 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
     }
     solid->add_totals(totals);
   }
-  for (const auto& body : totals.bodies) totals.columns[0].add(body.kinetic);
   if (contact) contact->add_totals(totals);
   supports.add_totals(totals);
   loads.add_totals(totals);
+  if (!ranks->alone()) sum_over_ranks(totals, *ranks);
+  for (const auto& body : totals.bodies) totals.columns[0].add(body.kinetic);
   return totals;
 }
 
+namespace {
+Bytes packed(const PhysicsFailure& failure) {
+  return (Packer() << failure.time << failure.body << failure.entity << failure.quantity
+                   << failure.value << failure.cause)
+      .take();
+}
+
+PhysicsFailure unpacked(const Bytes& bytes) {
+  PhysicsFailure failure;
+  Unpacker(bytes) >> failure.time >> failure.body >> failure.entity >> failure.quantity >>
+      failure.value >> failure.cause;
+  return failure;
+}
+
+/// Throws on all ranks what the first rank with a failure found.
+void agree(const std::optional<PhysicsFailure>& mine, const Communicator& ranks) {
+  if (!ranks.any(mine.has_value())) return;
+  for (const Bytes& bytes : ranks.all_gather(mine ? packed(*mine) : Bytes{})) {
+    if (!bytes.empty()) throw PhysicsError(unpacked(bytes));
+  }
+}
+}  // namespace
+
 template <int Dim>
 void Scene<Dim>::check(Real time) const {
+  std::optional<PhysicsFailure> failure;
+  try {
+    check_own(time);
+  } catch (const PhysicsError& error) {
+    failure = error.failure();
+  }
+  agree(failure, *ranks);
+}
+
+template <int Dim>
+void Scene<Dim>::check_own(Real time) const {
   // Elements and particles first: an inverted element is why its points are no numbers.
   for (const auto& solid : solids) solid->check(time, body_names);
   for (const auto& solid : solids) {
     const auto& points = solid->points();
-    for (std::size_t i = 0; i < points.x.size(); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
       // One test finds NaN and infinity in either vector.
       const Real sum = points.x[i].sum() + points.v[i].sum();
       if (sum - sum == 0) continue;
@@ -122,41 +210,50 @@ void Scene<Dim>::check(Real time) const {
 
 template <int Dim>
 BodyView Scene<Dim>::view(Label body) const {
+  BodyView view;
   for (const auto& solid : solids) {
-    for (const Label label : solid->points().body) {
-      if (label == body) {
-        BodyView view = solid->view(body);
-        view.body = body_names[body];
-        for (std::size_t i = 0; i < view.position.size(); ++i) {
-          const auto c = static_cast<int>(i % 3);
-          if (c < Dim) view.position[i] += origin[c];
-        }
-        return view;
-      }
-    }
+    const auto& bodies = solid->points().body;
+    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) continue;
+    view = solid->view(body);
+    break;
   }
-  throw std::logic_error("a body without points");
+  view.body = body_names[body];
+  for (std::size_t i = 0; i < view.position.size(); ++i) {
+    const auto c = static_cast<int>(i % 3);
+    if (c < Dim) view.position[i] += origin[c];
+  }
+  return gather_view(view, *ranks);
+}
+
+template <int Dim>
+ContactView Scene<Dim>::contact_view() const {
+  ContactView view = contact->view();
+  for (std::size_t i = 0; i < view.position.size(); ++i) {
+    const auto c = static_cast<int>(i % 3);
+    if (c < Dim) view.position[i] += origin[c];
+  }
+  return gather_view(view, *ranks);
 }
 
 template <int Dim>
 std::size_t Scene<Dim>::n_points() const {
   std::size_t n = 0;
   for (const auto& solid : solids) n += static_cast<std::size_t>(solid->points().n_owned);
-  return n;
+  return ranks->sum(n);
 }
 
 template <int Dim>
 std::size_t Scene<Dim>::n_elements() const {
   std::size_t n = 0;
   for (const auto& solid : solids) n += solid->n_elements();
-  return n;
+  return ranks->sum(n);
 }
 
 template <int Dim>
 std::size_t Scene<Dim>::n_particles() const {
   std::size_t n = 0;
   for (const auto& solid : solids) n += solid->n_particles();
-  return n;
+  return ranks->sum(n);
 }
 
 template struct Scene<2>;

@@ -29,21 +29,29 @@ struct Scene {
   Supports<Dim> supports;
   Loads<Dim> loads;
   Phases phases;
+  const Communicator* ranks = &lone_rank();
+  Deal deal;  ///< whose each point is; empty on a lone rank
 
-  /// The smallest vote of all, and whose.
+  /// Positions and velocities of copies, from their owners. Collective.
+  void refresh_motion();
+  /// The smallest vote of all ranks, and whose. Collective, as all that follows.
   StepVote stable_step(Real time, Real dt_last) const;
-  bool must_rearrange(Real dt) const;
   /// The only place where lists change.
   void rearrange();
   /// Exact totals of all columns, bodies and the state hash; dt is that of the last step.
   Totals<Dim> totals(Real dt) const;
   /// Throws PhysicsError where a state is no longer a number or an element is inverted.
   void check(Real time) const;
+  /// On the root, absolute positions; elsewhere empty.
   BodyView view(Label body) const;
+  ContactView contact_view() const;
 
   std::size_t n_points() const;
   std::size_t n_elements() const;
   std::size_t n_particles() const;
+
+ private:
+  void check_own(Real time) const;
 };
 
 }  // namespace brunt

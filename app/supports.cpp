@@ -24,14 +24,41 @@ void Supports<Dim>::move_rigid(RigidSurfaces<Dim>& surfaces,
   auto& points = surfaces.points();
   Rigid rigid{&points, std::move(motions), {}, {}, {}};
   rigid.motions.push_back({});  // the last one: held
-  for (const Label body : points.body) {
+  name_motions(rigid);
+  rigid_.push_back(std::move(rigid));
+}
+
+template <int Dim>
+void Supports<Dim>::name_motions(Rigid& rigid) {
+  rigid.motion_of_point.clear();
+  for (const Label body : rigid.points->body) {
     std::size_t which = 0;
     while (which + 1 < rigid.motions.size() && rigid.motions[which].body != body) ++which;
     rigid.motion_of_point.push_back(which);
   }
-  rigid.reaction.assign(points.x.size(), Vec<Dim>::Zero());
-  rigid.work.assign(points.x.size(), 0.0);
-  rigid_.push_back(std::move(rigid));
+  rigid.reaction.assign(rigid.points->x.size(), Vec<Dim>::Zero());
+  rigid.work.assign(rigid.points->x.size(), 0.0);
+}
+
+template <int Dim>
+void Supports<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
+  for (auto& rigid : rigid_) {
+    if (rigid.points != &old) continue;
+    rigid.points = &now;
+    name_motions(rigid);
+  }
+  for (auto& constraint : constraints_) {
+    if (constraint.points != &old) continue;
+    std::vector<LocalIndex> chosen;
+    for (const LocalIndex point : constraint.chosen) {
+      const LocalIndex here = now.find(old.id[static_cast<std::size_t>(point)]);
+      if (here >= 0 && here < now.n_owned) chosen.push_back(here);
+    }
+    constraint.points = &now;
+    constraint.chosen = std::move(chosen);
+    constraint.reaction.assign(constraint.chosen.size(), Vec<Dim>::Zero());
+    constraint.work.assign(constraint.chosen.size(), 0.0);
+  }
 }
 
 template <int Dim>
@@ -77,7 +104,7 @@ template <int Dim>
 void Supports<Dim>::impose_rigid(Rigid& rigid, Real time, Real dt) {
   auto& points = *rigid.points;
 #pragma omp parallel for schedule(static)
-  for (LocalIndex point = 0; point < points.n_owned; ++point) {
+  for (LocalIndex point = 0; point < points.size(); ++point) {  // copies move as told too
     const auto i = static_cast<std::size_t>(point);
     const auto& motion = rigid.motions[rigid.motion_of_point[i]];
     const Vec<Dim> now = motion.position(points.x_start[i], time);

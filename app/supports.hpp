@@ -32,6 +32,8 @@ class Supports {
   explicit Supports(Vec<Dim> origin) : origin_(std::move(origin)) {}
   void move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions);
   void constrain(Constraint<Dim> constraint);
+  /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
+  void follow(const Points<Dim>& old, Points<Dim>& now);
 
   /// Gives constrained points their velocities at time 0, before the first energy is taken.
   void start();
@@ -52,6 +54,7 @@ class Supports {
     std::vector<Vec<Dim>> reaction;
     std::vector<Real> work;
   };
+  static void name_motions(Rigid& rigid);
   void impose_rigid(Rigid& rigid, Real time, Real dt);
   void impose_constraint(Constraint<Dim>& constraint, Real time, Real dt);
 

@@ -36,6 +36,7 @@ void rearrange_where_due(Scene<Dim>& scene, Real dt) {
 template <int Dim>
 void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer) {
   scene.supports.start();
+  scene.refresh_motion();
   scene.rearrange();
   observer.begin(scene, clock);
   while (!clock.finished()) {
@@ -45,11 +46,13 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
       const PhaseTimer timer(scene.phases, Phase::points);
       for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
       scene.supports.impose(clock.time() + dt, dt);
+      scene.refresh_motion();
     }
     for (auto& solid : scene.solids) {
       const PhaseTimer timer(scene.phases,
                              solid->n_particles() ? Phase::particles : Phase::elements);
       solid->update_state(dt);
+      solid->refresh_state();
     }
     if (scene.contact) {
       const PhaseTimer timer(scene.phases, Phase::contact);

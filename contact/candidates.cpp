@@ -37,6 +37,31 @@ MotionBounds<Dim> bounds_of(std::size_t n, const Take& take) {
   return all;
 }
 
+/// The bounds and a largest value over all ranks.
+template <int Dim>
+MotionBounds<Dim> over_ranks(const Communicator& ranks, const MotionBounds<Dim>& mine,
+                             Real& largest) {
+  if (ranks.alone()) return mine;
+  std::array<Real, 6 * Dim + 1> extremes;
+  for (int c = 0; c < Dim; ++c) {
+    const std::array<Real, 6> one = {-mine.u_min[c], mine.u_max[c],  -mine.v_min[c],
+                                     mine.v_max[c],  -mine.a_min[c], mine.a_max[c]};
+    std::copy(one.begin(), one.end(), extremes.begin() + 6 * c);
+  }
+  extremes.back() = largest;
+  extremes = ranks.reduce(extremes, [](auto& a, const auto& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = b[i] > a[i] ? b[i] : a[i];
+  });
+  MotionBounds<Dim> all;
+  for (int c = 0; c < Dim; ++c) {
+    const Real* one = extremes.data() + 6 * c;
+    all.u_min[c] = -one[0], all.u_max[c] = one[1], all.v_min[c] = -one[2];
+    all.v_max[c] = one[3], all.a_min[c] = -one[4], all.a_max[c] = one[5];
+  }
+  largest = extremes.back();
+  return all;
+}
+
 /// Largest relative speed [m/s] that the bounds allow.
 template <int Dim>
 Real relative_speed(const MotionBounds<Dim>& bounds) {
@@ -76,9 +101,9 @@ bool share_a_node(const ContactFace<Dim>& a, const ContactFace<Dim>& b) {
 
 /// Particles whose boxes meet the box around all faces: no others are compared, with faces or with
 /// each other. A body far from all walls costs one comparison a particle.
-/// reach  [m] of a particle's box;  faces  not empty
-template <int Dim, class Reach>
-std::vector<LocalIndex> particles_near(const Entities<Dim>& entities, Reach reach,
+/// box_of  the box [m] of particle p of n;  faces  not empty
+template <int Dim, class BoxOf>
+std::vector<LocalIndex> particles_near(std::size_t n, BoxOf box_of,
                                        std::span<const SearchBox<Dim>> faces,
                                        std::vector<SearchBox<Dim>>& boxes) {
   SearchBox<Dim> all = faces[0];
@@ -89,9 +114,8 @@ std::vector<LocalIndex> particles_near(const Entities<Dim>& entities, Reach reac
     }
   }
   std::vector<LocalIndex> near;
-  for (std::size_t p = 0; p < entities.particles.size(); ++p) {
-    const auto node = static_cast<std::size_t>(entities.particles[p].node);
-    const auto box = finite(box_about<Dim>(entities.nodes.x[node], reach(entities.particles[p])));
+  for (std::size_t p = 0; p < n; ++p) {
+    const SearchBox<Dim> box = box_of(p);
     bool apart = false;
     for (std::size_t c = 0; c < Dim; ++c) {
       apart = apart || all.hi[c] < box.lo[c] || box.hi[c] < all.lo[c];
@@ -110,15 +134,31 @@ bool same_piece(const A& a, const B& b) {
 }  // namespace
 
 template <int Dim>
-void Candidates<Dim>::build(const Entities<Dim>& entities, const PairTable& pairs, Real longest) {
+void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Real longest,
+                            ContactImports<Dim>& imports) {
   const auto& nodes = entities.nodes;
+  const Communicator& ranks = imports.ranks();
   choose_skin(entities);
-  if (!entities.particles.empty()) {
-    const auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+  skin_ = ranks.max(skin_);
+  if (entities.any_particles) {
+    auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
       part.take(Vec<Dim>::Zero(), nodes.v[i], Vec<Dim>::Zero());
     });
+    Real none = 0;
+    bounds = over_ranks(ranks, bounds, none);
     // A tenth more, so that speeds and steps that grow a little need no new lists.
     speed_reach_ = std::isfinite(longest) ? 1.1 * relative_speed(bounds) * longest : 0.0;
+  }
+  if (!ranks.alone()) {
+    std::vector<SearchBox<Dim>> offered, wanted;
+    for (std::size_t f = 0; f < entities.faces.size(); ++f) {
+      offered.push_back(box_of_face(entities, f));
+      if (entities.faces[f].owned && !entities.faces[f].rigid()) wanted.push_back(offered.back());
+    }
+    for (std::size_t p = 0; p < entities.particles.size(); ++p) {
+      wanted.push_back(box_of_particle(entities, p));
+    }
+    imports.renew(offered, wanted, entities);
   }
   find_faces(entities, pairs);
   find_particles(entities, pairs);
@@ -130,20 +170,34 @@ void Candidates<Dim>::build(const Entities<Dim>& entities, const PairTable& pair
   ++builds_;
 }
 
+/// Where a face may touch another before the lists are renewed.
+template <int Dim>
+SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::size_t face) const {
+  const auto& plane = entities.planes[face];
+  const Real depth = entities.faces[face].rigid() ? entities.deepest : entities.faces[face].depth;
+  return finite(box_of(plane, 0.5 * depth + kReachPerWarp * plane.warp + 0.5 * skin_));
+}
+
+/// Where a particle may touch a face, or vote for its speed, before the lists are renewed.
+template <int Dim>
+SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
+                                                std::size_t particle) const {
+  const auto& one = entities.particles[particle];
+  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
+  const Real reach = std::max(kDepthRadii * one.radius, one.radius + speed_reach_);
+  return finite(box_about<Dim>(x, reach + 0.5 * skin_));
+}
+
 template <int Dim>
 void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable& pairs) {
   const auto& faces = entities.faces;
   faces_.clear();
   std::vector<SearchBox<Dim>> boxes(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Real depth = faces[f].rigid() ? entities.deepest : faces[f].depth;
-    const Real reach = 0.5 * depth + kReachPerWarp * entities.planes[f].warp + 0.5 * skin_;
-    boxes[f] = finite(box_of(entities.planes[f], reach));
-  }
+  for (std::size_t f = 0; f < faces.size(); ++f) boxes[f] = box_of_face(entities, f);
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto& a = faces[static_cast<std::size_t>(i)];
     const auto& b = faces[static_cast<std::size_t>(j)];
-    if (same_piece(a, b) || (a.rigid() && b.rigid())) return false;
+    if (!a.owned || same_piece(a, b) || (a.rigid() && b.rigid())) return false;
     return !share_a_node(a, b) && !pairs.of(a.body, b.body).ignore;
   };
   for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
@@ -171,11 +225,8 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
     face_boxes[f] =
         finite(box_of(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_));
   }
-  const auto reach = [&](const ContactParticle& particle) {
-    const Real r = particle.radius;
-    return std::max(kDepthRadii * r, r + speed_reach_) + 0.5 * skin_;
-  };
-  const auto near = particles_near<Dim>(entities, reach, face_boxes, boxes);
+  const auto particle_box = [&](std::size_t p) { return box_of_particle(entities, p); };
+  const auto near = particles_near<Dim>(particles.size(), particle_box, face_boxes, boxes);
   const std::size_t n = near.size();
   boxes.insert(boxes.end(), face_boxes.begin(), face_boxes.end());
   const auto admits = [&](LocalIndex i, LocalIndex j) {
@@ -204,9 +255,10 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
 }
 
 template <int Dim>
-bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest) {
+bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest,
+                               const Communicator& ranks) {
   const auto& nodes = entities.nodes;
-  const auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+  auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
     part.take(nodes.x[i] - x_built_[i], nodes.v[i], Vec<Dim>::Zero());
   });
   Real warp = 0;
@@ -216,25 +268,30 @@ bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest) {
   for (std::size_t f = 0; f < warp_built_.size(); ++f) {
     warp = std::max(warp, entities.planes[f].warp - warp_built_[f]);
   }
+  bounds = over_ranks(ranks, bounds, warp);
   growth_ = 2 * kReachPerWarp * warp;
-  if (!entities.particles.empty()) {
+  if (entities.any_particles) {
     growth_ += std::max(0.0, relative_speed(bounds) * longest - speed_reach_);
   }
   ++steps_;
-  moved_ = nodes.size() ? bounds.relative_displacement(0) : 0.0;
+  moved_ = bounds.u_max[0] >= bounds.u_min[0] ? bounds.relative_displacement(0) : 0.0;
   return moved_ + growth_ <= skin_;
 }
 
 template <int Dim>
 bool Candidates<Dim>::will_be_complete(const Entities<Dim>& entities,
-                                       const std::vector<Surface<Dim>*>& surfaces, Real dt) const {
+                                       const std::vector<Surface<Dim>*>& surfaces, Real dt,
+                                       const Communicator& ranks) const {
   const auto& nodes = entities.nodes;
-  if (nodes.size() == 0) return true;
-  const auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+  auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+    if (!nodes.owned[i]) return;
     const auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
     const auto p = static_cast<std::size_t>(nodes.point[i]);
     part.take(points.x[p] - x_built_[i], points.v[p], points.a[p]);
   });
+  Real none = 0;
+  bounds = over_ranks(ranks, bounds, none);
+  if (!(bounds.u_max[0] >= bounds.u_min[0])) return true;  // nothing can touch
   return bounds.relative_displacement(dt) + growth_ <= skin_;
 }
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/entities.hpp"
+#include "contact/imports.hpp"
 #include "core/solid.hpp"
 
 namespace brunt {
@@ -31,13 +31,17 @@ class Candidates {
  public:
   Candidates(SearchMode mode, std::optional<Real> skin) : mode_(mode), given_skin_(skin) {}
 
-  /// Lists at nodes.x; longest [s] is the step whose speed votes they must serve.
-  void build(const Entities<Dim>& entities, const PairTable& pairs, Real longest);
-  /// True if they hold every contact and speed vote at nodes.x, nodes.v, planes.
-  bool complete(const Entities<Dim>& entities, Real longest);
+  /// Lists at nodes.x; longest [s] is the step whose speed votes they must serve. With other ranks
+  /// it first brings in their faces that may touch what is evaluated here. Collective.
+  void build(Entities<Dim>& entities, const PairTable& pairs, Real longest,
+             ContactImports<Dim>& imports);
+  /// True if they hold every contact and speed vote at nodes.x, nodes.v, planes; the same on all
+  /// ranks. Collective.
+  bool complete(const Entities<Dim>& entities, Real longest, const Communicator& ranks);
   /// True if they will, as far as present velocities and accelerations tell, after a step of dt.
+  /// The same on all ranks. Collective.
   bool will_be_complete(const Entities<Dim>& entities, const std::vector<Surface<Dim>*>& surfaces,
-                        Real dt) const;
+                        Real dt, const Communicator& ranks) const;
 
   std::span<const FaceCandidate> faces() const { return faces_; }
   std::span<const ParticleCandidate> particles() const { return particles_; }
@@ -50,6 +54,8 @@ class Candidates {
   void find_faces(const Entities<Dim>& entities, const PairTable& pairs);
   void find_particles(const Entities<Dim>& entities, const PairTable& pairs);
   void choose_skin(const Entities<Dim>& entities);
+  SearchBox<Dim> box_of_face(const Entities<Dim>& entities, std::size_t face) const;
+  SearchBox<Dim> box_of_particle(const Entities<Dim>& entities, std::size_t particle) const;
 
   SearchMode mode_;
   std::optional<Real> given_skin_;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "contact/law.hpp"
+#include "core/parallel/packing.hpp"
 
 namespace brunt {
 
@@ -41,6 +42,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.surface = surface;
   face.id = facet.id;
   face.body = facet.body, face.piece = facet.piece;
+  face.owned = facet.owned;
   face.stiffness = facet.stiffness;
   face.areal_mass = facet.areal_mass;
   face.depth = facet.depth;
@@ -73,14 +75,35 @@ SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, const SearchBox<Di
   return reach;
 }
 
+/// Diameter [m] of the largest particle of each body, over all ranks.
+template <int Dim>
+std::map<Label, Real> largest_diameters(const Entities<Dim>& entities, const ContactRanks& ranks) {
+  std::map<Label, Real> diameter;
+  const auto take = [&](Label body, Real d) {
+    auto& largest = diameter[body];
+    largest = std::max(largest, d);
+  };
+  for (const auto& particle : entities.particles) take(particle.body, 2 * particle.radius);
+  if (ranks.alone()) return diameter;
+  Packer mine;
+  for (const auto& [body, d] : diameter) mine << body << d;
+  for (const auto& bytes : ranks.all->all_gather(mine.take())) {
+    Unpacker from(bytes);
+    while (!from.done()) {
+      Label body = 0;
+      Real d = 0;
+      from >> body >> d;
+      take(body, d);
+    }
+  }
+  return diameter;
+}
+
 /// What the faces' own step bounds need to know of those that may touch them.
 template <int Dim>
-void set_options(const PairTable& pairs, Entities<Dim>& entities) {
-  std::map<Label, Real> diameter, footprint;
-  for (const auto& particle : entities.particles) {
-    auto& largest = diameter[particle.body];
-    largest = std::max(largest, 2 * particle.radius);
-  }
+void set_options(const PairTable& pairs, const std::map<Label, Real>& diameter,
+                 Entities<Dim>& entities) {
+  std::map<Label, Real> footprint;
   for (const auto& [a, b] : pairs.pairs()) {
     for (const auto& [face, particle] : {std::pair(a, b), std::pair(b, a)}) {
       const auto it = diameter.find(particle);
@@ -133,12 +156,23 @@ template <int Dim>
 LocalIndex ContactNodes<Dim>::add(LocalIndex on_surface, LocalIndex at_point,
                                   const Points<Dim>& points) {
   const auto p = static_cast<std::size_t>(at_point);
+  const LocalIndex place =
+      add_remote(on_surface, points.id[p], points.mass[p], points.x[p], points.v[p]);
+  point.back() = at_point;
+  owned.back() = at_point < points.n_owned;
+  return place;
+}
+
+template <int Dim>
+LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Real m,
+                                         const Vec<Dim>& at, const Vec<Dim>& velocity) {
   surface.push_back(on_surface);
-  point.push_back(at_point);
-  id.push_back(points.id[p]);
-  mass.push_back(points.mass[p]);
-  x.push_back(points.x[p]);
-  v.push_back(points.v[p]);
+  point.push_back(-1);
+  owned.push_back(0);
+  id.push_back(of);
+  mass.push_back(m);
+  x.push_back(at);
+  v.push_back(velocity);
   for (auto* field : {&spring, &damping, &spring_last, &damping_last}) {
     field->push_back(Vec<Dim>::Zero());
   }
@@ -151,6 +185,7 @@ template <int Dim>
 void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) {
 #pragma omp parallel for schedule(static) if (size() > kWorthThreads)
   for (std::size_t i = 0; i < size(); ++i) {
+    if (point[i] < 0) continue;
     const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
     x[i] = points.x[static_cast<std::size_t>(point[i])];
     v[i] = points.v[static_cast<std::size_t>(point[i])];
@@ -181,7 +216,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
 
 template <int Dim>
 Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
-                        const Section& section) {
+                        const Section& section, const ContactRanks& ranks) {
   std::vector<Real> sizes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const auto& surface = *surfaces[s];
@@ -193,6 +228,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }
     for (const auto& shown : surface.particles) {
+      if (shown.point >= surface.points->n_owned) continue;
       const auto p = static_cast<std::size_t>(shown.point);
       const Label body = surface.points->body[p];
       if (pairs.strongest(body).ignore) continue;
@@ -216,12 +252,23 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
     std::nth_element(sizes.begin(), middle, sizes.end());
     size = *middle;
   }
+  deepest = ranks.all->max(deepest);
+  size = ranks.all->max(size);
+  const auto diameters = largest_diameters(*this, ranks);
+  any_particles = !diameters.empty();
+  set_options(pairs, diameters, *this);
+  particle_vote = vote_of_particles(pairs, section, *this);
+  add_faces({});
+}
+
+template <int Dim>
+void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
+  faces.insert(faces.end(), imported.begin(), imported.end());
+  if (!imported.empty()) sort_by_id(faces);
   planes.resize(faces.size());
   face_velocity.resize(faces.size());
   boxes.resize(faces.size());
   reaches.resize(faces.size());
-  set_options(pairs, *this);
-  particle_vote = vote_of_particles(pairs, section, *this);
 }
 
 template <int Dim>

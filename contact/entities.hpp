@@ -4,15 +4,18 @@
 
 #include "contact/common_plane.hpp"
 #include "contact/pair_table.hpp"
+#include "contact/ranks.hpp"
 #include "core/step_vote.hpp"
 
 namespace brunt {
 
 /// The points that contact moves, of all groups, side by side, with what must outlive a step.
+/// Corners of imported faces may be points that this rank does not have.
 template <int Dim>
 struct ContactNodes {
   std::vector<LocalIndex> surface;  ///< whose points
-  std::vector<LocalIndex> point;    ///< index there
+  std::vector<LocalIndex> point;    ///< index there; -1: only another rank has it
+  std::vector<char> owned;          ///< this rank sums and books its forces
   std::vector<GlobalId> id;
   std::vector<Real> mass;                           ///< [kg]
   std::vector<Vec<Dim>> x;                          ///< [m] at the last evaluation
@@ -23,7 +26,10 @@ struct ContactNodes {
 
   std::size_t size() const { return point.size(); }
   LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
-  /// Takes x and v from the groups.
+  /// A point of another rank; [kg], [m], [m/s].
+  LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
+                        const Vec<Dim>& velocity);
+  /// Takes x and v of the points that are here from the groups.
   void read_motion(const std::vector<Surface<Dim>*>& surfaces);
   /// Takes over what outlives a step from the same points in an older table.
   void inherit(const ContactNodes& old);
@@ -39,6 +45,7 @@ struct ContactFace {
   GlobalId id = 0;
   Label body = 0;
   Label piece = 0;
+  bool owned = true;    ///< pairs in which it is the lower face are evaluated here
   Real stiffness = 0;   ///< [Pa/m] M/h
   Real areal_mass = 0;  ///< [kg/m^2]
   Real depth = 0;       ///< [m]
@@ -79,12 +86,15 @@ struct Entities {
   std::vector<SearchBox<Dim>> boxes;    ///< of planes
   std::vector<SearchBox<Dim>> reaches;  ///< boxes wide enough for any face-on-face contact
   StepVote particle_vote;               ///< bound from the particles' own springs
-  Real deepest = 0;                     ///< [m] largest depth of a face
-  Real size = 0;                        ///< [m] median size of faces and particles
+  Real deepest = 0;                     ///< [m] largest depth of a face of any rank
+  Real size = 0;                        ///< [m] median size of faces and particles, of all ranks
+  bool any_particles = false;           ///< on any rank
 
-  /// Makes the tables of what may touch anything.
+  /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
-           const Section& section);
+           const Section& section, const ContactRanks& ranks);
+  /// Takes in faces of other ranks, their nodes already among `nodes`, and sorts again.
+  void add_faces(const std::vector<ContactFace<Dim>>& imported);
   /// Planes, velocities and boxes of all faces at nodes.x, nodes.v.
   void refresh_planes();
   /// Bound from the faces' own springs, before anything touches (physics.md A5).

@@ -62,6 +62,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       const auto& plane = planes[static_cast<std::size_t>(i)];
       if (plane.penetration > candidate.limit) continue;
       records.push_back(record_of(entities, candidate, plane));
+      records.back().ordinal = static_cast<std::uint32_t>(i);
     }
   }
 }

@@ -7,29 +7,40 @@ namespace brunt {
 /// What the manager holds.
 template <int Dim>
 struct ContactManager<Dim>::Implementation {
-  Implementation(const ContactOptions& options, const Section& of_section,
-                 std::vector<Surface<Dim>*> of_surfaces, const std::vector<std::string>& body_names)
-      : section(of_section),
+  Implementation(const ContactOptions& of_options, const Section& of_section, PairTable of_pairs,
+                 std::vector<Surface<Dim>*> of_surfaces, const ContactRanks& of_ranks)
+      : options(of_options),
+        section(of_section),
+        ranks(of_ranks),
         surfaces(std::move(of_surfaces)),
-        pairs(options, surfaces, body_names),
-        entities(surfaces, pairs, section),
+        pairs(std::move(of_pairs)),
+        entities(surfaces, pairs, section, ranks),
+        imports(ranks, surfaces),
         candidates(options.search, options.skin) {}
 
   /// The longest step that may follow one of dt, 0 for the first: that of the springs, and four
   /// times dt where particles must look ahead.
   StepVote longest_after(Real dt) const;
+  /// How far ahead [s] speed votes look after a step of dt: the same on all ranks.
+  Real look_ahead(Real dt, const StepVote& longest) const;
+  /// Tables and lists anew at the present positions; what is booked stays with the points' ids.
+  /// with_motion: velocities are those of the step under way, else of the last evaluation.
+  void renew(Real ahead, bool with_motion);
   /// Records and votes of the lists at the present motion.
-  void evaluate(Real dt, const StepVote& longest);
+  void evaluate(Real dt, const StepVote& longest, Real ahead);
 
+  ContactOptions options;
   Section section;
+  ContactRanks ranks;
   std::vector<Surface<Dim>*> surfaces;
   PairTable pairs;
   Entities<Dim> entities;
+  ContactImports<Dim> imports;
   Candidates<Dim> candidates;
   Records<Dim> records;
   StepVote vote;
-  Real longest_last = 0;  // [s] that the lists had to serve at the last evaluation
-  bool started = false;   // forces have been evaluated
+  Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation
+  bool started = false;  // forces have been evaluated
 };
 
 }  // namespace brunt

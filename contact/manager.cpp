@@ -22,7 +22,23 @@ StepVote ContactManager<Dim>::Implementation::longest_after(Real dt) const {
 }
 
 template <int Dim>
-void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& longest) {
+Real ContactManager<Dim>::Implementation::look_ahead(Real dt, const StepVote& longest) const {
+  if (dt > 0) return kStepGrowth * dt;
+  return -ranks.all->max(-longest.step);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::renew(Real ahead, bool with_motion) {
+  Entities<Dim> fresh(surfaces, pairs, section, ranks);
+  if (started) fresh.nodes.inherit(entities.nodes);
+  entities = std::move(fresh);
+  if (with_motion) entities.nodes.read_motion(surfaces);
+  entities.refresh_planes();
+  candidates.build(entities, pairs, ahead, imports);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& longest, Real ahead) {
   records.clear();
   const auto on_faces = candidates.faces();
   records.for_parts(on_faces.size(), kWorthThreads,
@@ -36,7 +52,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
     records.for_parts(
         starts.size() - 1, kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
           evaluate_particles<Dim>(entities, on_particles, starts.subspan(first, last - first + 1),
-                                  section, {dt, longest.step}, part);
+                                  section, {dt, ahead}, part);
         });
   }
   vote = longest;
@@ -46,9 +62,20 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
 template <int Dim>
 ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
                                     std::vector<Surface<Dim>*> surfaces,
-                                    std::vector<std::string> body_names, Real depth)
-    : implementation_(std::make_unique<Implementation>(options, Section{geometry, depth},
-                                                       std::move(surfaces), body_names)) {
+                                    std::vector<std::string> body_names, Real depth) {
+  PairTable pairs(options, surfaces, body_names);
+  implementation_ = std::make_unique<Implementation>(
+      options, Section{geometry, depth}, std::move(pairs), std::move(surfaces), ContactRanks{});
+  rearrange();
+}
+
+template <int Dim>
+ContactManager<Dim>::ContactManager(const ContactManager& whole,
+                                    std::vector<Surface<Dim>*> surfaces, const Deal& deal,
+                                    const Communicator& ranks) {
+  const auto& own = *whole.implementation_;
+  implementation_ = std::make_unique<Implementation>(
+      own.options, own.section, own.pairs, std::move(surfaces), ContactRanks{&ranks, &deal});
   rearrange();
 }
 
@@ -63,38 +90,44 @@ StepVote ContactManager<Dim>::stable_step(Real) const {
 template <int Dim>
 bool ContactManager<Dim>::must_rearrange(Real dt) const {
   const auto& own = *implementation_;
-  return !own.candidates.will_be_complete(own.entities, own.surfaces, dt);
+  return !own.candidates.will_be_complete(own.entities, own.surfaces, dt, *own.ranks.all);
 }
 
 template <int Dim>
 void ContactManager<Dim>::rearrange() {
   auto& own = *implementation_;
-  Entities<Dim> fresh(own.surfaces, own.pairs, own.section);
-  if (own.started) fresh.nodes.inherit(own.entities.nodes);
-  own.entities = std::move(fresh);
-  own.entities.refresh_planes();
   if (own.started) {
-    own.candidates.build(own.entities, own.pairs, own.longest_last);
+    own.renew(own.ahead_last, false);
     return;
   }
+  own.entities.refresh_planes();
   const StepVote longest = own.longest_after(0);
-  own.candidates.build(own.entities, own.pairs, longest.step);
-  own.evaluate(0, longest);
+  const Real ahead = own.look_ahead(0, longest);
+  own.renew(ahead, false);
+  own.evaluate(0, longest, ahead);
   own.records.clear();
 }
 
 template <int Dim>
 void ContactManager<Dim>::add_forces(Real dt) {
   auto& own = *implementation_;
-  own.entities.nodes.read_motion(own.surfaces);
-  own.entities.refresh_planes();
+  auto& nodes = own.entities.nodes;
+  const auto read_motion = [&] {
+    nodes.read_motion(own.surfaces);
+    own.imports.refresh_motion(nodes);
+    own.entities.refresh_planes();
+  };
+  read_motion();
   const StepVote longest = own.longest_after(dt);
-  if (!own.candidates.complete(own.entities, longest.step)) {
-    own.candidates.build(own.entities, own.pairs, longest.step);
+  const Real ahead = own.look_ahead(dt, longest);
+  if (!own.candidates.complete(own.entities, ahead, *own.ranks.all)) {
+    own.renew(ahead, true);
+    read_motion();
   }
-  own.evaluate(dt, longest);
-  apply(own.records, dt, own.surfaces, own.entities.nodes);
-  own.longest_last = longest.step;
+  own.evaluate(dt, longest, ahead);
+  const auto elsewhere = own.imports.send_home(own.records, nodes);
+  apply<Dim>(own.records, elsewhere, dt, own.surfaces, nodes);
+  own.ahead_last = ahead;
   own.started = true;
 }
 
@@ -102,6 +135,7 @@ template <int Dim>
 void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
   const auto& nodes = implementation_->entities.nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes.owned[i]) continue;
     totals.add(Column::contact_spring, nodes.spring_energy[i]);
     totals.add(Column::contact_damping, nodes.damping_energy[i]);
     std::uint64_t hash = mix(mix(0, nodes.id[i]), static_cast<std::uint64_t>(nodes.surface[i]));

@@ -5,6 +5,7 @@
 
 #include "contact/options.hpp"
 #include "core/ledger.hpp"
+#include "core/parallel/deal.hpp"
 #include "core/solid.hpp"
 #include "core/step_vote.hpp"
 #include "core/surface.hpp"
@@ -38,6 +39,11 @@ class ContactManager {
   /// depth [m] is that of a plane strain deck; axisymmetric forces are those of the whole ring.
   ContactManager(ContactOptions options, Geometry geometry, std::vector<Surface<Dim>*> surfaces,
                  std::vector<std::string> body_names, Real depth = 1);
+  /// The part of a whole, at time 0, that this rank evaluates: pairs whose lower face or whose
+  /// particle it owns. surfaces  this rank's, in the order of the whole's. deal and ranks outlive
+  /// the manager. From here on rearrange, must_rearrange, add_forces and reports are collective.
+  ContactManager(const ContactManager& whole, std::vector<Surface<Dim>*> surfaces, const Deal& deal,
+                 const Communicator& ranks);
   ~ContactManager();
 
   /// Votes before the step, from each face's own spring and from near pairs (physics.md A5).

@@ -5,9 +5,21 @@ namespace brunt {
 namespace {
 /// Adds to the nodes first .. last what the records give them.
 template <int Dim>
-void gather(const Records<Dim>& records, LocalIndex first, LocalIndex last,
-            ContactNodes<Dim>& nodes) {
+void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere,
+            LocalIndex first, LocalIndex last, ContactNodes<Dim>& nodes) {
+  auto next = elsewhere.begin();
+  const auto add_next = [&] {
+    if (next->node >= first && next->node < last) {
+      const auto at = static_cast<std::size_t>(next->node);
+      for (int c = 0; c < Dim; ++c) {
+        nodes.spring[at][c] += next->spring[c];
+        nodes.damping[at][c] += next->damping[c];
+      }
+    }
+    ++next;
+  };
   records.visit([&](const ContactRecord<Dim>& record) {
+    while (next != elsewhere.end() && next->key < key_of(record)) add_next();
     for (int i = 0; i < record.n_nodes; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const LocalIndex node = record.node[k];
@@ -17,11 +29,13 @@ void gather(const Records<Dim>& records, LocalIndex first, LocalIndex last,
       nodes.damping[at] += record.weight[k] * record.damping * record.normal;
     }
   });
+  while (next != elsewhere.end()) add_next();
 }
 
 template <int Dim>
 void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
           ContactNodes<Dim>& nodes) {
+  if (!nodes.owned[i]) return;
   const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
   nodes.spring_energy[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
   nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
@@ -54,8 +68,8 @@ StepVote Records<Dim>::vote() const {
 }
 
 template <int Dim>
-void apply(const Records<Dim>& records, Real dt, const std::vector<Surface<Dim>*>& surfaces,
-           ContactNodes<Dim>& nodes) {
+void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
+           const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
   std::swap(nodes.spring, nodes.spring_last);
   std::swap(nodes.damping, nodes.damping_last);
   const std::size_t n = nodes.size();
@@ -69,14 +83,17 @@ void apply(const Records<Dim>& records, Real dt, const std::vector<Surface<Dim>*
       nodes.spring[i].setZero();
       nodes.damping[i].setZero();
     }
-    gather(records, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last), nodes);
+    gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
+           nodes);
     for (std::size_t i = first; i < last; ++i) book(i, dt, surfaces, nodes);
   }
 }
 
 template class Records<2>;
 template class Records<3>;
-template void apply<2>(const Records<2>&, Real, const std::vector<Surface<2>*>&, ContactNodes<2>&);
-template void apply<3>(const Records<3>&, Real, const std::vector<Surface<3>*>&, ContactNodes<3>&);
+template void apply<2>(const Records<2>&, std::span<const Contribution<2>>, Real,
+                       const std::vector<Surface<2>*>&, ContactNodes<2>&);
+template void apply<3>(const Records<3>&, std::span<const Contribution<3>>, Real,
+                       const std::vector<Surface<3>*>&, ContactNodes<3>&);
 
 }  // namespace brunt

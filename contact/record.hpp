@@ -1,6 +1,7 @@
 #pragma once
 #include <omp.h>
 
+#include <tuple>
 #include <vector>
 
 #include "contact/entities.hpp"
@@ -17,6 +18,7 @@ struct ContactRecord {
   static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
   GlobalId first = 0, second = 0;  ///< key: lower and upper face, or particle and face
   bool of_particle = false;
+  std::uint32_t ordinal = 0;  ///< of the planes between two faces
   Label lower_body = 0, upper_body = 0;
   Vec<Dim> normal;
   Vec<Dim> point;        ///< [m]
@@ -64,11 +66,35 @@ class Records {
   std::vector<Part> parts_;
 };
 
-/// Sums the forces of all records at each node in key order, books -1/2 (f(n) + f(n+1)) . dt v of
-/// the spring and the damper to the node, and adds the forces to the points of the groups.
+/// The place of a contact in every sum.
+struct ContactKey {
+  std::uint32_t of_particle, ordinal;
+  GlobalId first, second;
+  bool operator<(const ContactKey& other) const {
+    return std::tie(of_particle, first, second, ordinal) <
+           std::tie(other.of_particle, other.first, other.second, other.ordinal);
+  }
+};
+
 template <int Dim>
-void apply(const Records<Dim>& records, Real dt, const std::vector<Surface<Dim>*>& surfaces,
-           ContactNodes<Dim>& nodes);
+ContactKey key_of(const ContactRecord<Dim>& record) {
+  return {record.of_particle ? 1u : 0u, record.ordinal, record.first, record.second};
+}
+
+/// What a contact that another rank evaluated gives to one node of this rank.
+template <int Dim>
+struct Contribution {
+  ContactKey key;
+  LocalIndex node;
+  Real spring[Dim], damping[Dim];  ///< [N]
+};
+
+/// Sums the forces of all records, and of contributions from elsewhere (sorted by key), at each
+/// owned node in key order, books -1/2 (f(n) + f(n+1)) . dt v of the spring and the damper to the
+/// node, and adds the forces to the points of the groups.
+template <int Dim>
+void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
+           const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes);
 
 template <int Dim>
 template <class Work>

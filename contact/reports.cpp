@@ -15,6 +15,13 @@ struct PairSums {
   std::int64_t planes = 0;
 };
 
+void merge(PairSums& into, const PairSums& from) {
+  for (std::size_t c = 0; c < 3; ++c) into.force[c].add(from.force[c]);
+  into.area.add(from.area);
+  into.max_penetration = std::max(into.max_penetration, from.max_penetration);
+  into.planes += from.planes;
+}
+
 template <int Dim>
 void append(std::vector<Real>& values, const Vec<Dim>& v) {
   for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? v[c] : 0.0);
@@ -54,6 +61,9 @@ template <int Dim>
 std::vector<PairReport> ContactManager<Dim>::reports() const {
   const auto& own = *implementation_;
   std::map<std::pair<Label, Label>, PairSums> sums;
+  if (!own.ranks.alone()) {
+    for (const auto& pair : own.pairs.pairs()) sums[pair];
+  }
   own.records.visit([&](const ContactRecord<Dim>& record) {
     const Label first = std::min(record.lower_body, record.upper_body);
     const Label second = std::max(record.lower_body, record.upper_body);
@@ -68,6 +78,7 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
     sum.max_penetration = std::max(sum.max_penetration, record.penetration);
     ++sum.planes;
   });
+  for (auto& [pair, sum] : sums) sum = own.ranks.all->reduce(sum, merge);
   std::vector<PairReport> reports;
   for (std::size_t p = 0; p < own.pairs.pairs().size(); ++p) {
     auto& report = reports.emplace_back();

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -7,7 +8,7 @@
 namespace brunt {
 
 /// Material points of one group: FE nodes, SPH particles or the points of rigid surfaces.
-/// Owned points come first, ghosts after them; along a space-filling curve, ids ascending.
+/// Owned points come first, ghosts after them; both along a space-filling curve, ids ascending.
 /// Positions are relative to the scene's origin. An absent field is an empty array.
 template <int Dim>
 struct Points {
@@ -35,6 +36,42 @@ struct Points {
     mass.assign(count, 0.0);
     integration.assign(count, 0.0);
     for (auto* field : {&x, &v, &a, &f, &x_start}) field->assign(count, Vec<Dim>::Zero());
+  }
+
+  /// The points at `places`, in that order; the first n_owned_then of them are owned.
+  Points subset(std::span<const LocalIndex> places, LocalIndex n_owned_then) const {
+    Points part;
+    const auto copy = [&](auto& to, const auto& from) {
+      to.reserve(places.size());
+      for (const LocalIndex i : places) to.push_back(from[static_cast<std::size_t>(i)]);
+    };
+    part.n_owned = n_owned_then;
+    copy(part.id, id), copy(part.body, body), copy(part.piece, piece), copy(part.mass, mass);
+    copy(part.x, x), copy(part.v, v), copy(part.a, a), copy(part.f, f);
+    copy(part.x_start, x_start), copy(part.integration, integration);
+    return part;
+  }
+
+  /// Adds a copy of a point of another rank; [kg], [m], [m/s].
+  void append_ghost(GlobalId of, Label of_body, Label of_piece, Real m, const Vec<Dim>& at,
+                    const Vec<Dim>& velocity) {
+    id.push_back(of), body.push_back(of_body), piece.push_back(of_piece), mass.push_back(m);
+    x.push_back(at), x_start.push_back(at), v.push_back(velocity);
+    a.push_back(Vec<Dim>::Zero()), f.push_back(Vec<Dim>::Zero());
+    integration.push_back(0);
+  }
+
+  /// Ids of what is owned, ascending.
+  std::span<const GlobalId> owned_ids() const {
+    return {id.data(), static_cast<std::size_t>(n_owned)};
+  }
+
+  /// Place of a point that is here, owned or ghost; -1 where it is not.
+  LocalIndex find(GlobalId wanted) const {
+    const auto begin = id.begin(), middle = begin + n_owned;
+    auto at = std::lower_bound(begin, middle, wanted);
+    if (at == middle || *at != wanted) at = std::lower_bound(middle, id.end(), wanted);
+    return at == id.end() || *at != wanted ? -1 : static_cast<LocalIndex>(at - begin);
   }
 };
 

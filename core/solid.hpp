@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "core/ledger.hpp"
+#include "core/parallel/deal.hpp"
+#include "core/parallel/ghosts.hpp"
 #include "core/step_vote.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
@@ -39,6 +41,9 @@ template <int Dim>
 class Solid {
  public:
   virtual ~Solid() = default;
+  /// The part of this group, which is whole and at time 0, that the calling rank computes; deal and
+  /// ranks outlive it. Collective.
+  virtual std::unique_ptr<Solid> part(const Deal& deal, const Communicator& ranks) const = 0;
   virtual Points<Dim>& points() = 0;
   virtual const Points<Dim>& points() const = 0;
   /// Facets and particles that may touch other bodies; stays valid between rearrangements.
@@ -61,6 +66,11 @@ class Solid {
   virtual void check(Real time, const std::vector<std::string>& body_names) const = 0;
   /// Positions, connectivity and all fields of one body.
   virtual BodyView view(Label body) const = 0;
+  /// How the motion of copies of points follows their owners; empty where there are none.
+  virtual const GhostPlan& ghosts() const = 0;
+  /// Brings to the copies what update_state published. Collective.
+  virtual void refresh_state() {}
+  /// Elements and particles that this rank counts.
   virtual std::size_t n_elements() const = 0;
   virtual std::size_t n_particles() const = 0;
 };

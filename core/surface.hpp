@@ -21,6 +21,7 @@ struct Facet {
   /// [m] penetration at which it lets go: depth of the element normal to the face at its birth,
   /// half of it where the element's other face is free too; rigid: 0
   Real depth = 0;
+  bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }
 };

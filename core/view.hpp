@@ -28,6 +28,7 @@ struct BodyView {
   std::vector<Real> point_mass;    ///< [kg] weights of means over point fields
   std::vector<Real> point_radius;  ///< [m] particles only: half the spacing
   std::vector<Real> cell_volume;   ///< [m^3] weights of means over cell fields
+  std::vector<char> point_owned;   ///< 0: a copy of another rank's point; empty: all are owned
 };
 
 /// Contact planes (polygons) and particle contacts (points) of one instant, for a .vtp.

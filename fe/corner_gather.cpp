@@ -32,7 +32,8 @@ CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, Lo
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
       order.push_back({blocks[b].id[e], {static_cast<LocalIndex>(b), e}});
       for (int I = 0; I < n; ++I) {
-        ++gather.offset[blocks[b].corner[static_cast<std::size_t>(e) * n + I] + 1];
+        const LocalIndex node = blocks[b].corner[static_cast<std::size_t>(e) * n + I];
+        if (node < n_nodes) ++gather.offset[node + 1];
       }
     }
   }
@@ -44,8 +45,9 @@ CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, Lo
     const ElementBlock<Dim>& block = blocks[where.first];
     for (int I = 0; I < n; ++I) {
       const std::size_t corner = static_cast<std::size_t>(where.second) * n + I;
-      gather.place[next[block.corner[corner]]++] =
-          static_cast<LocalIndex>(block.first_corner + corner);
+      const LocalIndex node = block.corner[corner];
+      if (node >= n_nodes) continue;
+      gather.place[next[node]++] = static_cast<LocalIndex>(block.first_corner + corner);
     }
   }
   return gather;

@@ -16,6 +16,7 @@ struct CornerGather {
   void add(const Real* value, std::vector<Vec<W>>& out) const;
 };
 
+/// For the first n_nodes nodes: ghosts behind them get no sums.
 template <int Dim>
 CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_nodes);
 

@@ -164,6 +164,8 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.n_padded = (block.n + tile - 1) / tile * tile;
   if (block.n == 0) return block;
   copy_elements(set, block);
+  block.owned = set.owned;
+  block.owned.resize(static_cast<std::size_t>(block.n), 1);
   measure_elements(points, thickness, block);
   const auto padded = static_cast<std::size_t>(block.n_padded);
   block.state = set.material->initial_state(padded * static_cast<std::size_t>(block.gauss),

@@ -17,6 +17,7 @@ struct ElementSet {
   std::vector<GlobalId> id;  ///< ascending, unique in the scene, below 2^61
   std::vector<Label> body;
   std::vector<Label> piece;
+  std::vector<char> owned;  ///< 0: another rank counts it; empty: all are owned
   const Material* material = nullptr;
   ElementOptions options;
   Real temperature = 293.15;  ///< [K] at time 0
@@ -55,6 +56,7 @@ struct ElementBlock {
   std::vector<LocalIndex> corner;      ///< node of each corner, n_padded x kCorners
   std::vector<GlobalId> id;            ///< n_padded
   std::vector<Label> body, piece;      ///< n_padded
+  std::vector<char> owned;             ///< n; 0: computed here too, counted by another rank
   MaterialState state;                 ///< n_padded x gauss points
   std::vector<Real> reference_volume;  ///< [m^3] of each material point at time 0
   std::vector<Real> element_volume;    ///< [m^3] of each element at time 0

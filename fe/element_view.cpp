@@ -77,6 +77,7 @@ void add_point_fields(const Points<Dim>& points, const std::vector<LocalIndex>& 
     id.values.push_back(static_cast<Real>(points.id[node]));
     piece.values.push_back(static_cast<Real>(points.piece[node]));
     view.point_mass.push_back(points.mass[node]);
+    view.point_owned.push_back(node < points.n_owned);
   }
   fields.push_back(std::move(id));
   fields.push_back(std::move(piece));
@@ -140,9 +141,10 @@ template <int Dim>
 BodyView FiniteElements<Dim>::view(Label body) const {
   BodyView view;
   view.corners = Shape<Dim>::kCorners;
-  const std::vector<Cell<Dim>> cells = cells_of(blocks_, body);
+  std::vector<Cell<Dim>> cells = cells_of(blocks_, body);
   std::vector<std::int64_t> place;
   add_point_fields(points_, nodes_of(cells, points_, place), view);
+  std::erase_if(cells, [](const Cell<Dim>& cell) { return !cell.block->owned[cell.element]; });
   add_stress_fields(cells, view);
   add_state_field("eps_p", &MaterialState::eps_p, cells, view);
   add_state_field("strain_rate", &MaterialState::strain_rate, cells, view);

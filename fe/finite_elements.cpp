@@ -1,5 +1,6 @@
 #include "fe/finite_elements.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -104,6 +105,17 @@ template <int Dim>
 FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<ElementSet<Dim>>& sets,
                                     Geometry geometry, Real depth)
     : points_(std::move(points)), thickness_(thickness_of(geometry, depth)) {
+  make_blocks(sets);
+  set_masses(blocks_, gather_, thickness_, corner_force_.size() / Dim, points_);
+  points_.x_start = points_.x;
+  axis_ = axis_nodes(points_, thickness_);
+  surface_.points = &points_;
+  surface_.facets = outer_facets(blocks_, points_, axis_);
+  start_steps();
+}
+
+template <int Dim>
+void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) {
   std::size_t corners = 0;
   for (const ElementSet<Dim>& set : sets) {
     if (set.id.empty()) continue;
@@ -112,12 +124,11 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
     corners += blocks_.back().id.size() * Shape<Dim>::kCorners;
   }
   corner_force_.assign(corners * Dim, 0.0);
-  gather_ = make_corner_gather(blocks_, points_.size());
-  set_masses(blocks_, gather_, thickness_, corners, points_);
-  points_.x_start = points_.x;
-  axis_ = axis_nodes(points_, thickness_);
-  surface_.points = &points_;
-  surface_.facets = outer_facets(blocks_, points_, axis_);
+  gather_ = make_corner_gather(blocks_, points_.n_owned);
+}
+
+template <int Dim>
+void FiniteElements<Dim>::start_steps() {
   for (auto& block : blocks_) {
     const ElementStep<Dim> step = element_step(block, 1.0);
     for (int t = 0; t < block.n_tiles(); ++t) refresh_stable_steps(block, t, step);
@@ -166,6 +177,7 @@ template <int Dim>
 void FiniteElements<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& block : blocks_) {
     for (LocalIndex e = 0; e < block.n; ++e) {
+      if (!block.owned[e]) continue;
       const Real heat = plastic_heat(block, e);
       totals.add(Column::internal, block.stress_work[e]);
       totals.add(Column::internal, -heat);
@@ -206,7 +218,9 @@ void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_
 template <int Dim>
 std::size_t FiniteElements<Dim>::n_elements() const {
   std::size_t n = 0;
-  for (const auto& block : blocks_) n += static_cast<std::size_t>(block.n);
+  for (const auto& block : blocks_) {
+    n += static_cast<std::size_t>(std::count(block.owned.begin(), block.owned.end(), 1));
+  }
   return n;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/parallel/deal.hpp"
 #include "core/solid.hpp"
 #include "fe/corner_gather.hpp"
 #include "fe/element_step.hpp"
@@ -16,9 +17,15 @@ class FiniteElements final : public Solid<Dim> {
   /// Throws PhysicsError where an element has no positive volume.
   FiniteElements(Points<Dim> points, const std::vector<ElementSet<Dim>>& sets, Geometry geometry,
                  Real depth);
+  /// The part of a whole, at time 0, that this rank computes: every element that touches a point
+  /// it owns, with copies of the points of other ranks. Collective.
+  FiniteElements(const FiniteElements& whole, const Deal& deal, const Communicator& ranks);
   FiniteElements(const FiniteElements&) = delete;
   FiniteElements& operator=(const FiniteElements&) = delete;
 
+  std::unique_ptr<Solid<Dim>> part(const Deal& deal, const Communicator& ranks) const override {
+    return std::make_unique<FiniteElements>(*this, deal, ranks);
+  }
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
   Surface<Dim>& surface() override { return surface_; }
@@ -32,12 +39,15 @@ class FiniteElements final : public Solid<Dim> {
   BodyView view(Label body) const override;
   std::size_t n_elements() const override;
   std::size_t n_particles() const override { return 0; }
+  const GhostPlan& ghosts() const override { return ghosts_; }
 
   const std::vector<ElementBlock<Dim>>& blocks() const { return blocks_; }
   /// For tests and restart: state of the elements.
   std::vector<ElementBlock<Dim>>& blocks() { return blocks_; }
 
  private:
+  void make_blocks(const std::vector<ElementSet<Dim>>& sets);
+  void start_steps();
   ElementStep<Dim> element_step(const ElementBlock<Dim>& block, Real dt);
 
   Points<Dim> points_;
@@ -47,6 +57,7 @@ class FiniteElements final : public Solid<Dim> {
   std::vector<LocalIndex> axis_;    ///< nodes on the axis of an axisymmetric scene
   std::vector<Real> corner_force_;  ///< [N] [element][corner][Dim], blocks one after another
   Surface<Dim> surface_;
+  GhostPlan ghosts_;
 };
 
 }  // namespace brunt

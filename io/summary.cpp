@@ -91,6 +91,9 @@ RunSummary from_json(const Json& json) {
   s.ranks = json.value("ranks", s.ranks);
   s.threads = json.value("threads", s.threads);
   s.instruction_set = json.value("instruction_set", s.instruction_set);
+  s.messages_step = json.value("messages_step", s.messages_step);
+  s.bytes_step = json.value("bytes_step", s.bytes_step);
+  s.reductions_step = json.value("reductions_step", s.reductions_step);
   return s;
 }
 
@@ -141,6 +144,9 @@ std::string to_json(const RunSummary& s) {
   json["ranks"] = s.ranks;
   json["threads"] = s.threads;
   json["instruction_set"] = s.instruction_set;
+  json["messages_step"] = s.messages_step;
+  json["bytes_step"] = s.bytes_step;
+  json["reductions_step"] = s.reductions_step;
   // Text of the user that is not UTF-8 is replaced rather than losing the whole summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -47,6 +47,9 @@ struct RunSummary {
   int ranks = 1;
   int threads = 1;
   std::string instruction_set;
+  Real messages_step = 0;    ///< sent from rank to rank in a step, by all ranks together
+  Real bytes_step = 0;       ///< [byte] in them
+  Real reductions_step = 0;  ///< in which all ranks take part
 };
 
 /// A word for an exit status: "done", "deck error", "physics error", "machine error", "stopped".

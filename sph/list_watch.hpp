@@ -22,6 +22,11 @@ class ListWatch {
   /// reach  [m], of now
   bool covers(const Points<Dim>& points, std::span<const Real> reach, Real dt) const;
 
+  /// Positions [m] and reaches [m] when the list was built.
+  std::span<const Vec<Dim>> x() const { return x_; }
+  std::span<const Real> reach() const { return reach_; }
+  Real skin() const { return skin_; }  ///< [m]
+
  private:
   struct Zone {
     Label body;

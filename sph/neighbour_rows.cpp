@@ -46,6 +46,17 @@ constexpr Compression compression() {
 constexpr Compression kCompression = compression();
 
 template <int Dim>
+void NeighbourRows<Dim>::sort_by(std::span<const GlobalId> id) {
+  const auto before = [&](LocalIndex a, LocalIndex b) {
+    return id[static_cast<std::size_t>(a)] < id[static_cast<std::size_t>(b)];
+  };
+  const auto begin = list_.neighbour.begin();
+  for (std::size_t i = 0; i + 1 < list_.offset.size(); ++i) {
+    std::sort(begin + list_.offset[i], begin + list_.offset[i + 1], before);
+  }
+}
+
+template <int Dim>
 void NeighbourRows<Dim>::refresh(const MotionRecord<Dim>* records, LocalIndex i) {
   const auto k = static_cast<std::size_t>(i);
   const LocalIndex* candidate = list_.neighbour.data() + list_.offset[k];

@@ -15,6 +15,8 @@ class NeighbourRows {
  public:
   /// list  candidates, ascending within a row
   void assign(NeighbourList list);
+  /// Orders each row by the ids of its members, where places do not stand in that order.
+  void sort_by(std::span<const GlobalId> id);
   /// Finds j with |x_i - x_j| < 2 h_ij among the candidates of i.
   void refresh(const MotionRecord<Dim>* records, LocalIndex i);
 

@@ -13,16 +13,29 @@ template <int Dim>
 SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacing,
                                 std::vector<ParticleSet> sets, Real depth)
     : points_(std::move(points)), depth_(Dim == 2 ? depth : 1.0) {
-  const std::size_t n = points_.x.size();
-  assert(spacing.size() == n && std::is_sorted(points_.id.begin(), points_.id.end()));
-  block_of_.resize(n);
+  assert(spacing.size() == points_.x.size());
+  assert(std::is_sorted(points_.id.begin(), points_.id.end()));
+  take_sets(std::move(sets), spacing);
+  rearrange();
+  seed_votes();
+}
+
+/// Room for n particles, owned and copies.
+template <int Dim>
+void SphParticles<Dim>::hold(std::size_t n) {
   state_.resize(n);
   smoothing_length_.resize(n);
   motion_.resize(n);
   stress_.resize(n);
   artificial_.resize(n);
+}
+
+template <int Dim>
+void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing) {
+  hold(n_owned());
+  block_of_.resize(n_owned());
   surface_.points = &points_;
-  surface_.particles.resize(n);
+  surface_.particles.resize(n_owned());
   for (auto& set : sets) {
     const Material& material = *set.material;
     for (const LocalIndex i : set.particle) {
@@ -39,8 +52,6 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
     blocks_.push_back({std::move(set), std::move(state)});
     for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
   }
-  rearrange();
-  seed_votes();
 }
 
 /// The smoothing length follows the volume. The contact radius does not: its spring is that of the
@@ -90,7 +101,7 @@ void SphParticles<Dim>::refresh_gradients() {
 
 template <int Dim>
 void SphParticles<Dim>::update_state(Real dt) {
-  for_each(state_.size(), [&](std::size_t i) {
+  for_each(n_owned(), [&](std::size_t i) {
     auto& state = state_[i];
     const Vec<Dim> half = 0.5 * dt * points_.v[i];
     state.stress_work -= dot<Dim>(state.stress_force, half);
@@ -98,7 +109,10 @@ void SphParticles<Dim>::update_state(Real dt) {
     state.artificial_work -= dot<Dim>(state.artificial_force, half);
   });
   refresh_motion();
-  if (must_rearrange(0)) rearrange();
+  if (must_rearrange(0)) {
+    rearrange();
+    if (!ranks_->alone()) refresh_motion();
+  }
   move_with_neighbours(dt);
   refresh_gradients();
   for (auto& block : blocks_) {

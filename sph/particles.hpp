@@ -65,13 +65,21 @@ class SphParticles final : public Solid<Dim> {
   /// depth  [m] of a 2D scene, contained in the masses; 1 in 3D
   SphParticles(Points<Dim> points, std::span<const Real> spacing, std::vector<ParticleSet> sets,
                Real depth = 1);
+  /// The part of a whole, at time 0, whose particles this rank owns, with copies of those of other
+  /// ranks within reach. deal and ranks outlive it. Collective; so are, from here on,
+  /// must_rearrange, rearrange, update_state and refresh_state.
+  SphParticles(const SphParticles& whole, const Deal& deal, const Communicator& ranks);
   SphParticles(const SphParticles&) = delete;
   SphParticles& operator=(const SphParticles&) = delete;
 
+  std::unique_ptr<Solid<Dim>> part(const Deal& deal, const Communicator& ranks) const override {
+    return std::make_unique<SphParticles>(*this, deal, ranks);
+  }
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
   Surface<Dim>& surface() override { return surface_; }
   void update_state(Real dt) override;
+  void refresh_state() override;
   void add_internal_forces(Real dt) override;
   StepVote stable_step() const override;
   bool must_rearrange(Real dt) const override;
@@ -80,7 +88,8 @@ class SphParticles final : public Solid<Dim> {
   void check(Real time, const std::vector<std::string>& body_names) const override;
   BodyView view(Label body) const override;
   std::size_t n_elements() const override { return 0; }
-  std::size_t n_particles() const override { return points_.x.size(); }
+  std::size_t n_particles() const override { return n_owned(); }
+  const GhostPlan& ghosts() const override { return ghosts_; }
 
   /// Skin of the neighbour lists, in units of the largest smoothing length of the group.
   void set_skin(Real skin);
@@ -91,6 +100,12 @@ class SphParticles final : public Solid<Dim> {
 
  private:
   struct TileStress;
+  std::size_t n_owned() const { return static_cast<std::size_t>(points_.n_owned); }
+  void hold(std::size_t n);
+  void take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing);
+  void renew_ghosts(Real skin);
+  void refresh_ghost_positions();
+  bool bodies_hold(Real dt) const;
   void refresh_motion();
   void refresh_gradients();
   void move_with_neighbours(Real dt);
@@ -110,6 +125,10 @@ class SphParticles final : public Solid<Dim> {
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
   std::vector<ArtificialRecord<Dim>> artificial_;
+
+  const Communicator* ranks_ = &lone_rank();
+  GhostPlan ghosts_;           // copies within reach; made anew with the lists
+  std::vector<Label> bodies_;  // of the whole
 
   NeighbourRows<Dim> rows_;
   ListWatch<Dim> watch_;

@@ -28,7 +28,10 @@ Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
 
 template <int Dim>
 bool SphParticles<Dim>::must_rearrange(Real dt) const {
-  return !watch_.covers(points_, smoothing_length_, dt);
+  const bool holds = watch_.covers(points_, smoothing_length_, dt);
+  if (ranks_->alone()) return !holds;
+  const bool all_hold = bodies_hold(dt);  // collective: never left out
+  return ranks_->any(!holds) || !all_hold;
 }
 
 template <int Dim>
@@ -40,9 +43,12 @@ void SphParticles<Dim>::set_skin(Real skin) {
 template <int Dim>
 void SphParticles<Dim>::rearrange() {
   Real longest = 0;
-  for (const Real h : smoothing_length_) longest = std::max(longest, h);
+  for (std::size_t i = 0; i < n_owned(); ++i) longest = std::max(longest, smoothing_length_[i]);
+  longest = ranks_->max(longest);
   const Real skin = skin_ratio_ * longest;
+  if (!ranks_->alone()) renew_ghosts(skin);
   rows_.assign(neighbours_within<Dim>(points_.x, smoothing_length_, points_.body, skin, search_));
+  if (!ranks_->alone()) rows_.sort_by(points_.id);
   watch_.start(points_, smoothing_length_, skin);
   ++n_searches_;
 }
@@ -86,7 +92,7 @@ StepVote SphParticles<Dim>::stable_step() const {
     return acceleration > 0 ? std::min(acoustic, 0.25 * std::sqrt(h / acceleration)) : acoustic;
   };
   return over_chunks(
-      state_.size(), StepVote{},
+      n_owned(), StepVote{},
       [&](StepVote& own, std::size_t i) {
         const Real step = bound(i);  // a step that is not a number collapses the run at once
         own.take({step > 0 ? step : 0.0, "particle", points_.body[i], points_.id[i]});

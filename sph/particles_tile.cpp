@@ -181,10 +181,17 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
       });
     });
   }
-  if (shift.empty()) return;
-  for_each(state_.size(), [&](std::size_t i) { points_.x[i] += shift[i]; });
+  const bool any_moves = std::any_of(blocks_.begin(), blocks_.end(),
+                                     [](const auto& block) { return block.set.options.xsph != 0; });
+  if (!any_moves) return;
+  shift.resize(state_.size(), Vec<Dim>::Zero());
+  for_each(n_owned(), [&](std::size_t i) { points_.x[i] += shift[i]; });
+  refresh_ghost_positions();
   refresh_motion();
-  if (must_rearrange(0)) rearrange();
+  if (must_rearrange(0)) {
+    rearrange();
+    if (!ranks_->alone()) refresh_motion();
+  }
 }
 
 template struct SphParticles<2>::TileStress;

@@ -22,6 +22,32 @@ RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> fa
   surface_.facets = std::move(facets);
 }
 
+/// All points and facets stand on every rank and move as told; their forces and work are kept by
+/// the owner of each point.
+template <int Dim>
+std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Deal& deal,
+                                                     const Communicator& ranks) const {
+  std::vector<LocalIndex> order, place(points_.x.size());
+  LocalIndex n_owned = 0;
+  for (const bool owned : {true, false}) {
+    for (LocalIndex i = 0; i < points_.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if ((deal.of(points_.id[k]) == ranks.rank()) != owned) continue;
+      place[k] = static_cast<LocalIndex>(order.size());
+      order.push_back(i);
+    }
+    if (owned) n_owned = static_cast<LocalIndex>(order.size());
+  }
+  auto facets = surface_.facets;
+  for (auto& facet : facets) {
+    for (auto& node : facet.node) {
+      if (node >= 0) node = place[static_cast<std::size_t>(node)];
+    }
+    facet.owned = ranks.is_root();  // it is never the lower face of a pair: this is for output
+  }
+  return std::make_unique<RigidSurfaces>(points_.subset(order, n_owned), std::move(facets));
+}
+
 template <int Dim>
 BodyView RigidSurfaces<Dim>::view(Label body) const {
   BodyView view;
@@ -40,11 +66,12 @@ BodyView RigidSurfaces<Dim>::view(Label body) const {
     append(velocity.values, points_.v[i]);
     append(force.values, points_.f[i]);
     id.values.push_back(static_cast<Real>(points_.id[i]));
+    view.point_owned.push_back(static_cast<LocalIndex>(i) < points_.n_owned);
   }
   // A surface of triangles and quads is written as quads with a repeated last corner.
   view.corners = Dim == 2 ? 2 : 4;
   for (const auto& facet : surface_.facets) {
-    if (facet.body != body) continue;
+    if (facet.body != body || !facet.owned) continue;
     for (int c = 0; c < view.corners; ++c) {
       const int corner = std::min(c, facet.n_nodes() - 1);
       view.connectivity.push_back(local[static_cast<std::size_t>(facet.node[corner])]);

@@ -29,6 +29,7 @@ class RigidSurfaces final : public Solid<Dim> {
   RigidSurfaces(const RigidSurfaces&) = delete;
   RigidSurfaces& operator=(const RigidSurfaces&) = delete;
 
+  std::unique_ptr<Solid<Dim>> part(const Deal& deal, const Communicator& ranks) const override;
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
   Surface<Dim>& surface() override { return surface_; }
@@ -40,12 +41,14 @@ class RigidSurfaces final : public Solid<Dim> {
   void add_totals(Totals<Dim>&) const override {}
   void check(Real, const std::vector<std::string>&) const override {}
   BodyView view(Label body) const override;
+  const GhostPlan& ghosts() const override { return ghosts_; }
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return 0; }
 
  private:
   Points<Dim> points_;
   Surface<Dim> surface_;
+  GhostPlan ghosts_;  // none: every rank moves all rigid points as told
 };
 
 }  // namespace brunt

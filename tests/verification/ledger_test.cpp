@@ -32,6 +32,8 @@ output: {history: 1 us}
 class Broken final : public Solid<3> {
  public:
   Broken(std::unique_ptr<Solid<3>> solid, Real factor) : solid_(std::move(solid)), by_(factor) {}
+  std::unique_ptr<Solid<3>> part(const Deal&, const Communicator&) const override { return {}; }
+  const GhostPlan& ghosts() const override { return solid_->ghosts(); }
   Points<3>& points() override { return solid_->points(); }
   const Points<3>& points() const override { return solid_->points(); }
   Surface<3>& surface() override { return solid_->surface(); }

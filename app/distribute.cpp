@@ -1,0 +1,50 @@
+#include "app/distribute.hpp"
+
+#include <utility>
+
+namespace brunt {
+
+namespace {
+/// Positions and weights of all points of the scene, by id.
+template <int Dim>
+Deal deal_points(const Scene<Dim>& scene, const Communicator& ranks) {
+  std::size_t n = 0;
+  for (const auto& solid : scene.solids) n += solid->points().x.size();
+  std::vector<Vec<Dim>> x(n, Vec<Dim>::Zero());
+  std::vector<Real> weight(n, 0.0);
+  for (const auto& solid : scene.solids) {
+    const auto& points = solid->points();
+    // A particle costs as much as some five hexes; points of rigid surfaces next to nothing.
+    const Real cost = solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.01);
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      x[points.id[i]] = points.x[i];
+      weight[points.id[i]] = cost;
+    }
+  }
+  return deal_out<Dim>(ranks, x, weight);
+}
+}  // namespace
+
+template <int Dim>
+void distribute(Scene<Dim>& scene, const Communicator& ranks) {
+  scene.ranks = &ranks;
+  if (ranks.alone()) return;
+  scene.deal = deal_points(scene, ranks);
+  std::vector<std::unique_ptr<Solid<Dim>>> whole;
+  for (auto& solid : scene.solids) {
+    auto part = solid->part(scene.deal, ranks);
+    scene.supports.follow(solid->points(), part->points());
+    scene.loads.follow(solid->points(), part->points());
+    whole.push_back(std::exchange(solid, std::move(part)));
+  }
+  if (!scene.contact) return;
+  std::vector<Surface<Dim>*> surfaces;
+  for (auto& solid : scene.solids) surfaces.push_back(&solid->surface());
+  scene.contact =
+      std::make_unique<ContactManager<Dim>>(*scene.contact, std::move(surfaces), scene.deal, ranks);
+}
+
+template void distribute<2>(Scene<2>&, const Communicator&);
+template void distribute<3>(Scene<3>&, const Communicator&);
+
+}  // namespace brunt

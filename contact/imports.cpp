@@ -1,0 +1,214 @@
+#include "contact/imports.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "core/parallel/boxes.hpp"
+#include "core/parallel/packing.hpp"
+
+namespace brunt {
+
+namespace {
+/// What a corner of a face needs to be a node elsewhere.
+template <int Dim>
+struct Corner {
+  GlobalId id;
+  Real mass;            // [kg]
+  Real x[Dim], v[Dim];  // [m], [m/s]
+};
+
+/// A contribution on its way: the node by its name.
+template <int Dim>
+struct Letter {
+  Contribution<Dim> what;
+  LocalIndex surface;
+  GlobalId point;
+};
+
+/// The part of a face that is no array of nodes.
+template <int Dim>
+struct FaceData {
+  int n_nodes;
+  LocalIndex surface;
+  GlobalId id;
+  Label body, piece;
+  Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint;
+};
+
+template <int Dim>
+FaceData<Dim> data_of(const ContactFace<Dim>& f) {
+  return {f.n_nodes,    f.surface, f.id,         f.body, f.piece, f.stiffness,
+          f.areal_mass, f.depth,   f.area_start, f.phi,  f.zeta,  f.footprint};
+}
+
+template <int Dim>
+ContactFace<Dim> face_of(const FaceData<Dim>& d) {
+  ContactFace<Dim> f;
+  f.node.fill(-1);
+  f.n_nodes = d.n_nodes, f.surface = d.surface, f.id = d.id, f.body = d.body, f.piece = d.piece;
+  f.owned = false;
+  f.stiffness = d.stiffness, f.areal_mass = d.areal_mass, f.depth = d.depth;
+  f.area_start = d.area_start, f.phi = d.phi, f.zeta = d.zeta, f.footprint = d.footprint;
+  return f;
+}
+}  // namespace
+
+template <int Dim>
+void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
+                                std::span<const SearchBox<Dim>> wanted, Entities<Dim>& entities) {
+  if (ranks().alone()) return;
+  place_.clear();
+  for (std::size_t i = 0; i < entities.nodes.size(); ++i) {
+    place_[{entities.nodes.surface[i], entities.nodes.id[i]}] = static_cast<LocalIndex>(i);
+  }
+  // One rank offers a face: its owner. Rigid faces are everywhere already.
+  std::vector<SearchBox<Dim>> boxes;
+  std::vector<LocalIndex> face;
+  for (std::size_t f = 0; f < entities.faces.size(); ++f) {
+    if (!entities.faces[f].owned || entities.faces[f].rigid()) continue;
+    boxes.push_back(offered[f]);
+    face.push_back(static_cast<LocalIndex>(f));
+  }
+  auto lists = who_wants<Dim>(ranks(), boxes, wanted);
+  std::vector<Bytes> to;
+  for (auto& list : lists) {
+    for (auto& one : list) one = face[static_cast<std::size_t>(one)];
+    to.push_back(pack_faces(list, entities));
+  }
+  std::vector<ContactFace<Dim>> imported;
+  for (const Bytes& bytes : ranks().exchange(to)) unpack_faces(bytes, entities, imported);
+  entities.add_faces(imported);
+  entities.refresh_planes();
+  plan(entities.nodes);
+}
+
+template <int Dim>
+Bytes ContactImports<Dim>::pack_faces(const std::vector<LocalIndex>& chosen,
+                                      const Entities<Dim>& entities) const {
+  Packer packer;
+  for (const LocalIndex f : chosen) {
+    const auto& face = entities.faces[static_cast<std::size_t>(f)];
+    packer << data_of(face);
+    for (int c = 0; c < face.n_nodes; ++c) {
+      const auto i = static_cast<std::size_t>(face.node[static_cast<std::size_t>(c)]);
+      Corner<Dim> corner{entities.nodes.id[i], entities.nodes.mass[i], {}, {}};
+      for (int d = 0; d < Dim; ++d) {
+        corner.x[d] = entities.nodes.x[i][d];
+        corner.v[d] = entities.nodes.v[i][d];
+      }
+      packer << corner;
+    }
+  }
+  return packer.take();
+}
+
+template <int Dim>
+void ContactImports<Dim>::unpack_faces(const Bytes& bytes, Entities<Dim>& entities,
+                                       std::vector<ContactFace<Dim>>& faces) {
+  std::set<GlobalId> known;
+  for (const auto& face : entities.faces) known.insert(face.id);
+  Unpacker from(bytes);
+  while (!from.done()) {
+    FaceData<Dim> data;
+    from >> data;
+    auto face = face_of(data);
+    const bool here = known.count(face.id) != 0;  // its element touches a point of this rank
+    for (int c = 0; c < face.n_nodes; ++c) {
+      Corner<Dim> corner;
+      from >> corner;
+      if (here) continue;
+      const Vec<Dim> x(corner.x), v(corner.v);
+      face.node[static_cast<std::size_t>(c)] =
+          node_of(face.surface, corner.id, corner.mass, x, v, entities);
+    }
+    if (!here) faces.push_back(face);
+  }
+}
+
+template <int Dim>
+LocalIndex ContactImports<Dim>::node_of(LocalIndex surface, GlobalId id, Real mass,
+                                        const Vec<Dim>& x, const Vec<Dim>& v,
+                                        Entities<Dim>& entities) {
+  const auto [it, is_new] = place_.try_emplace({surface, id}, 0);
+  if (!is_new) return it->second;
+  const auto& points = *surfaces_[static_cast<std::size_t>(surface)]->points;
+  const LocalIndex here = points.find(id);
+  it->second = here >= 0 ? entities.nodes.add(surface, here, points)
+                         : entities.nodes.add_remote(surface, id, mass, x, v);
+  return it->second;
+}
+
+/// Who sends the motion of which of its points to which nodes here.
+template <int Dim>
+void ContactImports<Dim>::plan(const ContactNodes<Dim>& nodes) {
+  plans_.clear();
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    std::vector<GlobalId> ids;
+    std::vector<LocalIndex> places;
+    std::vector<int> owners;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes.point[i] >= 0 || nodes.surface[i] != static_cast<LocalIndex>(s)) continue;
+      ids.push_back(nodes.id[i]);
+      places.push_back(static_cast<LocalIndex>(i));
+      owners.push_back(ranks_.owner_of(nodes.id[i]));
+    }
+    plans_.push_back(plan_ghosts(ranks(), ids, places, owners, surfaces_[s]->points->owned_ids()));
+  }
+}
+
+template <int Dim>
+void ContactImports<Dim>::refresh_motion(ContactNodes<Dim>& nodes) const {
+  for (std::size_t s = 0; s < plans_.size(); ++s) {
+    const auto& points = *surfaces_[s]->points;
+    refresh_ghosts(
+        ranks(), plans_[s], 2 * Dim,
+        [&](std::size_t i, Real* out) {
+          for (int c = 0; c < Dim; ++c) out[c] = points.x[i][c], out[Dim + c] = points.v[i][c];
+        },
+        [&](std::size_t i, const Real* in) {
+          for (int c = 0; c < Dim; ++c) nodes.x[i][c] = in[c], nodes.v[i][c] = in[Dim + c];
+        });
+  }
+}
+
+template <int Dim>
+std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
+    const Records<Dim>& records, const ContactNodes<Dim>& nodes) const {
+  std::vector<Contribution<Dim>> received;
+  if (ranks().alone()) return received;
+  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  records.visit([&](const ContactRecord<Dim>& record) {
+    for (int i = 0; i < record.n_nodes; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const auto at = static_cast<std::size_t>(record.node[k]);
+      if (nodes.owned[at]) continue;
+      const Vec<Dim> spring = record.weight[k] * record.spring * record.normal;
+      const Vec<Dim> damping = record.weight[k] * record.damping * record.normal;
+      Letter<Dim> letter{{key_of(record), 0, {}, {}}, nodes.surface[at], nodes.id[at]};
+      for (int c = 0; c < Dim; ++c) {
+        letter.what.spring[c] = spring[c];
+        letter.what.damping[c] = damping[c];
+      }
+      to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
+    }
+  });
+  std::vector<Bytes> bytes;
+  for (auto& packer : to) bytes.push_back(packer.take());
+  for (const Bytes& from : ranks().exchange(bytes)) {
+    Unpacker unpacker(from);
+    while (!unpacker.done()) {
+      Letter<Dim> letter;
+      unpacker >> letter;
+      letter.what.node = place_.at({letter.surface, letter.point});
+      received.push_back(letter.what);
+    }
+  }
+  std::sort(received.begin(), received.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  return received;
+}
+
+template class ContactImports<2>;
+template class ContactImports<3>;
+
+}  // namespace brunt

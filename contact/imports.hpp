@@ -1,0 +1,48 @@
+#pragma once
+#include <map>
+#include <span>
+#include <vector>
+
+#include "contact/entities.hpp"
+#include "contact/record.hpp"
+#include "core/parallel/ghosts.hpp"
+
+namespace brunt {
+
+/// Faces of other ranks that may touch what this rank evaluates, and the way of forces back to the
+/// owners of their nodes (contact.md 2.7). Rigid faces stand on every rank and are never imported.
+template <int Dim>
+class ContactImports {
+ public:
+  ContactImports(const ContactRanks& ranks, std::vector<Surface<Dim>*> surfaces)
+      : ranks_(ranks), surfaces_(std::move(surfaces)) {}
+  const Communicator& ranks() const { return *ranks_.all; }
+
+  /// Imports into entities, fresh from this rank's surfaces, the faces of others whose `offered`
+  /// boxes meet the `wanted` boxes of this rank. offered  one for each of entities.faces [m].
+  /// Collective.
+  void renew(std::span<const SearchBox<Dim>> offered, std::span<const SearchBox<Dim>> wanted,
+             Entities<Dim>& entities);
+  /// Brings x and v of the imported nodes up to date. Collective among neighbours.
+  void refresh_motion(ContactNodes<Dim>& nodes) const;
+  /// Sends what records give to nodes of other ranks home, unsummed; returns what others send here,
+  /// sorted by key. Collective.
+  std::vector<Contribution<Dim>> send_home(const Records<Dim>& records,
+                                           const ContactNodes<Dim>& nodes) const;
+
+ private:
+  Bytes pack_faces(const std::vector<LocalIndex>& chosen, const Entities<Dim>& entities) const;
+  void unpack_faces(const Bytes& bytes, Entities<Dim>& entities,
+                    std::vector<ContactFace<Dim>>& faces);
+  LocalIndex node_of(LocalIndex surface, GlobalId id, Real mass, const Vec<Dim>& x,
+                     const Vec<Dim>& v, Entities<Dim>& entities);
+  void plan(const ContactNodes<Dim>& nodes);
+
+  using Name = std::pair<LocalIndex, GlobalId>;  // surface, point
+  ContactRanks ranks_;
+  std::vector<Surface<Dim>*> surfaces_;
+  std::map<Name, LocalIndex> place_;  // of every node of the entities
+  std::vector<GhostPlan> plans_;      // by surface: points of owners to nodes here
+};
+
+}  // namespace brunt

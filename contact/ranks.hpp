@@ -1,0 +1,15 @@
+#pragma once
+#include "core/parallel/deal.hpp"
+
+namespace brunt {
+
+/// The ranks of a run as contact needs them: how to reach them, and whose each point is.
+struct ContactRanks {
+  const Communicator* all = &lone_rank();
+  const Deal* deal = nullptr;  ///< none: one rank owns everything
+  bool alone() const { return all->alone(); }
+  int owner_of(GlobalId point) const { return deal == nullptr ? 0 : deal->of(point); }
+  bool owns(GlobalId point) const { return alone() || owner_of(point) == all->rank(); }
+};
+
+}  // namespace brunt

@@ -1,0 +1,73 @@
+#include "core/parallel/boxes.hpp"
+
+#include <algorithm>
+
+#include "core/parallel/packing.hpp"
+
+namespace brunt {
+
+namespace {
+/// Runs that a rank shows: 48 bytes each, and so many tests a box that is near.
+constexpr std::size_t kRuns = 128;
+
+template <int Dim>
+void enclose(SearchBox<Dim>& box, const SearchBox<Dim>& other) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
+    box.lo[c] = std::min(box.lo[c], other.lo[c]);
+    box.hi[c] = std::max(box.hi[c], other.hi[c]);
+  }
+}
+
+template <int Dim>
+bool overlap(const SearchBox<Dim>& a, const SearchBox<Dim>& b) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
+    if (a.hi[c] < b.lo[c] || b.hi[c] < a.lo[c]) return false;
+  }
+  return true;
+}
+
+/// Bounds of about kRuns equal runs of the boxes.
+template <int Dim>
+std::vector<SearchBox<Dim>> runs_of(std::span<const SearchBox<Dim>> boxes) {
+  std::vector<SearchBox<Dim>> runs;
+  const std::size_t n = boxes.size(), count = std::min(n, kRuns);
+  for (std::size_t r = 0; r < count; ++r) {
+    const std::size_t first = n * r / count, last = n * (r + 1) / count;
+    runs.push_back(boxes[first]);
+    for (std::size_t i = first + 1; i < last; ++i) enclose<Dim>(runs.back(), boxes[i]);
+  }
+  return runs;
+}
+}  // namespace
+
+template <int Dim>
+std::vector<std::vector<LocalIndex>> who_wants(const Communicator& ranks,
+                                               std::span<const SearchBox<Dim>> offered,
+                                               std::span<const SearchBox<Dim>> wanted) {
+  std::vector<std::vector<LocalIndex>> lists(static_cast<std::size_t>(ranks.size()));
+  const auto shown = ranks.all_gather((Packer() << runs_of<Dim>(wanted)).take());
+  for (std::size_t r = 0; r < lists.size(); ++r) {
+    std::vector<SearchBox<Dim>> runs;
+    Unpacker(shown[r]) >> runs;
+    if (static_cast<int>(r) == ranks.rank() || runs.empty()) continue;
+    SearchBox<Dim> all = runs.front();
+    for (const auto& run : runs) enclose<Dim>(all, run);
+    for (std::size_t i = 0; i < offered.size(); ++i) {
+      if (!overlap<Dim>(offered[i], all)) continue;
+      const bool near = std::any_of(runs.begin(), runs.end(), [&](const SearchBox<Dim>& run) {
+        return overlap<Dim>(offered[i], run);
+      });
+      if (near) lists[r].push_back(static_cast<LocalIndex>(i));
+    }
+  }
+  return lists;
+}
+
+template std::vector<std::vector<LocalIndex>> who_wants<2>(const Communicator&,
+                                                           std::span<const SearchBox<2>>,
+                                                           std::span<const SearchBox<2>>);
+template std::vector<std::vector<LocalIndex>> who_wants<3>(const Communicator&,
+                                                           std::span<const SearchBox<3>>,
+                                                           std::span<const SearchBox<3>>);
+
+}  // namespace brunt

@@ -1,0 +1,151 @@
+#include "core/parallel/communicator.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <climits>
+#include <cstdlib>
+
+#include "core/errors.hpp"
+
+namespace brunt {
+
+namespace {
+constexpr int kTag = 17;
+
+/// A message longer than this goes in several: MPI counts in int.
+constexpr std::size_t kLongest = std::size_t{1} << 30;
+
+void check(int status, const char* what) {
+  if (status != MPI_SUCCESS) throw MachineError(std::string("MPI: ") + what + " failed");
+}
+
+void post(std::span<const Message> messages, std::vector<MPI_Request>& requests) {
+  for (const auto& message : messages) {
+    for (std::size_t at = 0; at < message.receive.size(); at += kLongest) {
+      const auto part = static_cast<int>(std::min(kLongest, message.receive.size() - at));
+      requests.emplace_back();
+      check(MPI_Irecv(message.receive.data() + at, part, MPI_BYTE, message.rank, kTag,
+                      MPI_COMM_WORLD, &requests.back()),
+            "receive");
+    }
+  }
+  for (const auto& message : messages) {
+    for (std::size_t at = 0; at < message.send.size(); at += kLongest) {
+      const auto part = static_cast<int>(std::min(kLongest, message.send.size() - at));
+      requests.emplace_back();
+      check(MPI_Isend(message.send.data() + at, part, MPI_BYTE, message.rank, kTag, MPI_COMM_WORLD,
+                      &requests.back()),
+            "send");
+    }
+  }
+}
+}  // namespace
+
+bool launched_by_mpirun() {
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr ||
+         std::getenv("PMIX_RANK") != nullptr;
+}
+
+void Communicator::swap(std::span<const Message> messages) const {
+  std::vector<MPI_Request> requests;
+  requests.reserve(2 * messages.size());
+  for (const auto& message : messages) {
+    if (message.send.empty()) continue;
+    ++traffic_.messages;
+    traffic_.bytes += static_cast<std::int64_t>(message.send.size());
+  }
+  post(messages, requests);
+  check(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE),
+        "wait");
+}
+
+std::vector<Bytes> Communicator::exchange(const std::vector<Bytes>& to) const {
+  if (alone()) return to;
+  const auto n = static_cast<std::size_t>(size_);
+  std::vector<std::uint64_t> sizes(n), coming(n);
+  for (std::size_t r = 0; r < n; ++r) sizes[r] = to[r].size();
+  check(MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD),
+        "exchange of sizes");
+  ++traffic_.reductions;
+  std::vector<Bytes> from(n);
+  std::vector<Message> messages;
+  for (std::size_t r = 0; r < n; ++r) {
+    if (static_cast<int>(r) == rank_) {
+      from[r] = to[r];
+      continue;
+    }
+    from[r].resize(coming[r]);
+    if (sizes[r] || coming[r]) messages.push_back({static_cast<int>(r), to[r], from[r]});
+  }
+  swap(messages);
+  return from;
+}
+
+std::vector<Bytes> Communicator::all_gather(const Bytes& mine) const {
+  return exchange(std::vector<Bytes>(static_cast<std::size_t>(size_), mine));
+}
+
+std::vector<Bytes> Communicator::gather(const Bytes& mine) const {
+  std::vector<Bytes> to(static_cast<std::size_t>(size_));
+  to[0] = mine;
+  auto from = exchange(to);
+  if (!is_root()) from.clear();
+  return from;
+}
+
+/// Binomial tree to rank 0, then a broadcast: 2 log2(n) messages deep, any size of value.
+void Communicator::reduce_bytes(void* value, std::size_t size, CombineBytes combine,
+                                void* context) const {
+  ++traffic_.reductions;
+  const auto count = static_cast<int>(size);
+  Bytes other(size);
+  for (int step = 1; step < size_; step *= 2) {
+    if (rank_ % (2 * step) != 0) {
+      check(MPI_Send(value, count, MPI_BYTE, rank_ - step, kTag + 1, MPI_COMM_WORLD), "reduction");
+      break;
+    }
+    if (rank_ + step >= size_) continue;
+    check(MPI_Recv(other.data(), count, MPI_BYTE, rank_ + step, kTag + 1, MPI_COMM_WORLD,
+                   MPI_STATUS_IGNORE),
+          "reduction");
+    combine(value, other.data(), context);
+  }
+  check(MPI_Bcast(value, count, MPI_BYTE, 0, MPI_COMM_WORLD), "reduction");
+}
+
+void Communicator::max(std::span<Real> values) const {
+  if (alone() || values.empty()) return;
+  ++traffic_.reductions;
+  check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE,
+                      MPI_MAX, MPI_COMM_WORLD),
+        "reduction");
+}
+
+ParallelSession::ParallelSession(int& argc, char**& argv) {
+  if (!launched_by_mpirun()) return;
+  int provided = 0;
+  check(MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided), "start");
+  check(MPI_Comm_rank(MPI_COMM_WORLD, &ranks_.rank_), "rank");
+  check(MPI_Comm_size(MPI_COMM_WORLD, &ranks_.size_), "size");
+}
+
+ParallelSession::~ParallelSession() {
+  int started = 0;
+  MPI_Initialized(&started);
+  if (started) MPI_Finalize();
+}
+
+void ParallelSession::abort(int status) const {
+  int started = 0;
+  MPI_Initialized(&started);
+  if (started && !ranks_.alone()) MPI_Abort(MPI_COMM_WORLD, status);
+  std::_Exit(status);
+}
+
+const Communicator& lone_rank() {
+  static const Communicator lone;
+  return lone;
+}
+
+}  // namespace brunt

@@ -1,0 +1,107 @@
+#pragma once
+/// The ranks of a run, as the rest of brunt sees them. mpi.h stays in core/parallel/*.cpp.
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+using Bytes = std::vector<std::byte>;
+
+/// What one rank sends to another, and what it expects from it; sizes are known on both sides.
+struct Message {
+  int rank = 0;
+  std::span<const std::byte> send;
+  std::span<std::byte> receive;
+};
+
+/// How much has gone between ranks since the start, for summary.json.
+struct Traffic {
+  std::int64_t messages = 0;    ///< sent from rank to rank
+  std::int64_t bytes = 0;       ///< in them
+  std::int64_t reductions = 0;  ///< in which all ranks took part
+};
+
+/// All calls are collective: every rank makes them in the same order. A lone rank starts no MPI and
+/// gets back what it gave.
+class Communicator {
+ public:
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool alone() const { return size_ == 1; }
+  bool is_root() const { return rank_ == 0; }
+
+  /// Combines one value a rank, in an order that depends on nothing but the number of ranks;
+  /// `combine(into, from)` must be free of order. Every rank gets the result.
+  template <class T, class Combine>
+  T reduce(T value, Combine combine) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (alone()) return value;
+    auto call = [](void* into, const void* from, void* context) {
+      T a, b;
+      std::memcpy(&a, into, sizeof(T));
+      std::memcpy(&b, from, sizeof(T));
+      (*static_cast<Combine*>(context))(a, b);
+      std::memcpy(into, &a, sizeof(T));
+    };
+    reduce_bytes(&value, sizeof(T), call, &combine);
+    return value;
+  }
+  bool any(bool mine) const {
+    return reduce(mine, [](bool& a, bool b) { a = a || b; });
+  }
+  /// The largest of each value over all ranks.
+  void max(std::span<Real> values) const;
+  Real max(Real mine) const {
+    return reduce(mine, [](Real& a, Real b) { a = b > a ? b : a; });
+  }
+  std::uint64_t sum(std::uint64_t mine) const {
+    return reduce(mine, [](std::uint64_t& a, std::uint64_t b) { a += b; });
+  }
+
+  /// Sends to[r] to rank r; returns what each rank sent here.
+  std::vector<Bytes> exchange(const std::vector<Bytes>& to) const;
+  /// What every rank gave, on every rank.
+  std::vector<Bytes> all_gather(const Bytes& mine) const;
+  /// What every rank gave, on the root; nothing elsewhere.
+  std::vector<Bytes> gather(const Bytes& mine) const;
+  /// Messages among neighbours, all at once; at most one to and from each rank.
+  void swap(std::span<const Message> messages) const;
+
+  const Traffic& traffic() const { return traffic_; }
+
+ private:
+  friend class ParallelSession;
+  using CombineBytes = void (*)(void* into, const void* from, void* context);
+  void reduce_bytes(void* value, std::size_t size, CombineBytes combine, void* context) const;
+
+  int rank_ = 0, size_ = 1;
+  mutable Traffic traffic_;
+};
+
+/// Joins the ranks that mpirun started, if it did; leaves them at its end. One in a program.
+class ParallelSession {
+ public:
+  ParallelSession(int& argc, char**& argv);
+  ~ParallelSession();
+  ParallelSession(const ParallelSession&) = delete;
+  ParallelSession& operator=(const ParallelSession&) = delete;
+  const Communicator& ranks() const { return ranks_; }
+  /// Ends all ranks at once with an exit status: for what only one rank knows.
+  [[noreturn]] void abort(int status) const;
+
+ private:
+  Communicator ranks_;
+};
+
+/// True where a launcher of MPI programs started this process.
+bool launched_by_mpirun();
+
+/// A rank by itself, for tests and for tools.
+const Communicator& lone_rank();
+
+}  // namespace brunt

@@ -1,0 +1,22 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/parallel/communicator.hpp"
+
+namespace brunt {
+
+/// Which rank owns each point of the scene, by point id.
+struct Deal {
+  std::vector<std::int32_t> owner;
+  int of(GlobalId point) const { return owner[static_cast<std::size_t>(point)]; }
+};
+
+/// Deals points out by recursive coordinate bisection (Zoltan), so that every rank gets about the
+/// same weight and points that are near each other stay together. Every rank passes all points, by
+/// id, and gets the same deal. Ranks may come out empty.
+/// x  [m], weight  [any unit, not negative]
+template <int Dim>
+Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x, std::span<const Real> weight);
+
+}  // namespace brunt

@@ -1,0 +1,124 @@
+/// The part of a whole that one rank computes.
+#include "fe/finite_elements.hpp"
+
+namespace brunt {
+namespace {
+
+/// Elements of a whole that touch a point of this rank, with their nodes as the whole numbers them.
+template <int Dim>
+std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& blocks,
+                                         const std::vector<int>& owner, int rank) {
+  constexpr int n = Shape<Dim>::kCorners;
+  std::vector<ElementSet<Dim>> sets;
+  for (const auto& block : blocks) {
+    auto& set = sets.emplace_back();
+    set.material = block.material, set.options = block.options;
+    set.temperature = block.temperature, set.adiabatic = block.adiabatic;
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      std::array<LocalIndex, n> corners;
+      bool mine = false;
+      for (int I = 0; I < n; ++I) {
+        corners[I] = block.corner[static_cast<std::size_t>(e) * n + I];
+        mine = mine || owner[static_cast<std::size_t>(corners[I])] == rank;
+      }
+      if (!mine) continue;
+      set.corners.push_back(corners);
+      set.id.push_back(block.id[e]);
+      set.body.push_back(block.body[e]);
+      set.piece.push_back(block.piece[e]);
+      // One rank counts an element: the owner of its first corner.
+      set.owned.push_back(owner[static_cast<std::size_t>(corners[0])] == rank);
+    }
+  }
+  return sets;
+}
+
+/// Which points of the whole are kept: owned ones first, then copies, each in their order.
+template <int Dim>
+std::vector<LocalIndex> points_of(const std::vector<ElementSet<Dim>>& sets,
+                                  const std::vector<int>& owner, int rank, LocalIndex& n_owned) {
+  std::vector<char> touched(owner.size(), 0);
+  for (const auto& set : sets) {
+    for (const auto& corners : set.corners) {
+      for (const LocalIndex node : corners) touched[static_cast<std::size_t>(node)] = 1;
+    }
+  }
+  std::vector<LocalIndex> kept;
+  for (const bool owned : {true, false}) {
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+      const bool mine = owner[i] == rank;
+      if (mine == owned && (mine || touched[i])) kept.push_back(static_cast<LocalIndex>(i));
+    }
+    if (owned) n_owned = static_cast<LocalIndex>(kept.size());
+  }
+  return kept;
+}
+
+/// The facets of the kept elements.
+template <int Dim>
+std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
+                                  const std::vector<ElementSet<Dim>>& sets,
+                                  const std::vector<LocalIndex>& place) {
+  std::vector<std::pair<GlobalId, char>> elements;  // id, owned
+  for (const auto& set : sets) {
+    for (std::size_t e = 0; e < set.id.size(); ++e) elements.emplace_back(set.id[e], set.owned[e]);
+  }
+  std::sort(elements.begin(), elements.end());
+  std::vector<Facet<Dim>> facets;
+  for (Facet<Dim> facet : whole) {
+    const std::pair<GlobalId, char> wanted{facet.id >> 3, 0};
+    const auto at = std::lower_bound(elements.begin(), elements.end(), wanted);
+    if (at == elements.end() || at->first != wanted.first) continue;
+    for (auto& node : facet.node) {
+      if (node >= 0) node = place[static_cast<std::size_t>(node)];
+    }
+    facet.owned = at->second != 0;
+    facets.push_back(facet);
+  }
+  return facets;
+}
+
+}  // namespace
+
+template <int Dim>
+FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& deal,
+                                    const Communicator& ranks)
+    : thickness_(whole.thickness_) {
+  std::vector<int> owner;
+  for (const GlobalId id : whole.points_.id) owner.push_back(deal.of(id));
+  auto sets = elements_of(whole.blocks_, owner, ranks.rank());
+  LocalIndex n_owned = 0;
+  const auto kept = points_of(sets, owner, ranks.rank(), n_owned);
+  std::vector<LocalIndex> place(owner.size(), -1);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    place[static_cast<std::size_t>(kept[k])] = static_cast<LocalIndex>(k);
+  }
+  surface_.facets = facets_of(whole.surface_.facets, sets, place);
+  for (auto& set : sets) {
+    for (auto& corners : set.corners) {
+      for (auto& node : corners) node = place[static_cast<std::size_t>(node)];
+    }
+  }
+  for (const LocalIndex node : whole.axis_) {
+    const LocalIndex here = place[static_cast<std::size_t>(node)];
+    if (here >= 0) axis_.push_back(here);
+  }
+  points_ = whole.points_.subset(kept, n_owned);
+  surface_.points = &points_;
+  make_blocks(sets);
+  std::vector<GlobalId> ids;
+  std::vector<LocalIndex> places;
+  std::vector<int> owners;
+  for (LocalIndex i = n_owned; i < points_.size(); ++i) {
+    ids.push_back(points_.id[static_cast<std::size_t>(i)]);
+    places.push_back(i);
+    owners.push_back(deal.of(ids.back()));
+  }
+  ghosts_ = plan_ghosts(ranks, ids, places, owners, points_.owned_ids());
+  start_steps();
+}
+
+template FiniteElements<2>::FiniteElements(const FiniteElements&, const Deal&, const Communicator&);
+template FiniteElements<3>::FiniteElements(const FiniteElements&, const Deal&, const Communicator&);
+
+}  // namespace brunt

@@ -1,0 +1,203 @@
+/// The particles of one rank among others: which are its own, and copies of its neighbours'.
+#include <algorithm>
+
+#include "core/parallel/boxes.hpp"
+#include "core/parallel/packing.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt {
+
+namespace {
+/// All that a copy needs when lists are made; the rest comes with refresh_state.
+template <int Dim>
+struct Visitor {
+  GlobalId id;
+  Label body, piece;
+  Real mass, h, volume;  // [kg], [m], [m^3]
+  Real x[Dim], v[Dim];   // [m], [m/s]
+};
+
+template <int Dim>
+SearchBox<Dim> box_about(const Vec<Dim>& x, Real reach) {
+  SearchBox<Dim> box;
+  for (int c = 0; c < Dim; ++c) {
+    box.lo[static_cast<std::size_t>(c)] = x[c] - reach;
+    box.hi[static_cast<std::size_t>(c)] = x[c] + reach;
+  }
+  return box;
+}
+}  // namespace
+
+template <int Dim>
+SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
+                                const Communicator& ranks)
+    : depth_(whole.depth_),
+      ranks_(&ranks),
+      bodies_(whole.points_.body),
+      skin_ratio_(whole.skin_ratio_),
+      search_(whole.search_) {
+  std::sort(bodies_.begin(), bodies_.end());
+  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  std::vector<LocalIndex> kept, place(whole.points_.x.size(), -1);
+  for (LocalIndex i = 0; i < whole.points_.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (deal.of(whole.points_.id[k]) != ranks.rank()) continue;
+    place[k] = static_cast<LocalIndex>(kept.size());
+    kept.push_back(i);
+  }
+  points_ = whole.points_.subset(kept, static_cast<LocalIndex>(kept.size()));
+  std::vector<Real> spacing;
+  for (const LocalIndex i : kept) {
+    spacing.push_back(whole.state_[static_cast<std::size_t>(i)].spacing);
+  }
+  std::vector<ParticleSet> sets;
+  for (const auto& block : whole.blocks_) {
+    auto& set = sets.emplace_back(block.set);
+    set.particle.clear();
+    for (const LocalIndex i : block.set.particle) {
+      const LocalIndex here = place[static_cast<std::size_t>(i)];
+      if (here >= 0) set.particle.push_back(here);
+    }
+  }
+  take_sets(std::move(sets), spacing);
+  rearrange();
+  seed_votes();
+}
+
+/// Copies of all particles of other ranks that may come within reach of an own one before the
+/// lists are renewed.
+template <int Dim>
+void SphParticles<Dim>::renew_ghosts(Real skin) {
+  const std::size_t n = n_owned();
+  std::vector<SearchBox<Dim>> boxes;
+  for (std::size_t i = 0; i < n; ++i) {
+    boxes.push_back(box_about<Dim>(points_.x[i], smoothing_length_[i] + 0.5 * skin));
+  }
+  auto send = who_wants<Dim>(*ranks_, boxes, boxes);
+  std::vector<Bytes> to;
+  for (const auto& list : send) {
+    std::vector<Visitor<Dim>> visitors;
+    for (const LocalIndex i : list) {
+      const auto k = static_cast<std::size_t>(i);
+      Visitor<Dim> one{points_.id[k],
+                       points_.body[k],
+                       points_.piece[k],
+                       points_.mass[k],
+                       smoothing_length_[k],
+                       state_[k].volume,
+                       {},
+                       {}};
+      for (int d = 0; d < Dim; ++d) one.x[d] = points_.x[k][d], one.v[d] = points_.v[k][d];
+      visitors.push_back(one);
+    }
+    to.push_back((Packer() << visitors).take());
+  }
+  struct Arrived {
+    Visitor<Dim> one;
+    std::size_t rank, index;
+  };
+  std::vector<Arrived> arrived;
+  const auto from = ranks_->exchange(to);
+  std::vector<std::size_t> counts(from.size(), 0);
+  for (std::size_t r = 0; r < from.size(); ++r) {
+    if (static_cast<int>(r) == ranks_->rank()) continue;
+    std::vector<Visitor<Dim>> visitors;
+    Unpacker(from[r]) >> visitors;
+    counts[r] = visitors.size();
+    for (std::size_t k = 0; k < visitors.size(); ++k) arrived.push_back({visitors[k], r, k});
+  }
+  std::sort(arrived.begin(), arrived.end(),
+            [](const Arrived& a, const Arrived& b) { return a.one.id < b.one.id; });
+  ghosts_ = {};
+  std::vector<std::vector<LocalIndex>> fill(from.size());
+  for (std::size_t r = 0; r < fill.size(); ++r) fill[r].resize(counts[r]);
+  std::vector<LocalIndex> own(n);
+  for (std::size_t i = 0; i < n; ++i) own[i] = static_cast<LocalIndex>(i);
+  points_ = points_.subset(own, points_.n_owned);
+  hold(n + arrived.size());
+  for (std::size_t k = 0; k < arrived.size(); ++k) {
+    const auto& one = arrived[k].one;
+    fill[arrived[k].rank][arrived[k].index] = static_cast<LocalIndex>(n + k);
+    points_.append_ghost(one.id, one.body, one.piece, one.mass, Vec<Dim>(one.x), Vec<Dim>(one.v));
+    smoothing_length_[n + k] = one.h;
+    state_[n + k].volume = one.volume;
+  }
+  for (std::size_t r = 0; r < from.size(); ++r) {
+    if (send[r].empty() && fill[r].empty()) continue;
+    ghosts_.peers.push_back({static_cast<int>(r), std::move(send[r]), std::move(fill[r])});
+  }
+}
+
+template <int Dim>
+void SphParticles<Dim>::refresh_ghost_positions() {
+  if (ranks_->alone()) return;
+  refresh_ghosts(
+      *ranks_, ghosts_, Dim,
+      [&](std::size_t i, Real* out) {
+        for (int c = 0; c < Dim; ++c) out[c] = points_.x[i][c];
+      },
+      [&](std::size_t i, const Real* in) {
+        for (int c = 0; c < Dim; ++c) points_.x[i][c] = in[c];
+      });
+}
+
+template <int Dim>
+void SphParticles<Dim>::refresh_state() {
+  if (ranks_->alone()) return;
+  constexpr std::size_t n_stress = std::size(StressRecord<Dim>{}.data);
+  constexpr std::size_t n_artificial = std::size(ArtificialRecord<Dim>{}.data);
+  refresh_ghosts(
+      *ranks_, ghosts_, n_stress + n_artificial + 2,
+      [&](std::size_t i, Real* out) {
+        out = std::copy_n(stress_[i].data, n_stress, out);
+        out = std::copy_n(artificial_[i].data, n_artificial, out);
+        out[0] = state_[i].volume;
+        out[1] = smoothing_length_[i];
+      },
+      [&](std::size_t i, const Real* in) {
+        std::copy_n(in, n_stress, stress_[i].data);
+        std::copy_n(in + n_stress, n_artificial, artificial_[i].data);
+        state_[i].volume = in[n_stress + n_artificial];
+        smoothing_length_[i] = in[n_stress + n_artificial + 1];
+      });
+}
+
+/// True if no particle without a copy here can have come within reach of an own one: no two
+/// particles of a body have moved against each other by more than the skin.
+template <int Dim>
+bool SphParticles<Dim>::bodies_hold(Real dt) const {
+  constexpr std::size_t width = 2 * Dim + 1;
+  std::vector<Real> extremes(bodies_.size() * width, -kInfinity);
+  for (std::size_t i = 0; i < n_owned(); ++i) {
+    const auto body = std::lower_bound(bodies_.begin(), bodies_.end(), points_.body[i]);
+    Real* own = extremes.data() + static_cast<std::size_t>(body - bodies_.begin()) * width;
+    for (int c = 0; c < Dim; ++c) {
+      const Real u = (points_.x[i][c] - watch_.x()[i][c]) +
+                     dt * (points_.v[i][c] + 0.5 * dt * points_.a[i][c]);
+      own[2 * c] = std::max(own[2 * c], -u);
+      own[2 * c + 1] = std::max(own[2 * c + 1], u);
+    }
+    own[2 * Dim] = std::max(own[2 * Dim], smoothing_length_[i] - watch_.reach()[i]);
+  }
+  ranks_->max(extremes);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Real* of = extremes.data() + b * width;
+    Real approach = 0;
+    for (int c = 0; c < Dim; ++c) approach = std::max(approach, of[2 * c] + of[2 * c + 1]);
+    if (!(approach + 2 * std::max(of[2 * Dim], 0.0) <= watch_.skin())) return false;
+  }
+  return true;
+}
+
+template SphParticles<2>::SphParticles(const SphParticles&, const Deal&, const Communicator&);
+template SphParticles<3>::SphParticles(const SphParticles&, const Deal&, const Communicator&);
+template void SphParticles<2>::renew_ghosts(Real);
+template void SphParticles<3>::renew_ghosts(Real);
+template void SphParticles<2>::refresh_ghost_positions();
+template void SphParticles<3>::refresh_ghost_positions();
+template void SphParticles<2>::refresh_state();
+template void SphParticles<3>::refresh_state();
+template bool SphParticles<2>::bodies_hold(Real) const;
+template bool SphParticles<3>::bodies_hold(Real) const;
+
+}  // namespace brunt

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# The same history, byte for byte, state hashes and all, on any number of ranks and threads: every
+# shipped deck, shortened, with --ranks and with a plain mpirun, two skins, one output cadence more.
+#   ranks.sh PROGRAM SOURCE RANKS...
+set -euo pipefail
+brunt=$1
+decks=$2/decks
+shift 2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+# deck, then what makes it a matter of seconds
+cases=(
+  "bars time.end=20_us"
+  "taylor-bar parameters.size=0.9_mm time.end=6_us"
+  "taylor-bar-axisymmetric time.end=8_us bodies.bar.cells=[4,_40]"
+  "taylor-bar-sph parameters.spacing=0.8_mm time.end=8_us"
+  "drop-on-plate parameters.size=4_mm time.end=60_us"
+  "projectile-2d parameters.spacing=2_mm parameters.size=4_mm time.end=60_us"
+)
+status=0
+run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
+  local deck=$1 out=$2 options=() overrides=()
+  shift 2
+  while [ "$1" != -- ]; do options+=("$1"); shift; done
+  shift
+  for each in "$@"; do overrides+=(--set "${each//_/ }"); done  # a blank is written _
+  "$brunt" run "$decks/$deck/$deck.yaml" --quiet --out "$out" --oversubscribe \
+    "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
+}
+same() {  # same DECK A B
+  cmp -s "$2/history.csv" "$3/history.csv" && return
+  echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
+  diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4
+  status=1
+}
+for each in "${cases[@]}"; do
+  read -r deck shorten <<<"$each"
+  run "$deck" "$deck-1" --threads 1 -- $shorten
+  for n in "$@"; do
+    for threads in 1 2; do
+      [ "$n" -le 3 ] || [ "$threads" = 1 ] || continue
+      run "$deck" "$deck-$n-$threads" --ranks "$n" --threads "$threads" -- $shorten
+      same "$deck" "$deck-1" "$deck-$n-$threads"
+    done
+  done
+  run "$deck" "$deck-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
+  same "$deck" "$deck-1" "$deck-skin"
+done
+exit $status
