@@ -40,6 +40,7 @@ void Progress::show(const Clock& clock, const std::string& whose, Real drift) {
 
 void Progress::finish() {
   if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
+  shown_ = false;
 }
 
 }  // namespace brunt

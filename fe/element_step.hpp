@@ -16,15 +16,15 @@ struct ElementStep {
   Real* corner_force = nullptr;  ///< [N] forces on the corners, [element][corner][Dim], written
 };
 
-/// Advances the elements of one tile: stress, state, energies, stable step, corner forces.
+/// Advances the elements of tile `index`: stress, state, energies, stable step, corner forces.
 template <int Dim>
-void advance_one_point(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step);
+void advance_one_point(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 /// The same for q1p0 and full integration.
 template <int Dim>
-void advance_gauss(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step);
-/// Sets the stable steps of one tile from x, v and the state as they are.
+void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
+/// Sets the stable steps of tile `index` from x, v and the state as they are.
 template <int Dim>
-void refresh_stable_steps(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step);
+void refresh_stable_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 
 /// Values of a nodal field at the corners of four elements.
 template <int Dim>

@@ -76,6 +76,7 @@ void halve_plates(std::vector<Facet<Dim>>& facets) {
     return (id & ~GlobalId{7}) | static_cast<GlobalId>(other);
   };
   std::vector<GlobalId> ids;
+  ids.reserve(facets.size());
   for (const auto& facet : facets) ids.push_back(facet.id);
   for (auto& facet : facets) {
     if (std::binary_search(ids.begin(), ids.end(), opposite(facet.id))) facet.depth *= 0.5;

@@ -132,8 +132,9 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
   const Deck& deck = loaded.deck;
   for (const auto& [name, boundary] : deck.boundaries) {
     const std::string path = "boundaries." + name;
-    const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
-                                    [&](const auto& body) { return body.name == boundary.body; });
+    const auto found =
+        std::find_if(deck.bodies.begin(), deck.bodies.end(),
+                     [&wanted = boundary.body](const auto& body) { return body.name == wanted; });
     if (found == deck.bodies.end()) continue;  // reported by the deck's own checks
     const auto label = static_cast<Label>(found - deck.bodies.begin());
     if (found->value.rigid) {

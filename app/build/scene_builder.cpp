@@ -81,7 +81,7 @@ std::vector<RigidMotion<Dim>> motions_of(const LoadedDeck& loaded, const Scene<D
 
 /// True where some pair of bodies, or pieces of a body, may touch.
 bool anything_can_touch(const Deck& deck, const ContactOptions& options) {
-  if (!options.fallback.ignore) return deck.bodies.size() > 0;
+  if (!options.fallback.ignore) return !deck.bodies.empty();
   return std::any_of(options.pairs.begin(), options.pairs.end(),
                      [](const auto& pair) { return !pair.second.ignore; });
 }

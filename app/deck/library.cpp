@@ -7,6 +7,7 @@
 
 namespace brunt::deck {
 
+// NOLINTNEXTLINE(readability-function-size): one text, no code.
 const char* library_text() {
   return R"yaml(
 al-6082-t6:

@@ -99,7 +99,7 @@ Json words_schema(const std::vector<std::string>& words) {
 
 Json value_schema(const KeyInfo& key) {
   using Type = KeyInfo::Type;
-  const Json list{{"type", {"array", "object", "string"}}};
+  Json list{{"type", {"array", "object", "string"}}};
   switch (key.type) {
     case Type::map:
       if (key.children.size() == 1 && key.children.front().bare) {

@@ -56,7 +56,7 @@ std::string body_of(const std::string& text) { return text.substr(text.find('=')
 std::string problem_of(const mu::ParserError& error) {
   std::string message = error.GetMsg();
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
-    const std::string name = error.GetToken();
+    const std::string& name = error.GetToken();
     message = "'" + name + "' is not known in an expression";
     if (!name.empty() && name[0] != '$') message += "; a parameter is written $" + name;
   }

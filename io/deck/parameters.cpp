@@ -163,6 +163,7 @@ class Resolver {
     const std::string text = node.text;
     const std::vector<std::string> names = names_in(text);
     std::vector<const Declared*> used;
+    used.reserve(names.size());
     for (const std::string& name : names) used.push_back(use(name, node.place, path));
     if (is_expression(text)) return;
     if (std::find(used.begin(), used.end(), nullptr) != used.end()) return;

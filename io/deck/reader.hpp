@@ -112,7 +112,7 @@ class Reader final : public Schema {
   std::optional<int> word_index(const Node& node, const std::string& path,
                                 std::span<const char* const> words);
   /// A list of quantities, or {unit:, value:}; size 0: any; nothing after a problem.
-  std::optional<std::vector<Real>> list_values(const Node& node, const std::string& path,
+  std::optional<std::vector<Real>> list_values(const Node& given, const std::string& path,
                                                const Quantity& quantity, int size,
                                                bool allow_free = false);
   /// Unfolds {unit: mm, value: [...]}: a copy with the unit behind each bare number.

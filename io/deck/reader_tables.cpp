@@ -49,7 +49,7 @@ Node csv_row(std::string line, const SourcePlace& place) {
   Node row = list_node();
   row.place = place;
   if (!line.empty() && line.back() == '\r') line.pop_back();
-  if (line.find_first_not_of(" ") == std::string::npos || line[0] == '#') return row;
+  if (line.find_first_not_of(' ') == std::string::npos || line[0] == '#') return row;
   std::replace(line.begin(), line.end(), ';', ',');
   std::istringstream columns(line);
   for (std::string column; std::getline(columns, column, ',');) {

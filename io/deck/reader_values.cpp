@@ -12,7 +12,7 @@ namespace brunt {
 std::string range_text(const Range& range) {
   const bool low = range.min > -kInfinity, high = range.max < kInfinity;
   if (low && high && range.min == range.max) return shortest_text(range.min);
-  const std::string from =
+  std::string from =
       std::string(range.min_excluded ? "above " : "at least ") + shortest_text(range.min);
   const std::string to =
       std::string(range.max_excluded ? "below " : "at most ") + shortest_text(range.max);
@@ -143,8 +143,8 @@ void Reader::real_or_word(const Key& key, std::optional<Real>& value, const Quan
   if (!node) return;
   if (node->is_scalar() && node->text == word) {
     value.reset();
-  } else if (!node->is_scalar() ||
-             (node->text != "" && std::isalpha(static_cast<unsigned char>(node->text.front())))) {
+  } else if (!node->is_scalar() || (!node->text.empty() &&
+                                    std::isalpha(static_cast<unsigned char>(node->text.front())))) {
     problem(*node, path_of(key.name),
             "expects '" + std::string(word) + "' or " + describe_unit(quantity.unit) + ", got " +
                 what_stands(*node));

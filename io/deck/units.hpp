@@ -43,7 +43,7 @@ class Units {
   Units& operator=(const Units&) = delete;
 
   /// Reads "139 m/s", "0.2mm", "1 1/s", "5 %", "20 degC"; without a unit it is SI.
-  QuantityValue read(std::string_view text) const;
+  QuantityValue read(std::string_view given) const;
   /// The dimension of an SI unit of the schema: "kg/m^3", "rad/s", "1". Must be known.
   Dimension dimension_of(const std::string& unit) const;
 

@@ -29,7 +29,7 @@ void join(Range& range, const Range& other) {
 }  // namespace
 
 ViewAxes view_axes(const std::string& name, bool flat) {
-  const ViewAxes plane{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  ViewAxes plane{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   if (name.empty() || name == "auto") return flat ? plane : looking_from({0.55, -1, 0.5});
   if (name == "oblique") return looking_from({0.55, -1, 0.5});
   if (name == "front") return flat ? plane : looking_from({0, -1, 0});

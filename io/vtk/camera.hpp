@@ -32,7 +32,7 @@ struct Frame2 {
 /// are near these.
 class Coverage {
  public:
-  explicit Coverage(ViewAxes axes) : axes_(axes) {}
+  explicit Coverage(const ViewAxes& axes) : axes_(axes) {}
   void take(const BodyView& view);
   Frame2 frame() const;
 

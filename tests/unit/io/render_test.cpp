@@ -2,7 +2,6 @@
 // 1280 x 800 leaves 1040 x 630 pixels between the margins 40 | 200 and 90 | 80, and a flat body is
 // drawn without light, so its colours are those of the map. Tolerance 3 of 255: the table and the
 // averaging of 2 x 2 pixels round.
-#ifdef BRUNT_VTK
 #include "io/vtk/render.hpp"
 
 #include <gtest/gtest.h>
@@ -217,4 +216,3 @@ TEST(Camera, KeepsHugeRigidBodiesFromHidingTheRest) {
 
 }  // namespace
 }  // namespace brunt
-#endif

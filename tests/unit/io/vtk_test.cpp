@@ -1,6 +1,5 @@
 // Frames as VTK files: what is written reads back through VTK's own readers bit for bit (appended
 // raw doubles, so no tolerance), and frames.pvd never names a file that is not whole.
-#ifdef BRUNT_VTK
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -221,4 +220,3 @@ TEST_F(VtkTest, RefusesFieldsThatDoNotFit) {
 
 }  // namespace
 }  // namespace brunt
-#endif
