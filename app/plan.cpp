@@ -6,6 +6,7 @@
 
 #include "app/build/materials.hpp"
 #include "app/build/scene_builder.hpp"
+#include "app/build/sound_part.hpp"
 #include "app/run.hpp"
 
 namespace brunt {
@@ -78,16 +79,10 @@ void print_plan(const LoadedDeck& loaded) {
               std::ceil(loaded.deck.time.end / dt), loaded.deck.time.end);
 }
 
-void print_warnings(const LoadedDeck& loaded) {
-  for (const auto& warning : loaded.warnings) {
-    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
-  }
-}
 }  // namespace
 
 int plan_command(const RunArguments& arguments) {
-  const LoadedDeck loaded = load_deck(arguments.deck, arguments.overrides);
-  print_warnings(loaded);
+  const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
   if (loaded.deck.geometry == Geometry::three_d) {
     print_plan<3>(loaded);
   } else {
@@ -97,8 +92,7 @@ int plan_command(const RunArguments& arguments) {
 }
 
 int check_command(const RunArguments& arguments) {
-  const LoadedDeck loaded = load_deck(arguments.deck, arguments.overrides);
-  print_warnings(loaded);
+  const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
   if (loaded.deck.geometry == Geometry::three_d) {
     build_scene<3>(loaded);
   } else {

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "app/build/scene_builder.hpp"
+#include "app/build/sound_part.hpp"
 #include "app/frames.hpp"
 #include "app/monitor.hpp"
 #include "app/output_folder.hpp"
@@ -30,8 +31,19 @@ void choose_threads(int asked) {
 /// A deck with the command line's --until in place.
 LoadedDeck load(const RunArguments& arguments) {
   auto overrides = arguments.overrides;
-  if (arguments.until) overrides.push_back("time.end=" + *arguments.until);
-  return load_deck(arguments.deck, overrides);
+  if (!arguments.until) return load_or_tell_all(arguments.deck, overrides);
+  overrides.push_back("time.end=" + *arguments.until);
+  try {
+    return load_or_tell_all(arguments.deck, overrides);
+  } catch (const DeckError& error) {
+    auto problems = error.problems();
+    for (auto& problem : problems) {
+      if (problem.place.file == "--set #" + std::to_string(overrides.size())) {
+        problem.place.file = "--until";
+      }
+    }
+    throw DeckError(problems);
+  }
 }
 
 double peak_memory() {
@@ -109,7 +121,6 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
             arguments.deck);
   for (const auto& warning : loaded.warnings) {
     log->warn("{}", warning.text());
-    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
     summary.warnings.push_back({warning.path, warning.message});
   }
 

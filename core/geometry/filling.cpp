@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/geometry/brick_wall.hpp"
@@ -197,10 +198,24 @@ struct Filler2 {
   Region<2> operator()(const BrickWall&) const { throw std::logic_error("walls fill by brick"); }
 };
 
+/// A lattice is squeezed to fit a shape; less than half a spacing is no room for a particle.
+template <int Dim>
+void require_room_for_particles(const Vec<Dim>& edges, const std::vector<Real>& spacing) {
+  for (int c = 0; c < Dim; ++c) {
+    const Real h = spacing[std::min<std::size_t>(static_cast<std::size_t>(c), spacing.size() - 1)];
+    if (edges[c] >= 0.5 * h) continue;
+    std::ostringstream message;
+    message << "the shape is " << edges[c] << " m thick along its axis " << "xyz"[c]
+            << ", less than half a particle: `size` is " << h << " m; give a smaller one";
+    throw std::invalid_argument(message.str());
+  }
+}
+
 template <int Dim>
 void fill_region(const Region<Dim>& region, const std::vector<Real>& spacing, LatticeKind lattice,
                  Filling<Dim>& filling) {
   const auto piece = static_cast<Label>(filling.piece_names.size());
+  require_room_for_particles<Dim>(region.high - region.low, spacing);
   for (const auto& x : lattice_points<Dim>(region.low, region.high, spacing, lattice)) {
     if (!region.inside(x)) continue;
     filling.points.push_back(region.place(x));
@@ -225,7 +240,8 @@ Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing
     filling.piece_names.emplace_back();
   }
   if (filling.points.empty()) {
-    throw std::invalid_argument("the shape is smaller than one particle: give a smaller `size`");
+    throw std::invalid_argument(
+        "no particle fits in: the shape is smaller than one; give a smaller `size`");
   }
   place_all<Dim>(shape, filling.points);
   return filling;

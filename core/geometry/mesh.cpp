@@ -8,6 +8,7 @@
 #include "core/geometry/brick_wall.hpp"
 #include "core/geometry/grid.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/geometry/profile.hpp"
 
 namespace brunt {
 
@@ -43,6 +44,9 @@ std::array<std::vector<Vec<2>>, 4> sides_of(const Polygon& polygon) {
         "other polygons with particles (method: sph)");
   }
   const int n = static_cast<int>(polygon.points.size());
+  std::vector<Vec<2>> outline;
+  for (const auto& point : polygon.points) outline.push_back(to_vector<2>(point));
+  require_simple(outline);
   std::array<std::vector<Vec<2>>, 4> sides;
   Real area = 0;
   for (int i = 0; i < n; ++i) {
