@@ -30,7 +30,7 @@ struct Lengths {
   std::vector<Real> operator()(const Tube& t) const { return round(t.outer, t.length); }
   std::vector<Real> operator()(const Sphere& s) const { return round(s.radius, 2 * s.radius); }
   std::vector<Real> operator()(const Ogive& o) const { return round(o.radius, o.length); }
-  std::vector<Real> operator()(const Polygon& polygon) const {
+  std::vector<Real> operator()(const PolygonShape& polygon) const {
     Real low[2] = {kInfinity, kInfinity}, high[2] = {-kInfinity, -kInfinity};
     for (const auto& point : polygon.points) {
       for (std::size_t c = 0; c < 2; ++c) {
@@ -60,7 +60,8 @@ void check_count(const Deck& deck, const std::string& path, const Body& body, Fi
   for (std::size_t c = 0; c < lengths.size(); ++c) {
     volume *= lengths[c];
     if (body.cells) count *= (*body.cells)[std::min(c, body.cells->size() - 1)];
-    if (body.size) count *= std::ceil(lengths[c] / (*body.size)[std::min(c, body.size->size() - 1)]);
+    if (body.size)
+      count *= std::ceil(lengths[c] / (*body.size)[std::min(c, body.size->size() - 1)]);
   }
   constexpr Real kMost = std::numeric_limits<LocalIndex>::max(), kMany = 3e7, kEnough = 1e6;
   if (!(count > kMany)) return;
@@ -84,7 +85,8 @@ struct AxisymmetricShape {
   void about_axis(const char* shape, const std::vector<Real>& base, const std::vector<Real>& axis) {
     const std::string key = path + ".shape." + shape;
     if (!base.empty() && base[0] != 0) {
-      findings.wrong(key + ".base", "stands beside the axis of symmetry, x = 0: write base: [0, y]");
+      findings.wrong(key + ".base",
+                     "stands beside the axis of symmetry, x = 0: write base: [0, y]");
     }
     if (axis.size() >= 2 && axis[0] != 0) {
       findings.wrong(key + ".axis", "the axis of symmetry is y: write axis: y, or leave it out");
@@ -146,8 +148,9 @@ void check_element(const Deck& deck, const std::string& path, const Body& body,
       findings.sound("materials." + material->name) &&
       std::holds_alternative<NoStrength>(material->value.strength)) {
     findings.warn(path + ".element.hourglass",
-                  "'" + material->name + "' does not yield, and hourglass modes of an elastic body "
-                  "grow slowly under viscous control; stiffness: 0.05 is for elastic bodies");
+                  "'" + material->name +
+                      "' does not yield, and hourglass modes of an elastic body "
+                      "grow slowly under viscous control; stiffness: 0.05 is for elastic bodies");
   }
 }
 

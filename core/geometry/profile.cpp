@@ -76,8 +76,9 @@ void require_simple(const std::vector<Vec<2>>& points) {
       const auto &a = points[i], &b = points[i + 1], &c = points[j], &d = points[(j + 1) % n];
       if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) {
         throw std::invalid_argument(
-            "the polygon crosses itself: the side from point " + std::to_string(i) + " cuts that from point " +
-            std::to_string(j) + " (counted from 0); list the points in order along its outline");
+            "the polygon crosses itself: the side from point " + std::to_string(i) +
+            " cuts that from point " + std::to_string(j) +
+            " (counted from 0); list the points in order along its outline");
       }
     }
   }

@@ -55,7 +55,7 @@ void describe(Schema& s, Sphere& shape) {
   s.list({"center", "centre; default: the origin"}, shape.center, kPlace, Schema::kVector);
 }
 
-void describe(Schema& s, Polygon& shape) {
+void describe(Schema& s, PolygonShape& shape) {
   s.points({"points", "corners in x and y, in order; not closed", Need::required}, shape.points,
            kPlace);
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {
