@@ -70,8 +70,7 @@ bool check_values(const LoadedDeck& loaded, const Scene<Dim>& scene,
     all = false;
     problems.push_back(
         loaded.places.problem("boundaries." + constraint.name + ".velocity." + std::to_string(c),
-                              bad +
-                                  "; t is in s, and x, y, z are the place at time 0 in m"));
+                              bad + "; t is in s, and x, y, z are the place at time 0 in m"));
   }
   return all;
 }
@@ -106,11 +105,11 @@ void check_pair(const LoadedDeck& loaded, const Scene<Dim>& scene, const Constra
           continue;
         const std::string axis(1, "xyz"[c]);
         problems.push_back(loaded.places.problem(
-            "boundaries." + b.name,
-            "shares " + std::to_string(shared.size()) + " points with '" + a.name +
-                "', and they move along " + axis + " at " + deck::short_text(second) +
-                " m/s here and at " + deck::short_text(first) + " m/s there; leave " + axis +
-                " free in one of them, or choose other points"));
+            "boundaries." + b.name, "shares " + std::to_string(shared.size()) + " points with '" +
+                                        a.name + "', and they move along " + axis + " at " +
+                                        deck::short_text(second) + " m/s here and at " +
+                                        deck::short_text(first) + " m/s there; leave " + axis +
+                                        " free in one of them, or choose other points"));
         return;
       }
     }

@@ -157,7 +157,8 @@ Real depth_of_particles(const Skin<Dim>& a, const Skin<Dim>& b) {
     return cell;
   };
   for (const auto& x : b.points) {
-    if ((x - a.low).minCoeff() > -h && (a.high - x).minCoeff() > -h) cells[cell_of(x)].push_back(&x);
+    if ((x - a.low).minCoeff() > -h && (a.high - x).minCoeff() > -h)
+      cells[cell_of(x)].push_back(&x);
   }
   Vec<Dim> low = Vec<Dim>::Constant(kInfinity), high = Vec<Dim>::Constant(-kInfinity);
   for (const auto& x : a.points) {

@@ -48,7 +48,9 @@ LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& 
   });
   keep(deck.materials, [&](const auto& material) { return materials.contains(material.name); });
   keep(deck.contact.pairs, [&](const auto& pair) {
-    const auto known = [&](const std::string& body) { return body == "any" || kept.contains(body); };
+    const auto known = [&](const std::string& body) {
+      return body == "any" || kept.contains(body);
+    };
     return !is_wrong("contact", wrong) && pair.value.between.size() == 2 &&
            pair.value.between[0] != "any" && known(pair.value.between[0]) &&
            known(pair.value.between[1]);

@@ -49,9 +49,10 @@ void check_boundary(const Deck& deck, const Named<Boundary>& entry, Findings& fi
     findings.wrong(path + ".velocity",
                    "all components are free: give one a speed, or take the boundary out");
   }
+  // A run that is ended early, with --until, is no wrong deck.
   if (findings.sound("time") && boundary.from >= deck.time.end) {
-    findings.wrong(path + ".from",
-                   "acts from " + time_text(boundary.from) + " only, and " + end_text(deck));
+    findings.warn(path + ".from",
+                  "acts from " + time_text(boundary.from) + " only, and " + end_text(deck));
   }
 }
 
@@ -59,12 +60,11 @@ void check_measure(const Deck& deck, const Named<Measure>& entry, Findings& find
   const std::string path = "measures." + entry.name;
   if (!findings.sound(path)) return;
   if (entry.value.at && *entry.value.at > deck.time.end) {
-    findings.wrong(path + ".at",
-                   "is after time.end: it would never be taken; " + end_text(deck));
+    findings.wrong(path + ".at", "is after time.end: it would never be taken; " + end_text(deck));
   }
   const auto* history = std::get_if<HistoryMeasure>(&entry.value.kind);
   if (history && history->from && *history->from > deck.time.end) {
-    findings.wrong(path + ".history.from", "no row is that late: " + end_text(deck));
+    findings.warn(path + ".history.from", "no row is that late: " + end_text(deck));
   }
 }
 
@@ -82,8 +82,8 @@ void check_times(const Deck& deck, Findings& findings) {
   for (const auto& measure : deck.measures) check_measure(deck, measure, findings);
   const auto& rest = deck.stop.at_rest;
   if (rest && findings.sound("stop") && rest->duration > time.end) {
-    findings.warn("stop.at_rest.for", "is longer than the run, which it never ends; " +
-                                          end_text(deck));
+    findings.warn("stop.at_rest.for",
+                  "is longer than the run, which it never ends; " + end_text(deck));
   }
 }
 

@@ -120,8 +120,8 @@ struct LoadedDeck {
   DeckPlaces places;
   std::vector<DeckProblem> warnings;
   std::vector<std::string> wrong;  ///< keys that are wrong; none in a deck that can run
-  std::string hash;      ///< 16 hex digits of the resolved deck
-  std::string resolved;  ///< the resolved deck as YAML, SI; reads back to the same Deck
+  std::string hash;                ///< 16 hex digits of the resolved deck
+  std::string resolved;            ///< the resolved deck as YAML, SI; reads back to the same Deck
   std::vector<DeckParameter> parameters;
   std::vector<std::string> overrides;
 };

@@ -149,9 +149,9 @@ class Resolver {
       circle += "$" + declared_[*i].parameter.name + " needs ";
     }
     const Parameter& parameter = declared_[first].parameter;
-    problems_.push_back({parameter.node.place, "parameters." + parameter.name,
-                         "depends on itself: " + circle + "$" + parameter.name +
-                             "; give one of them a value"});
+    problems_.push_back(
+        {parameter.node.place, "parameters." + parameter.name,
+         "depends on itself: " + circle + "$" + parameter.name + "; give one of them a value"});
   }
 
   void evaluate(Parameter& parameter, const std::string& path) {

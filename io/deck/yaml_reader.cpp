@@ -237,9 +237,8 @@ Node read_yaml(const std::string& text, const std::string& file) {
     return builder.take_root();
   } catch (const YAML::Exception& error) {
     const int line = std::max(error.mark.line, 0), column = std::max(error.mark.column, 0);
-    refuse({file, line + 1, column + 1},
-           "this is not YAML: " + meaning_of(error.msg) + unit_after_list_hint(text, line) +
-               keyword_hint(text));
+    refuse({file, line + 1, column + 1}, "this is not YAML: " + meaning_of(error.msg) +
+                                             unit_after_list_hint(text, line) + keyword_hint(text));
   }
 }
 
