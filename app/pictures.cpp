@@ -11,7 +11,21 @@
 namespace brunt {
 
 #ifdef BRUNT_VTK
+bool can_draw() { return true; }
+
+std::vector<std::filesystem::path> draw_run(const std::filesystem::path& folder,
+                                            const std::string& title) {
+  RenderOptions options;
+  options.title = title;
+  return render_folder(folder, folder, options);
+}
+
 int render_command(const PictureArguments& arguments) {
+  if (!std::filesystem::exists(std::filesystem::path(arguments.folder) / "frames.pvd")) {
+    throw DeckError({{{arguments.folder, 0, 0},
+                      "",
+                      "has no frames.pvd: name the folder that a run wrote, such as bars.out"}});
+  }
   RenderOptions options;
   options.field = arguments.field;
   options.frames = arguments.frames;
@@ -24,6 +38,12 @@ int render_command(const PictureArguments& arguments) {
   return kDone;
 }
 #else
+bool can_draw() { return false; }
+
+std::vector<std::filesystem::path> draw_run(const std::filesystem::path&, const std::string&) {
+  return {};
+}
+
 int render_command(const PictureArguments&) {
   throw MachineError("this brunt was built without VTK: configure with -DBRUNT_VTK=ON");
 }

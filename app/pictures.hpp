@@ -1,5 +1,7 @@
 #pragma once
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace brunt {
 
@@ -14,5 +16,11 @@ struct PictureArguments {
 
 /// `brunt render`: PNG pictures of the frames of an output folder, without a display.
 int render_command(const PictureArguments& arguments);
+
+/// True where brunt was built with what draws.
+bool can_draw();
+/// Pictures of all frames of an output folder, into it; their paths in order.
+std::vector<std::filesystem::path> draw_run(const std::filesystem::path& folder,
+                                            const std::string& title);
 
 }  // namespace brunt

@@ -1,11 +1,12 @@
-#include <omp.h>
-#include <sys/resource.h>
-
 #include <cmath>
 #include <cstdio>
 
 #include "app/build/materials.hpp"
 #include "app/build/scene_builder.hpp"
+#include "app/build/sound_part.hpp"
+#include "app/deck/findings.hpp"
+#include "app/history_columns.hpp"
+#include "app/memory.hpp"
 #include "app/run.hpp"
 
 namespace brunt {
@@ -23,8 +24,8 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
     if (view.corners > 0)
       elements = view.connectivity.size() / static_cast<std::size_t>(view.corners);
     if (body.rigid) {
-      std::printf("  %-16s rigid, %s: %zu facets; updates no elements\n",
-                  scene.body_names[b].c_str(), body.motion ? "moves as told" : "held", elements);
+      std::printf("  %-16s rigid, %s: %zu facet%s\n", scene.body_names[b].c_str(),
+                  body.motion ? "moves as told" : "held", elements, elements == 1 ? "" : "s");
     } else if (body.method == deck::Method::fe) {
       std::printf("  %-16s finite elements: %zu elements, %zu nodes, material %s\n",
                   scene.body_names[b].c_str(), elements, points, body.material.c_str());
@@ -47,64 +48,105 @@ void print_physics(const LoadedDeck& loaded) {
 }
 
 template <int Dim>
-void print_plan(const LoadedDeck& loaded) {
+void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
+  MemoryInputs inputs;
+  inputs.program = program;
+  for (const auto& [name, body] : deck.bodies) {
+    const bool full = body.element.integration != Integration::one_point;
+    if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = 1 << Dim;
+    inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
+  }
+  if (deck.output.history) inputs.rows = deck.time.end / *deck.output.history;
+  inputs.columns = HistoryColumns<Dim>(scene).names().size();
+  const MemoryEstimate memory = memory_of(scene, inputs);
+  std::printf("memory     about %.0f MB:", memory.total() / 1e6);
+  const std::pair<const char*, Real> parts[] = {
+      {"program", memory.program},     {"elements", memory.elements},
+      {"particles", memory.particles}, {"neighbours", memory.neighbours},
+      {"contact", memory.contact},     {"building", memory.building},
+      {"output", memory.output}};
+  const char* separator = " ";
+  for (const auto& [name, bytes] : parts) {
+    if (bytes < 0.5e6) continue;
+    std::printf("%s%s %.0f", separator, name, bytes / 1e6);
+    separator = ", ";
+  }
+  std::printf("\n");
+}
+
+/// Names of the columns of history.csv, for measures.
+template <int Dim>
+void print_columns(const Scene<Dim>& scene) {
+  constexpr std::size_t kWidth = 96;
+  std::string line = "history   ";
+  const HistoryColumns<Dim> columns(scene);
+  for (const auto& name : columns.names()) {
+    if (line.size() + 1 + name.size() > kWidth) {
+      std::printf("%s\n", line.c_str());
+      line = "          ";
+    }
+    line += " " + name;
+  }
+  std::printf("%s\n", line.c_str());
+}
+
+template <int Dim>
+void print_contact(const Scene<Dim>& scene) {
+  if (!scene.contact) {
+    std::printf("contact    none: nothing can touch\n");
+    return;
+  }
+  std::printf("contact    %zu facets; pairs:", scene.contact->n_facets());
+  for (const auto& pair : scene.contact->reports()) std::printf(" %s", pair.name.c_str());
+  std::printf("\n");
+}
+
+template <int Dim>
+void print_plan(const LoadedDeck& loaded, Real program) {
   auto scene = build_scene<Dim>(loaded);
   static constexpr const char* geometries[] = {"3d", "plane strain", "axisymmetric"};
-  std::printf("%s\n", loaded.deck.title.c_str());
+  if (!loaded.deck.title.empty()) std::printf("%s\n", loaded.deck.title.c_str());
   std::printf("geometry   %s\n", geometries[static_cast<int>(scene->geometry)]);
   print_bodies(loaded, *scene);
   print_physics(loaded);
-  if (scene->contact) {
-    std::printf("contact    %zu facets", scene->contact->n_facets());
-    for (const auto& pair : scene->contact->reports()) std::printf(", %s", pair.name.c_str());
-    std::printf("\n");
-  } else {
-    std::printf("contact    none: nothing can touch\n");
-  }
+  print_contact(*scene);
   scene->supports.start();
   scene->rearrange();
   const StepVote vote = scene->stable_step(0, 0);
-  const Real dt =
-      std::min(loaded.deck.time.safety * vote.step, loaded.deck.time.max_step.value_or(kInfinity));
+  const Deck& deck = loaded.deck;
+  const Real dt = std::min(deck.time.safety * vote.step, deck.time.max_step.value_or(kInfinity));
+  const Real steps = std::ceil(deck.time.end / dt);
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
               scene->n_elements(), scene->n_particles());
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  std::printf("memory     %.0f MB now, with all lists\n",
-              static_cast<double>(usage.ru_maxrss) / 1024);
-  std::printf("step       %.4g s, bound by %s of %s\n", dt, vote.reason,
+  print_memory(deck, *scene, program);
+  std::printf("step       %s, bound by %s of %s\n", deck::time_text(dt).c_str(), vote.reason,
               scene->body_names[vote.body].c_str());
-  std::printf("steps      about %.0f to %g s, more where elements flatten\n",
-              std::ceil(loaded.deck.time.end / dt), loaded.deck.time.end);
+  std::printf("steps      about %.0f to %s, more where elements flatten\n", steps,
+              deck::time_text(deck.time.end).c_str());
+  print_columns(*scene);
 }
 
-void print_warnings(const LoadedDeck& loaded) {
-  for (const auto& warning : loaded.warnings) {
-    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
-  }
-}
 }  // namespace
 
 int plan_command(const RunArguments& arguments) {
-  const LoadedDeck loaded = load_deck(arguments.deck, arguments.overrides);
-  print_warnings(loaded);
+  const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
+  const Real program = resident_memory();
   if (loaded.deck.geometry == Geometry::three_d) {
-    print_plan<3>(loaded);
+    print_plan<3>(loaded, program);
   } else {
-    print_plan<2>(loaded);
+    print_plan<2>(loaded, program);
   }
   return kDone;
 }
 
 int check_command(const RunArguments& arguments) {
-  const LoadedDeck loaded = load_deck(arguments.deck, arguments.overrides);
-  print_warnings(loaded);
+  const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
   if (loaded.deck.geometry == Geometry::three_d) {
     build_scene<3>(loaded);
   } else {
     build_scene<2>(loaded);
   }
-  std::printf("%s: right\n", arguments.deck.c_str());
+  std::printf("%s: nothing is wrong\n", arguments.deck.c_str());
   return kDone;
 }
 

@@ -11,20 +11,29 @@
 #include <optional>
 
 #include "app/build/scene_builder.hpp"
+#include "app/build/sound_part.hpp"
+#include "app/deck/findings.hpp"
 #include "app/distribute.hpp"
 #include "app/frames.hpp"
 #include "app/monitor.hpp"
 #include "app/output_folder.hpp"
+#include "app/pictures.hpp"
+#include "app/progress.hpp"
 #include "io/file.hpp"
 #include "io/summary.hpp"
 
 namespace brunt {
 
+namespace fs = std::filesystem;
+
 namespace {
-// A handler may only set a flag; the loop reads it between steps.
+// A handler may only set a flag; the loop reads it between steps. A second signal ends at once.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler has no other way.
 volatile std::sig_atomic_t signal_received = 0;
-void on_signal(int) { signal_received = 1; }
+void on_signal(int number) {
+  signal_received = 1;
+  std::signal(number, SIG_DFL);
+}
 
 void choose_threads(int asked) {
   if (asked > 0) omp_set_num_threads(asked);
@@ -33,8 +42,19 @@ void choose_threads(int asked) {
 /// A deck with the command line's --until in place.
 LoadedDeck load(const RunArguments& arguments) {
   auto overrides = arguments.overrides;
-  if (arguments.until) overrides.push_back("time.end=" + *arguments.until);
-  return load_deck(arguments.deck, overrides);
+  if (!arguments.until) return load_or_tell_all(arguments.deck, overrides);
+  overrides.push_back("time.end=" + *arguments.until);
+  try {
+    return load_or_tell_all(arguments.deck, overrides);
+  } catch (const DeckError& error) {
+    auto problems = error.problems();
+    for (auto& problem : problems) {
+      if (problem.place.file == "--set #" + std::to_string(overrides.size())) {
+        problem.place.file = "--until";
+      }
+    }
+    throw DeckError(problems);
+  }
 }
 
 double peak_memory() {
@@ -104,9 +124,66 @@ Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim
   }
 }
 
+/// Pictures of the run; one that cannot be drawn is a warning, for the results are there.
+std::vector<fs::path> draw_pictures(const fs::path& folder, const std::string& title,
+                                    RunSummary& summary) {
+  try {
+    return draw_run(folder, title);
+  } catch (const std::exception& error) {
+    summary.warnings.push_back({"output.pictures", error.what()});
+    std::fprintf(stderr, "warning: output.pictures: %s\n", error.what());
+    return {};
+  }
+}
+
+void print_summary(const RunSummary& summary, const fs::path& folder,
+                   const std::vector<fs::path>& pictures) {
+  for (const auto& measure : summary.measures) {
+    std::fprintf(stderr, "  %-20s %.6g %s", measure.name.c_str(), measure.value,
+                 measure.unit.c_str());
+    if (measure.error) {
+      std::fprintf(stderr, "   (%+.2f %% of %.6g)", 100 * *measure.error, *measure.reference);
+    }
+    std::fputc('\n', stderr);
+  }
+  std::fprintf(stderr, "%lld steps in %s, energy drift %.1e. Results are in %s:\n",
+               static_cast<long long>(summary.steps), duration_text(summary.wall_seconds).c_str(),
+               summary.drift, folder.c_str());
+  std::fprintf(stderr, "  frames.pvd opens in ParaView, history.csv holds curves\n");
+  if (pictures.empty()) {
+    std::fprintf(stderr, "  brunt render %s draws pictures\n", folder.c_str());
+  } else {
+    std::fprintf(stderr, "  %zu pictures: %s to %s\n", pictures.size(),
+                 pictures.front().filename().c_str(), pictures.back().filename().c_str());
+  }
+}
+
+/// Why a run ended before its time, also where it was asked to be quiet.
+void print_end(const Ended& ended, const Clock& clock, const fs::path& folder) {
+  if (ended.status == kPhysicsBroke) {
+    std::fprintf(stderr, "brunt: %s\n", ended.reason.c_str());
+  } else if (ended.status == kStopped) {
+    std::fprintf(
+        stderr,
+        "brunt: stopped by a signal at t = %s of %s, after step %lld; what stands in %s is "
+        "whole up to there, and --force runs the deck anew\n",
+        deck::time_text(clock.time()).c_str(), deck::time_text(clock.end()).c_str(),
+        static_cast<long long>(clock.step()), folder.c_str());
+  } else if (!ended.reason.empty()) {
+    std::fprintf(stderr, "brunt: ended at t = %s: %s\n", deck::time_text(clock.time()).c_str(),
+                 ended.reason.c_str());
+  }
+}
+
 template <int Dim>
 int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
   const auto wall_start = std::chrono::steady_clock::now();
+  if (loaded.deck.output.pictures && !can_draw()) {
+    throw DeckError({loaded.places.problem(
+        "output.pictures",
+        "this brunt was built without VTK and draws nothing: take the key out, "
+        "or configure with -DBRUNT_VTK=ON")});
+  }
   auto scene = build_scene<Dim>(loaded);
   distribute(*scene, ranks);
   const auto folder = output_path(arguments);
@@ -131,7 +208,6 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
             ranks.size(), omp_get_max_threads(), arguments.deck);
   for (const auto& warning : loaded.warnings) {
     log->warn("{}", warning.text());
-    if (root) std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
     summary.warnings.push_back({warning.path, warning.message});
   }
 
@@ -175,30 +251,17 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   summary.instruction_set = BRUNT_ISA;
   fill_traffic(ranks, clock.step(), summary);
   if (!root) return ended.status;
+  const auto pictures = deck.output.pictures && ended.status != kStopped
+                            ? draw_pictures(folder, deck.title, summary)
+                            : std::vector<fs::path>{};
   write_summary(folder, summary);
 
-  if (ended.status == kPhysicsBroke) {
-    log->error("{}", ended.reason);
-    std::fprintf(stderr, "brunt: %s\n", ended.reason.c_str());
-  }
   log->info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
+  if (!ended.reason.empty()) log->info("{}", ended.reason);
   log->flush();
   if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
-  if (!arguments.quiet) {
-    for (const auto& measure : summary.measures) {
-      std::fprintf(stderr, "  %-20s %.6g %s", measure.name.c_str(), measure.value,
-                   measure.unit.c_str());
-      if (measure.error)
-        std::fprintf(stderr, "   (%+.2f %% of %.6g)", 100 * *measure.error, *measure.reference);
-      std::fputc('\n', stderr);
-    }
-    std::fprintf(
-        stderr,
-        "%lld steps in %.1f s, energy drift %.1e. Pictures: open %s/frames.pvd in ParaView, "
-        "or type: brunt render %s\n",
-        static_cast<long long>(summary.steps), summary.wall_seconds, summary.drift, folder.c_str(),
-        folder.c_str());
-  }
+  if (!arguments.quiet) print_summary(summary, folder, pictures);
+  print_end(ended, clock, folder);
   return ended.status;
 }
 }  // namespace

@@ -1,12 +1,51 @@
 #include "app/build/bodies.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "app/deck/findings.hpp"
 #include "core/geometry/mesh.hpp"
 
 namespace brunt {
 
 namespace {
+/// Twice the area of a quad, or 64 times the Jacobian of a hex at its centre.
+template <int Dim>
+Real orientation(const std::array<Vec<Dim>, 1 << Dim>& x) {
+  if constexpr (Dim == 2) {
+    const Vec<2> a = x[2] - x[0], b = x[3] - x[1];
+    return a[0] * b[1] - a[1] * b[0];
+  } else {
+    const Vec3 xi = (x[1] + x[2] + x[5] + x[6]) - (x[0] + x[3] + x[4] + x[7]);
+    const Vec3 eta = (x[2] + x[3] + x[6] + x[7]) - (x[0] + x[1] + x[4] + x[5]);
+    const Vec3 zeta = (x[4] + x[5] + x[6] + x[7]) - (x[0] + x[1] + x[2] + x[3]);
+    return xi.dot(eta.cross(zeta));
+  }
+}
+
+/// Throws std::invalid_argument where an element folds over, or a body crosses the axis.
+template <int Dim>
+void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
+  for (const auto& element : body.elements) {
+    std::array<Vec<Dim>, 1 << Dim> x;
+    for (std::size_t c = 0; c < x.size(); ++c) {
+      x[c] = body.points[static_cast<std::size_t>(element[c])];
+    }
+    if (orientation<Dim>(x) > 0) continue;
+    throw std::invalid_argument(
+        "its mesh folds over near (" + deck::short_text(x[0][0]) + ", " +
+        deck::short_text(x[0][1]) +
+        ") m: put `corners` where the outline turns, or fill it with particles (method: sph)");
+  }
+  if (geometry != Geometry::axisymmetric) return;
+  Real low = 0, high = 0;
+  for (const auto& x : body.points) low = std::min(low, x[0]), high = std::max(high, x[0]);
+  constexpr Real kRoundOff = 1e-9;
+  if (low >= -kRoundOff * high) return;
+  throw std::invalid_argument("reaches across the axis to x = " + deck::length_text(low) +
+                              ": x is the radius and never negative; a full bar begins at x = 0");
+}
+
 template <int Dim>
 BodyGeometry<Dim> make_body(const Deck& deck, const deck::Body& body, Label& next_piece) {
   BodyGeometry<Dim> geometry;
@@ -35,6 +74,7 @@ BodyGeometry<Dim> make_body(const Deck& deck, const deck::Body& body, Label& nex
     geometry.spacing = *body.size;
     piece = std::move(filling.piece);
   }
+  require_sound_mesh(geometry, deck.geometry);
   for (const Label local : piece) geometry.piece.push_back(next_piece + local);
   next_piece += static_cast<Label>(geometry.piece_names.size());
   return geometry;

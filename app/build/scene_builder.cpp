@@ -7,6 +7,8 @@
 #include "app/build/boundaries.hpp"
 #include "app/build/groups.hpp"
 #include "app/build/materials.hpp"
+#include "app/build/scene_checks.hpp"
+#include "app/build/sound_part.hpp"
 
 namespace brunt {
 
@@ -92,7 +94,10 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   const Deck& deck = loaded.deck;
   std::vector<DeckProblem> problems;
   const auto bodies = make_bodies<Dim>(loaded, problems);
-  if (!problems.empty()) throw DeckError(problems);
+  if (!problems.empty()) {
+    add_build_problems(loaded, problems);
+    throw DeckError(problems);
+  }
 
   auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry));
   scene->geometry = deck.geometry;
@@ -112,14 +117,19 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     scene->solids.push_back(std::move(rigid));
   }
   add_boundaries(loaded, *scene, problems);
-  if (!problems.empty()) throw DeckError(problems);
-
+  check_constraints(loaded, *scene, problems);
+  check_overlaps(loaded, *scene, problems);
   const ContactOptions options = contact_options(deck);
   if (anything_can_touch(deck, options)) {
     std::vector<Surface<Dim>*> surfaces;
     for (auto& solid : scene->solids) surfaces.push_back(&solid->surface());
     scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
                                                            scene->body_names, deck.depth);
+  }
+  check_measures(loaded, *scene, problems);
+  if (!problems.empty()) {
+    sort_problems(problems);
+    throw DeckError(problems);
   }
   return scene;
 }

@@ -10,7 +10,7 @@ constexpr Quantity kPlace{"m", {}, between(-1e4, 1e4)};
 
 void describe_finite_elements(Schema& s, Body& body) {
   s.integers({"cells", "number of cells along each axis of the shape, instead of size"}, body.cells,
-             0, between(1, 1'000'000));
+             Schema::kVector, between(1, 1'000'000));
   s.section(!body.rigid, "only for bodies that deform", [&](Schema& deforming) {
     deforming.object({"element", "options of the elements"}, body.element);
   });
@@ -70,7 +70,9 @@ void describe(Schema& s, Body& body) {
             "a rigid body that moves freely is not in this version: without motion and material "
             "it is held, with motion it moves as told");
   s.require(body.rigid || is_sph || body.size.has_value() != body.cells.has_value(),
-            body.cells ? "cells" : "", "needs size or cells, and not both");
+            body.cells ? "cells" : "",
+            body.cells ? "stands beside size: keep one of them"
+                       : "needs size, the length of an element, or cells, their numbers");
   s.require(body.rigid || !std::holds_alternative<Plane>(body.shape.kind), "shape",
             "a plane is rigid: true");
   s.require(!is_sph || !body.size ||

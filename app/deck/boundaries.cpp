@@ -24,6 +24,11 @@ void describe(Schema& s, WherePlane& where) {
 void describe(Schema& s, WhereBox& where) {
   s.list({"min", "lowest corner", Need::required}, where.min, {"m"}, Schema::kVector);
   s.list({"max", "highest corner", Need::required}, where.max, {"m"}, Schema::kVector);
+  bool ordered = true;  // a box without thickness may hold a plane of points
+  for (std::size_t c = 0; c < where.min.size() && c < where.max.size(); ++c) {
+    ordered = ordered && where.min[c] <= where.max[c];
+  }
+  s.require(ordered, "max", "must not be below min along any axis");
 }
 
 void describe(Schema& s, WhereSide& where) {

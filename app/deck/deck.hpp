@@ -102,6 +102,7 @@ class DeckPlaces {
   /// Place of the key, or of its nearest ancestor that stands in the deck.
   SourcePlace place(const std::string& path) const;
   DeckProblem problem(const std::string& path, const std::string& message) const;
+  bool has(const std::string& path) const { return places_.count(path) > 0; }
 
  private:
   std::map<std::string, SourcePlace> places_;
@@ -118,18 +119,25 @@ struct LoadedDeck {
   Deck deck;
   DeckPlaces places;
   std::vector<DeckProblem> warnings;
-  std::string hash;      ///< 16 hex digits of the resolved deck
-  std::string resolved;  ///< the resolved deck as YAML, SI; reads back to the same Deck
+  std::vector<std::string> wrong;  ///< keys that are wrong; none in a deck that can run
+  std::string hash;                ///< 16 hex digits of the resolved deck
+  std::string resolved;            ///< the resolved deck as YAML, SI; reads back to the same Deck
   std::vector<DeckParameter> parameters;
   std::vector<std::string> overrides;
 };
 
 /// Reads a deck, its includes and the library, then overrides "KEY=VALUE" in order.
-/// Throws DeckError with all that is wrong.
+/// problems (appended)  all that is wrong; the deck then holds what could be read.
+/// Throws DeckError where nothing can be read: a file, YAML, the geometry.
+LoadedDeck read_deck(const std::string& path, const std::vector<std::string>& overrides,
+                     std::vector<DeckProblem>& problems);
+/// The same; throws DeckError with all that is wrong.
 LoadedDeck load_deck(const std::string& path, const std::vector<std::string>& overrides = {});
 /// The same from text; `name` stands for the file in messages, includes are relative to it.
 LoadedDeck load_deck_text(const std::string& text, const std::string& name,
                           const std::vector<std::string>& overrides = {});
+/// Puts problems in the order of the files, each place and path once.
+void sort_problems(std::vector<DeckProblem>& problems);
 /// The resolved deck as YAML.
 std::string echo(const Deck& deck);
 

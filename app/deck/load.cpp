@@ -39,12 +39,19 @@ bool sets_library(const Override& change) {
   return change.path.size() == 3 && change.path[0] == "materials" && change.path[2] == "library";
 }
 
-/// The geometry decides on numbers of components, so it is read before all else.
+/// The geometry decides on numbers of components, so it is read before all else; without it
+/// nothing can be said of the rest.
 Geometry geometry_of(const Node& root) {
+  static const std::vector<std::string> kWords{"3d", "plane-strain", "axisymmetric"};
   const Node* node = root.find("geometry");
-  if (node && node->text == "plane-strain") return Geometry::plane_strain;
-  if (node && node->text == "axisymmetric") return Geometry::axisymmetric;
-  return Geometry::three_d;
+  if (!node) return Geometry::three_d;
+  const auto found = std::find(kWords.begin(), kWords.end(), node->text);
+  if (found == kWords.end()) {
+    refuse_deck(node->place, "geometry",
+                "expects 3d, plane-strain or axisymmetric, got " + what_stands(*node) +
+                    "; the rest of the deck is looked at once this is known");
+  }
+  return static_cast<Geometry>(found - kWords.begin());
 }
 
 /// Puts library values under the materials that name one; says which are of low confidence.
@@ -63,17 +70,16 @@ void use_library(Node& root, const Node& library, std::vector<DeckProblem>& prob
   expand_library(*materials, "materials", library, {"elastic", "strength", "eos"}, problems);
 }
 
-/// In the order of the files, each place and path once.
-void sort_problems(std::vector<DeckProblem>& problems) {
-  std::set<std::tuple<std::string, std::string>> seen;
-  std::erase_if(problems, [&](const DeckProblem& problem) {
-    return !seen.emplace(problem.place.text(), problem.path).second;
-  });
-  std::stable_sort(problems.begin(), problems.end(),
-                   [](const DeckProblem& a, const DeckProblem& b) {
-                     return std::tie(a.place.file, a.place.line, a.place.column) <
-                            std::tie(b.place.file, b.place.line, b.place.column);
-                   });
+/// What is told of a parameter is not told again where it is used.
+void drop_consequences(const std::vector<Parameter>& parameters,
+                       std::vector<DeckProblem>& problems) {
+  std::set<std::string> places;
+  for (const Parameter& parameter : parameters) {
+    if (!parameter.failed) continue;
+    for (const SourcePlace& place : parameter.used_at) places.insert(place.text());
+  }
+  std::erase_if(problems,
+                [&](const DeckProblem& problem) { return places.contains(problem.place.text()); });
 }
 
 }  // namespace
@@ -82,9 +88,9 @@ namespace deck {
 
 DeckLoader::DeckLoader() : library_(library()) {}
 
-LoadedDeck DeckLoader::load(Node root, const std::vector<std::string>& override_texts) const {
+LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_texts,
+                            std::vector<DeckProblem>& problems) const {
   LoadedDeck loaded;
-  std::vector<DeckProblem> problems;
   const std::vector<Override> overrides = read_overrides(override_texts, problems);
   for (const Override& change : overrides) {
     if (sets_library(change)) apply_override(root, change, problems);
@@ -103,12 +109,12 @@ LoadedDeck DeckLoader::load(Node root, const std::vector<std::string>& override_
   for (const auto& [path, place] : report.places) loaded.places.set(path, place);
   problems.insert(problems.end(), report.problems.begin(), report.problems.end());
   loaded.warnings.insert(loaded.warnings.end(), report.warnings.begin(), report.warnings.end());
-  if (problems.empty()) {
-    deck::check_references(loaded.deck, loaded.places, problems, loaded.warnings);
-  }
+  Findings findings(loaded.places, problems, loaded.warnings);
+  check_deck(loaded.deck, findings);
+  for (const DeckProblem& problem : problems) loaded.wrong.push_back(problem.path);
+  drop_consequences(parameters, problems);
   sort_problems(problems);
   sort_problems(loaded.warnings);
-  if (!problems.empty()) throw DeckError(problems);
   for (const Parameter& parameter : parameters) {
     DeckParameter shown{parameter.name, parameter.text, 0, ""};
     if (parameter.value) {
@@ -118,8 +124,16 @@ LoadedDeck DeckLoader::load(Node root, const std::vector<std::string>& override_
     loaded.parameters.push_back(shown);
   }
   loaded.overrides = override_texts;
+  if (!problems.empty()) return loaded;  // half a deck has no echo
   loaded.resolved = echo(loaded.deck);
   loaded.hash = hash_of(loaded.resolved);
+  return loaded;
+}
+
+LoadedDeck DeckLoader::load(Node root, const std::vector<std::string>& overrides) const {
+  std::vector<DeckProblem> problems;
+  LoadedDeck loaded = read(std::move(root), overrides, problems);
+  if (!problems.empty()) throw DeckError(problems);
   return loaded;
 }
 
@@ -129,6 +143,23 @@ LoadedDeck DeckLoader::load_text(const std::string& text, const std::string& nam
 }
 
 }  // namespace deck
+
+void sort_problems(std::vector<DeckProblem>& problems) {
+  std::set<std::tuple<std::string, std::string>> seen;
+  std::erase_if(problems, [&](const DeckProblem& problem) {
+    return !seen.emplace(problem.place.text(), problem.path).second;
+  });
+  std::stable_sort(problems.begin(), problems.end(),
+                   [](const DeckProblem& a, const DeckProblem& b) {
+                     return std::tie(a.place.file, a.place.line, a.place.column) <
+                            std::tie(b.place.file, b.place.line, b.place.column);
+                   });
+}
+
+LoadedDeck read_deck(const std::string& path, const std::vector<std::string>& overrides,
+                     std::vector<DeckProblem>& problems) {
+  return deck::DeckLoader().read(read_deck_file(path), overrides, problems);
+}
 
 LoadedDeck load_deck(const std::string& path, const std::vector<std::string>& overrides) {
   return deck::DeckLoader().load(read_deck_file(path), overrides);

@@ -12,7 +12,10 @@ namespace brunt::deck {
 class DeckLoader {
  public:
   DeckLoader();
-  /// A tree of all sources to a checked deck. Throws DeckError with all that is wrong.
+  /// A tree of all sources to a checked deck; problems (appended): all that is wrong.
+  LoadedDeck read(Node root, const std::vector<std::string>& overrides,
+                  std::vector<DeckProblem>& problems) const;
+  /// The same; throws DeckError with all that is wrong.
   LoadedDeck load(Node root, const std::vector<std::string>& overrides) const;
   LoadedDeck load_text(const std::string& text, const std::string& name,
                        const std::vector<std::string>& overrides = {}) const;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/geometry/brick_wall.hpp"
@@ -102,7 +103,7 @@ Region<2> disc_region(const std::vector<Real>& center, Real inner, Real outer,
   return region;
 }
 
-Region<2> polygon_region(const Polygon& polygon) {
+Region<2> polygon_region(const PolygonShape& polygon) {
   Region<2> region;
   region.low = Vec<2>::Constant(kInfinity), region.high = Vec<2>::Constant(-kInfinity);
   std::vector<Vec<2>> points;
@@ -146,7 +147,7 @@ struct Filler3 {
     region.volume = 4.0 / 3 * kPi * radius * radius * radius;
     return region;
   }
-  Region<3> operator()(const Polygon& p) const {
+  Region<3> operator()(const PolygonShape& p) const {
     if (!(p.thickness > 0)) throw std::invalid_argument("a polygon needs `thickness` in 3D");
     const Region<2> flat = polygon_region(p);
     Region<3> region;
@@ -176,7 +177,7 @@ struct Filler2 {
   Region<2> operator()(const Sphere& s) const {
     return disc_region(s.center, 0, s.radius, spacing);
   }
-  Region<2> operator()(const Polygon& p) const { return polygon_region(p); }
+  Region<2> operator()(const PolygonShape& p) const { return polygon_region(p); }
   Region<2> operator()(const Ogive& o) const {
     const Profile profile = ogive_profile(o);
     Vec<2> along = to_vector<2>(o.axis);
@@ -197,10 +198,25 @@ struct Filler2 {
   Region<2> operator()(const BrickWall&) const { throw std::logic_error("walls fill by brick"); }
 };
 
+/// A lattice is squeezed to fit a shape; less than half a spacing is no room for a particle.
+template <int Dim>
+void require_room_for_particles(const Vec<Dim>& edges, const std::vector<Real>& spacing) {
+  for (int c = 0; c < Dim; ++c) {
+    const Real h = spacing[std::min<std::size_t>(static_cast<std::size_t>(c), spacing.size() - 1)];
+    if (edges[c] >= 0.5 * h) continue;
+    std::ostringstream message;
+    message << "the shape is " << edges[c] << " m thick along its axis "
+            << "xyz"[c] << ", less than half a particle: `size` is " << h
+            << " m; give a smaller one";
+    throw std::invalid_argument(message.str());
+  }
+}
+
 template <int Dim>
 void fill_region(const Region<Dim>& region, const std::vector<Real>& spacing, LatticeKind lattice,
                  Filling<Dim>& filling) {
   const auto piece = static_cast<Label>(filling.piece_names.size());
+  require_room_for_particles<Dim>(region.high - region.low, spacing);
   for (const auto& x : lattice_points<Dim>(region.low, region.high, spacing, lattice)) {
     if (!region.inside(x)) continue;
     filling.points.push_back(region.place(x));
@@ -225,7 +241,8 @@ Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing
     filling.piece_names.emplace_back();
   }
   if (filling.points.empty()) {
-    throw std::invalid_argument("the shape is smaller than one particle: give a smaller `size`");
+    throw std::invalid_argument(
+        "no particle fits in: the shape is smaller than one; give a smaller `size`");
   }
   place_all<Dim>(shape, filling.points);
   return filling;

@@ -8,6 +8,7 @@
 #include "core/geometry/brick_wall.hpp"
 #include "core/geometry/grid.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/geometry/profile.hpp"
 
 namespace brunt {
 
@@ -36,13 +37,16 @@ constexpr auto faces() {
 }
 
 /// Four sides of a polygon between its corners, each a polyline.
-std::array<std::vector<Vec<2>>, 4> sides_of(const Polygon& polygon) {
+std::array<std::vector<Vec<2>>, 4> sides_of(const PolygonShape& polygon) {
   if (!polygon.corners) {
     throw std::invalid_argument(
         "a polygon of a deforming FE body needs `corners: [i, j, k, l]`, four of its points; fill "
         "other polygons with particles (method: sph)");
   }
   const int n = static_cast<int>(polygon.points.size());
+  std::vector<Vec<2>> outline;
+  for (const auto& point : polygon.points) outline.push_back(to_vector<2>(point));
+  require_simple(outline);
   std::array<std::vector<Vec<2>>, 4> sides;
   Real area = 0;
   for (int i = 0; i < n; ++i) {
@@ -79,7 +83,7 @@ Real length_of(const std::vector<Vec<2>>& line) {
 }
 
 /// Plane meshes and meshes of revolution in local coordinates.
-Mesh<2> polygon_grid(const Polygon& polygon, const Sizing& sizing) {
+Mesh<2> polygon_grid(const PolygonShape& polygon, const Sizing& sizing) {
   const auto sides = sides_of(polygon);
   const Real along = std::max(length_of(sides[0]), length_of(sides[2]));
   const Real across = std::max(length_of(sides[1]), length_of(sides[3]));
@@ -127,7 +131,7 @@ struct Mesher3 {
     for (auto& x : mesh.nodes) x += to_vector<3>(s.center);
     return mesh;
   }
-  Mesh<3> operator()(const Polygon& p) const {
+  Mesh<3> operator()(const PolygonShape& p) const {
     if (!(p.thickness > 0)) throw std::invalid_argument("a polygon needs `thickness` in 3D");
     return extrude(polygon_grid(p, sizing), p.thickness, sizing.count(2, p.thickness));
   }
@@ -201,7 +205,7 @@ struct Mesher2 {
     }
     return shifted(disc, s.center);
   }
-  Mesh<2> operator()(const Polygon& p) const { return polygon_grid(p, sizing); }
+  Mesh<2> operator()(const PolygonShape& p) const { return polygon_grid(p, sizing); }
   Mesh<2> operator()(const BrickWall& wall) const { return wall_mesh<2>(wall, sizing); }
   Mesh<2> operator()(const Plane&) const {
     throw std::invalid_argument("a plane has no volume: it needs `rigid: true`");

@@ -75,10 +75,22 @@ void require_simple(const std::vector<Vec<2>>& points) {
       if (i == 0 && j + 1 == n) continue;  // these two share a point
       const auto &a = points[i], &b = points[i + 1], &c = points[j], &d = points[(j + 1) % n];
       if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) {
-        throw std::invalid_argument("the polygon crosses itself: sides " + std::to_string(i) +
-                                    " and " + std::to_string(j));
+        throw std::invalid_argument(
+            "the polygon crosses itself: the side from point " + std::to_string(i) +
+            " cuts that from point " + std::to_string(j) +
+            " (counted from 0); list the points in order along its outline");
       }
     }
+  }
+  Real area = 0, longest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto &a = points[i], &b = points[(i + 1) % n];
+    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    longest = std::max(longest, (b - a).norm());
+  }
+  constexpr Real kFlat = 1e-12;  // of the square of its longest side
+  if (!(std::fabs(area) > kFlat * longest * longest)) {
+    throw std::invalid_argument("the polygon has no area: its points lie on a line");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "core/geometry/shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace brunt {
@@ -54,7 +55,7 @@ void describe(Schema& s, Sphere& shape) {
   s.list({"center", "centre; default: the origin"}, shape.center, kPlace, Schema::kVector);
 }
 
-void describe(Schema& s, Polygon& shape) {
+void describe(Schema& s, PolygonShape& shape) {
   s.points({"points", "corners in x and y, in order; not closed", Need::required}, shape.points,
            kPlace);
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {
@@ -88,6 +89,13 @@ void describe(Schema& s, BrickWall& shape) {
   s.direction({"course", "direction of the courses"}, shape.course);
   s.choice({"bond", "running: every second course is shifted by half a brick"}, shape.bond, kBonds);
   s.real({"gap", "between neighbouring bricks"}, shape.gap, {"m", at_least(0), between(0, 1)});
+  const auto last = s.geometry() == Geometry::three_d ? 2u : 1u;
+  s.require(shape.course.size() <= last || std::fabs(shape.course[last]) < 0.5, "course",
+            last == 2 ? "courses are stacked along z: they run along x or y"
+                      : "courses are stacked along y: they run along x");
+  s.require(std::all_of(shape.brick.begin(), shape.brick.end(),
+                        [&](Real edge) { return edge > shape.gap; }),
+            "gap", "must be smaller than each edge of a brick");
 }
 
 void describe(Schema& s, Ogive& shape) {

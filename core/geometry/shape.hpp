@@ -41,7 +41,7 @@ struct Sphere {
   std::vector<Real> center;  ///< [m]
 };
 
-struct Polygon {
+struct PolygonShape {
   static constexpr const char* deck_name = "polygon";
   static constexpr const char* deck_help = "a simple polygon in x and y, with a thickness in 3D";
   std::vector<std::vector<Real>> points;    ///< [m] n x 2
@@ -89,7 +89,7 @@ struct BodyRotation {
   std::vector<Real> about;          ///< [m] a point that stays where it is
 };
 
-using ShapeKind = std::variant<Box, Cylinder, Tube, Sphere, Polygon, Plane, BrickWall, Ogive>;
+using ShapeKind = std::variant<Box, Cylinder, Tube, Sphere, PolygonShape, Plane, BrickWall, Ogive>;
 
 /// A shape, then turned, then moved.
 struct BodyShape {
@@ -102,7 +102,7 @@ void describe(Schema& s, Box& shape);
 void describe(Schema& s, Cylinder& shape);
 void describe(Schema& s, Tube& shape);
 void describe(Schema& s, Sphere& shape);
-void describe(Schema& s, Polygon& shape);
+void describe(Schema& s, PolygonShape& shape);
 void describe(Schema& s, Plane& shape);
 void describe(Schema& s, BrickWall& shape);
 void describe(Schema& s, Ogive& shape);

@@ -57,7 +57,7 @@ FacetMesh<Dim> flat(const Plane& plane, const Sizing& sizing) {
   return surface;
 }
 
-std::vector<Vec<2>> counter_clockwise(const Polygon& polygon) {
+std::vector<Vec<2>> counter_clockwise(const PolygonShape& polygon) {
   std::vector<Vec<2>> points;
   Real area = 0;
   for (const auto& point : polygon.points) points.push_back(to_vector<2>(point));
@@ -102,7 +102,7 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec<2>>& points) {
   return triangles;
 }
 
-FacetMesh<2> polygon_surface2(const Polygon& polygon) {
+FacetMesh<2> polygon_surface2(const PolygonShape& polygon) {
   FacetMesh<2> surface;
   surface.nodes = counter_clockwise(polygon);
   const int n = static_cast<int>(surface.nodes.size());
@@ -110,7 +110,7 @@ FacetMesh<2> polygon_surface2(const Polygon& polygon) {
   return surface;
 }
 
-FacetMesh<3> polygon_surface3(const Polygon& polygon) {
+FacetMesh<3> polygon_surface3(const PolygonShape& polygon) {
   if (!(polygon.thickness > 0)) throw std::invalid_argument("a polygon needs `thickness` in 3D");
   const auto flat = counter_clockwise(polygon);
   const int n = static_cast<int>(flat.size());
@@ -207,7 +207,7 @@ FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Ge
   FacetMesh<Dim> surface;
   if (const auto* plane = std::get_if<Plane>(&shape.kind)) {
     surface = flat<Dim>(*plane, sizing);
-  } else if (const auto* polygon = std::get_if<Polygon>(&shape.kind)) {
+  } else if (const auto* polygon = std::get_if<PolygonShape>(&shape.kind)) {
     if constexpr (Dim == 2) surface = polygon_surface2(*polygon);
     if constexpr (Dim == 3) surface = polygon_surface3(*polygon);
   } else if (const auto* ogive = std::get_if<Ogive>(&shape.kind)) {

@@ -38,10 +38,16 @@ class Resolver {
         problems_.push_back({entry.place, path, "has no value"});
       } else {
         const std::string text = entry.value.is_scalar() ? entry.value.text : to_yaml(entry.value);
-        declared_.push_back({{entry.key, text, entry.place, entry.value, {}}, State::waiting});
+        Parameter parameter;
+        parameter.name = entry.key;
+        parameter.text = text;
+        parameter.place = entry.place;
+        parameter.node = entry.value;
+        declared_.push_back({std::move(parameter), State::waiting});
       }
     }
     for (std::size_t i = 0; i < declared_.size(); ++i) resolve(i);
+    all_resolved_ = true;
   }
 
   void substitute(Node& node, const std::string& path) {
@@ -94,11 +100,12 @@ class Resolver {
       for (const Declared& other : declared_) known.push_back(other.parameter.name);
       problems_.push_back(
           {place, path,
-           name.empty() ? "'$' is followed by a name, as in $speed; '$$' is a dollar"
+           name.empty() ? "'$' is followed by a name without braces, as in $speed; '$$' is a dollar"
                         : "the parameter $" + name + " is not declared" + suggestion(name, known)});
       return nullptr;
     }
     used_.insert(name);
+    if (all_resolved_) declared->parameter.used_at.push_back(place);
     return declared;
   }
 
@@ -106,22 +113,45 @@ class Resolver {
   void resolve(std::size_t i) {
     if (declared_[i].state != State::waiting) return;
     declared_[i].state = State::busy;
+    open_.push_back(i);
     Parameter& parameter = declared_[i].parameter;
     const std::string path = "parameters." + parameter.name;
     if (parameter.node.is_scalar()) {
       for (const std::string& name : names_in(parameter.node.text)) {
         Declared* other = find(name);
-        if (other && other->state == State::busy) {
-          problems_.push_back({parameter.node.place, path, "depends on itself"});
-          declared_[i].state = State::done;
-          return;
+        if (!other) continue;
+        used_.insert(name);
+        if (other->state == State::busy) {
+          refuse_circle(static_cast<std::size_t>(other - declared_.data()));
+        } else {
+          resolve(static_cast<std::size_t>(other - declared_.data()));
         }
-        if (other) resolve(static_cast<std::size_t>(other - declared_.data()));
+        // What is wrong with the other one is told there.
+        if (other->parameter.failed) parameter.failed = true;
       }
     }
-    substitute(parameter.node, path);
-    if (parameter.node.is_scalar()) evaluate(parameter, path);
+    if (!parameter.failed) {
+      const std::size_t before = problems_.size();
+      substitute(parameter.node, path);
+      if (parameter.node.is_scalar()) evaluate(parameter, path);
+      parameter.failed = problems_.size() > before;
+    }
+    open_.pop_back();
     declared_[i].state = State::done;
+  }
+
+  /// The parameters that are open from `first` on are made of each other.
+  void refuse_circle(std::size_t first) {
+    const auto from = std::find(open_.begin(), open_.end(), first);
+    std::string circle;
+    for (auto i = from; i != open_.end(); ++i) {
+      declared_[*i].parameter.failed = true;
+      circle += "$" + declared_[*i].parameter.name + " needs ";
+    }
+    const Parameter& parameter = declared_[first].parameter;
+    problems_.push_back(
+        {parameter.node.place, "parameters." + parameter.name,
+         "depends on itself: " + circle + "$" + parameter.name + "; give one of them a value"});
   }
 
   void evaluate(Parameter& parameter, const std::string& path) {
@@ -234,6 +264,8 @@ class Resolver {
   std::vector<DeckProblem>& problems_;
   std::vector<Declared> declared_;
   std::set<std::string> used_;
+  std::vector<std::size_t> open_;  ///< that are being resolved, outermost first
+  bool all_resolved_ = false;
   static constexpr std::size_t kMaxNodes = 1'000'000, kLongestText = 10'000;
   std::size_t n_nodes_ = 0;  ///< that parameters have put in
 };

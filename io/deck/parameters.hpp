@@ -17,6 +17,8 @@ struct Parameter {
   SourcePlace place;
   Node node;                            ///< what `$name` stands for
   std::optional<ParameterValue> value;  ///< of numbers and quantities
+  bool failed = false;                  ///< it is wrong, and so is what is made of it
+  std::vector<SourcePlace> used_at;     ///< outside of other parameters
 };
 
 /// Takes the key `parameters` out of the deck, and puts values in wherever a `$name` stands but in

@@ -238,6 +238,7 @@ void Reader::components(const Key& key, std::optional<std::vector<std::optional<
   std::vector<std::optional<Varying>> components;
   const Node* bare = nullptr;
   const Node* with_unit = nullptr;
+  bool all_read = true;
   for (std::size_t i = 0; i < node->items.size(); ++i) {
     const Node& item = node->items[i];
     if (item.is_scalar() && item.text == "free") {
@@ -245,12 +246,16 @@ void Reader::components(const Key& key, std::optional<std::vector<std::optional<
       continue;
     }
     auto read = varying_value(item, path + "." + std::to_string(i), quantity, over);
-    if (!read) return;
+    if (!read) {
+      all_read = false;
+      continue;
+    }
     if (item.is_scalar() && !is_expression(item.text) && read->constant != 0) {
       (units_.read(item.text).has_unit ? with_unit : bare) = &item;
     }
     components.push_back(std::move(read));
   }
+  if (!all_read) return;
   if (bare && with_unit) {
     problem(*bare, path,
             what_stands(*bare) + " has no unit and " + what_stands(*with_unit) +

@@ -170,6 +170,10 @@ std::optional<Varying> Reader::table_value(const Node& node, const std::string& 
     varying.abscissa.push_back(*s);
     varying.ordinate.push_back(*v);
   }
+  if (varying.abscissa.size() < 2) {
+    problem(*rows, path, "a table has at least two rows; a constant is written as it is");
+    return {};
+  }
   return varying;
 }
 

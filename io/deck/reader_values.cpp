@@ -40,7 +40,11 @@ std::vector<std::string> spellings(const char* words) {
 }
 
 std::string expects(const std::string& unit, const Node& node) {
-  return "expects " + describe_unit(unit) + ", got " + what_stands(node);
+  // C is the coulomb, and a degree an angle.
+  const bool degrees =
+      unit == "K" && node.is_scalar() && (node.text.ends_with("C") || node.text.ends_with("deg"));
+  return "expects " + describe_unit(unit) + ", got " + what_stands(node) +
+         (degrees ? "; degrees Celsius are written degC" : "");
 }
 
 }  // namespace

@@ -19,8 +19,11 @@ std::string read_text(const std::string& path, const SourcePlace& asked_at) {
   const std::string where = asked_at.file.empty() ? "" : "include";
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
-    refuse_deck(asked_at.file.empty() ? SourcePlace{path, 0, 0} : asked_at, where,
-                "there is no file '" + path + "'");
+    const bool folder = fs::is_directory(path, error);
+    const std::string problem =
+        folder ? "is a folder, not a deck; name the .yaml file in it" : "there is no such file";
+    if (asked_at.file.empty()) refuse_deck({path, 0, 0}, where, problem);
+    refuse_deck(asked_at, where, "'" + path + "': " + problem);
   }
   if (fs::file_size(path, error) > kMaxDeckBytes) {
     refuse_deck({path, 0, 0}, "", "the deck is larger than 16 MiB");

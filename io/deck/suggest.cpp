@@ -26,6 +26,10 @@ int edit_distance(std::string_view a, std::string_view b) {
 std::string nearest_word(std::string_view word, std::span<const std::string> known) {
   constexpr std::size_t kLongest = 64;
   if (word.size() > kLongest) return "";
+  // One of many: "body" for "bodies" is further away than a typing error.
+  const std::string plural =
+      word.ends_with('y') ? std::string(word.substr(0, word.size() - 1)) + "ies" : "";
+  if (std::find(known.begin(), known.end(), plural) != known.end()) return plural;
   std::string nearest;
   int least = std::max(1, static_cast<int>(word.size()) / 3) + 1;
   for (const std::string& candidate : known) {

@@ -199,6 +199,10 @@ QuantityValue Units::read(std::string_view given) const {
   const std::string unit_text = trimmed(std::string_view(text).substr(number.length));
   if (unit_text.empty()) return quantity;
   quantity.has_unit = true;
+  if (unit_text.size() > 1 && unit_text[0] == ',' && unit_text[1] >= '0' && unit_text[1] <= '9') {
+    quantity.problem = "decimals stand behind a point: 1.5";
+    return quantity;
+  }
   quantity.problem = form_problem(unit_text);
   if (!quantity.problem.empty()) return quantity;
   const Unit unit = implementation_->parse(unit_text);

@@ -174,6 +174,37 @@ class NothingMore final : public YAML::EventHandler {
   const std::string& text_;
 };
 
+/// What a user can do about the words of yaml-cpp.
+std::string meaning_of(const std::string& message) {
+  struct Meaning {
+    const char* words;
+    const char* remedy;
+  };
+  static constexpr Meaning kMeanings[] = {
+      {"end of map flow", "a '{' before this is not closed, or a comma is missing"},
+      {"end of sequence flow", "a '[' before this is not closed, or a comma is missing"},
+      {"end of map not found", "keys of one map begin in the same column"},
+      {"end of sequence not found", "entries of one list begin in the same column"},
+      {"illegal map value", "a text that holds ': ' stands in quotes, and a key on its own line"},
+      {"illegal EOF in scalar", "a quote is not closed"},
+      {"anchor is not defined", "'*' begins an alias; a text with a star stands in quotes"},
+      {"illegal flow end", "a '}' or ']' closes nothing"},
+      {"unknown token", "a text that begins with one of % @ ` stands in quotes"}};
+  for (const Meaning& meaning : kMeanings) {
+    if (message.find(meaning.words) != std::string::npos) {
+      return std::string(meaning.remedy) + " (" + message + ")";
+    }
+  }
+  return message;
+}
+
+/// Decks of other programs are told by their first line.
+std::string keyword_hint(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \r\n");
+  const bool keyword = first != std::string::npos && text[first] == '*';
+  return keyword ? "; this looks like a keyword deck: decks of brunt are YAML, as in decks/" : "";
+}
+
 void refuse_bad_characters(const std::string& text, const std::string& file) {
   if (text.size() > kMaxDeckBytes) refuse({file, 1, 1}, "the deck is larger than 16 MiB");
   int line = 1, column = 1;
@@ -206,8 +237,8 @@ Node read_yaml(const std::string& text, const std::string& file) {
     return builder.take_root();
   } catch (const YAML::Exception& error) {
     const int line = std::max(error.mark.line, 0), column = std::max(error.mark.column, 0);
-    refuse({file, line + 1, column + 1},
-           "this is not YAML: " + error.msg + unit_after_list_hint(text, line));
+    refuse({file, line + 1, column + 1}, "this is not YAML: " + meaning_of(error.msg) +
+                                             unit_after_list_hint(text, line) + keyword_hint(text));
   }
 }
 

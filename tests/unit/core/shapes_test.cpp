@@ -75,7 +75,7 @@ std::vector<Solid3> solids() {
   tube.inner = 0.3, tube.outer = 0.5, tube.length = 1;
   Sphere sphere;
   sphere.radius = 0.7, sphere.center = {1, 0, 0};
-  Polygon polygon;
+  PolygonShape polygon;
   polygon.points = {{0, 0}, {2, 0}, {2, 1}, {1, 1.5}, {0, 1}};
   polygon.thickness = 0.5;
   polygon.corners = std::vector<int>{0, 1, 2, 4};
@@ -119,7 +119,7 @@ TEST(Shapes, CylinderConvergesAtSecondOrder) {
 TEST(Shapes, RigidSurfacesAreClosedAndFaceOutward) {
   Ogive ogive;
   ogive.radius = 0.1, ogive.length = 0.6, ogive.nose = 0.3;
-  Polygon wedge;  // not convex, clockwise
+  PolygonShape wedge;  // not convex, clockwise
   wedge.points = {{0, 0}, {0, 1}, {0.4, 0.4}, {1, 0}};
   wedge.thickness = 0.3;
   for (const auto& [name, shape, h, expected, tolerance] : solids()) {
@@ -213,7 +213,7 @@ TEST(Shapes, FillingsAreCentredAndInside) {
 }
 
 TEST(Shapes, BadShapesSayWhatWouldDo) {
-  Polygon bow;
+  PolygonShape bow;
   bow.points = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
   EXPECT_THROW(surface_of_shape<2>({bow, {}, {}}, {}, Geometry::plane_strain),
                std::invalid_argument);

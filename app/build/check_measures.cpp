@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <map>
+
+#include "app/build/scene_checks.hpp"
+#include "app/history_columns.hpp"
+#include "io/deck/suggest.hpp"
+
+namespace brunt {
+
+namespace {
+using Names = std::vector<std::string>;
+
+bool contains(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The columns that begin like the one that is not there.
+std::string columns_like(const std::string& column, const Names& columns) {
+  const std::string near = nearest_word(column, columns);
+  if (!near.empty()) return "; did you mean '" + near + "'?";
+  const auto dot = column.find('.');
+  const std::string head = column.substr(0, dot) + ".";
+  std::string list;
+  for (const auto& name : columns) {
+    if (dot == std::string::npos ? name.find('.') == std::string::npos : name.starts_with(head)) {
+      list += (list.empty() ? "" : ", ") + name;
+    }
+  }
+  return list.empty() ? "; brunt plan lists the columns" : "; there are " + list;
+}
+
+template <int Dim>
+Names fields_of(const Scene<Dim>& scene, const std::string& body) {
+  const auto found = std::find(scene.body_names.begin(), scene.body_names.end(), body);
+  const BodyView view = scene.view(static_cast<Label>(found - scene.body_names.begin()));
+  Names names;
+  for (const auto* fields : {&view.point_fields, &view.cell_fields}) {
+    for (const auto& field : *fields) {
+      if (!contains(names, field.name)) names.push_back(field.name);
+    }
+  }
+  return names;
+}
+
+std::string joined(const Names& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Why a body lacks a field that others have.
+std::string reason_for(const std::string& field) {
+  if (field == "temperature") return " (it is not heated: see `thermal` and `heat`)";
+  if (field == "eps_p" || field == "strain_rate") return " (its material does not yield)";
+  return "";
+}
+}  // namespace
+
+template <int Dim>
+void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                    std::vector<DeckProblem>& problems) {
+  if (loaded.deck.measures.empty()) return;
+  Names columns = HistoryColumns<Dim>(scene).names();
+  columns.pop_back();  // the hash is not a number
+  std::map<std::string, Names> fields;
+  const auto check_field = [&](const std::string& path, const auto& kind) {
+    const std::string name = kind.field.substr(0, kind.field.find('.'));
+    if (!contains(scene.body_names, kind.body) || name.empty()) return;
+    auto [known, fresh] = fields.try_emplace(kind.body);
+    if (fresh) known->second = fields_of(scene, kind.body);
+    if (contains(known->second, name)) return;
+    problems.push_back(loaded.places.problem(
+        path + ".field", "'" + kind.body + "' has no field '" + name + "'" + reason_for(name) +
+                             "; it has " + joined(known->second)));
+  };
+  for (const auto& [name, measure] : loaded.deck.measures) {
+    std::visit(
+        [&](const auto& kind) {
+          const std::string path =
+              "measures." + name + "." + std::remove_cvref_t<decltype(kind)>::deck_name;
+          if constexpr (requires { kind.field; }) check_field(path, kind);
+          if constexpr (requires { kind.column; }) {
+            if (contains(columns, kind.column)) return;
+            problems.push_back(loaded.places.problem(
+                path + ".column",
+                "there is no column '" + kind.column + "'" + columns_like(kind.column, columns)));
+          }
+        },
+        measure.kind);
+  }
+}
+
+template void check_measures<2>(const LoadedDeck&, const Scene<2>&, std::vector<DeckProblem>&);
+template void check_measures<3>(const LoadedDeck&, const Scene<3>&, std::vector<DeckProblem>&);
+
+}  // namespace brunt

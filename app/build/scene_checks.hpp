@@ -1,0 +1,25 @@
+#pragma once
+/// What only the built scene shows: meshes, chosen points, columns, bodies inside each other.
+#include <vector>
+
+#include "app/deck/deck.hpp"
+#include "app/scene.hpp"
+
+namespace brunt {
+
+/// Prescribed velocities that are not numbers, or that contradict each other at shared points.
+template <int Dim>
+void check_constraints(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                       std::vector<DeckProblem>& problems);
+
+/// Bodies that may touch and are inside each other at time 0 by more than half an element.
+template <int Dim>
+void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
+                    std::vector<DeckProblem>& problems);
+
+/// Measures of columns that history.csv does not have, and of fields that a body does not have.
+template <int Dim>
+void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                    std::vector<DeckProblem>& problems);
+
+}  // namespace brunt

@@ -1,0 +1,107 @@
+#include "app/build/sound_part.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+#include "app/build/scene_builder.hpp"
+#include "app/deck/findings.hpp"
+
+namespace brunt {
+
+namespace {
+bool is_wrong(const std::string& path, const std::vector<std::string>& wrong) {
+  return std::any_of(wrong.begin(), wrong.end(), [&](const std::string& key) {
+    return !key.empty() && deck::related(key, path);
+  });
+}
+
+template <class T, class Test>
+void keep(std::vector<Named<T>>& entries, Test test) {
+  std::erase_if(entries, [&](const Named<T>& entry) { return !test(entry); });
+}
+
+/// The body or column that a measure reads, "" for an expression.
+std::string source_of(const deck::Measure& measure) {
+  return std::visit(
+      [](const auto& kind) -> std::string {
+        if constexpr (requires { kind.body; }) return kind.body;
+        if constexpr (requires { kind.column; }) return kind.column;
+        return "";
+      },
+      measure.kind);
+}
+}  // namespace
+
+LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& wrong) {
+  LoadedDeck part = loaded;
+  Deck& deck = part.deck;
+  std::set<std::string> gone, materials, kept;
+  for (const auto& material : deck.materials) {
+    if (!is_wrong("materials." + material.name, wrong)) materials.insert(material.name);
+  }
+  keep(deck.bodies, [&](const auto& body) {
+    const bool made = body.value.rigid || materials.contains(body.value.material);
+    const bool sound = made && !is_wrong("bodies." + body.name, wrong);
+    (sound ? kept : gone).insert(body.name);
+    return sound;
+  });
+  keep(deck.materials, [&](const auto& material) { return materials.contains(material.name); });
+  keep(deck.contact.pairs, [&](const auto& pair) {
+    const auto known = [&](const std::string& body) {
+      return body == "any" || kept.contains(body);
+    };
+    return !is_wrong("contact", wrong) && pair.value.between.size() == 2 &&
+           pair.value.between[0] != "any" && known(pair.value.between[0]) &&
+           known(pair.value.between[1]);
+  });
+  keep(deck.boundaries, [&](const auto& boundary) {
+    return kept.contains(boundary.value.body) && !is_wrong("boundaries." + boundary.name, wrong);
+  });
+  keep(deck.measures, [&](const auto& measure) {
+    const std::string source = source_of(measure.value);
+    const auto names = [&](const std::string& body) {
+      return source.find(body) != std::string::npos;
+    };
+    // A column of a body or boundary that is left out cannot be told from one that is not there.
+    return std::none_of(gone.begin(), gone.end(), names) &&
+           source.find("boundary.") == std::string::npos &&
+           !is_wrong("measures." + measure.name, wrong);
+  });
+  if (is_wrong("gravity", wrong)) deck.gravity.clear();
+  deck.damping.reset();
+  return part;
+}
+
+void add_build_problems(const LoadedDeck& loaded, std::vector<DeckProblem>& problems) {
+  std::vector<std::string> wrong = loaded.wrong;
+  for (const auto& problem : problems) wrong.push_back(problem.path);
+  if (is_wrong("geometry", wrong) || is_wrong("depth", wrong)) return;
+  LoadedDeck part = sound_part(loaded, wrong);
+  if (part.deck.bodies.empty()) return;
+  part.wrong = std::move(wrong);
+  try {
+    if (part.deck.geometry == Geometry::three_d) {
+      build_scene<3>(part);
+    } else {
+      build_scene<2>(part);
+    }
+  } catch (const DeckError& error) {
+    const auto& more = error.problems();
+    problems.insert(problems.end(), more.begin(), more.end());
+  }
+}
+
+LoadedDeck load_or_tell_all(const std::string& path, const std::vector<std::string>& overrides) {
+  std::vector<DeckProblem> problems;
+  LoadedDeck loaded = read_deck(path, overrides, problems);
+  for (const auto& warning : loaded.warnings) {
+    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
+  }
+  if (problems.empty()) return loaded;
+  add_build_problems(loaded, problems);
+  sort_problems(problems);
+  throw DeckError(problems);
+}
+
+}  // namespace brunt

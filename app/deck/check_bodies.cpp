@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/deck/checks.hpp"
+
+namespace brunt::deck {
+
+namespace {
+
+/// Lengths [m] of a shape's box along its own axes, as far as its keys say; a surface has one
+/// length fewer.
+struct Lengths {
+  Geometry geometry;
+  bool flat() const { return geometry != Geometry::three_d; }
+
+  std::vector<Real> round(Real radius, Real length) const {
+    if (geometry == Geometry::plane_strain) return {2 * radius, 2 * radius};
+    if (geometry == Geometry::axisymmetric) return {radius, length};
+    return {2 * radius, 2 * radius, length};
+  }
+  std::vector<Real> operator()(const Box& box) const {
+    std::vector<Real> lengths;
+    for (std::size_t c = 0; c < std::min(box.min.size(), box.max.size()); ++c) {
+      lengths.push_back(box.max[c] - box.min[c]);
+    }
+    return lengths;
+  }
+  std::vector<Real> operator()(const Cylinder& c) const { return round(c.radius, c.length); }
+  std::vector<Real> operator()(const Tube& t) const { return round(t.outer, t.length); }
+  std::vector<Real> operator()(const Sphere& s) const { return round(s.radius, 2 * s.radius); }
+  std::vector<Real> operator()(const Ogive& o) const { return round(o.radius, o.length); }
+  std::vector<Real> operator()(const PolygonShape& polygon) const {
+    Real low[2] = {kInfinity, kInfinity}, high[2] = {-kInfinity, -kInfinity};
+    for (const auto& point : polygon.points) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        low[c] = std::min(low[c], point[c]), high[c] = std::max(high[c], point[c]);
+      }
+    }
+    std::vector<Real> lengths{high[0] - low[0], high[1] - low[1]};
+    if (!flat()) lengths.push_back(polygon.thickness);
+    return lengths;
+  }
+  std::vector<Real> operator()(const Plane& plane) const {
+    return std::vector<Real>(flat() ? 1 : 2, plane.extent);
+  }
+  std::vector<Real> operator()(const BrickWall& wall) const {
+    std::vector<Real> lengths;
+    for (std::size_t c = 0; c < wall.brick.size() && wall.bricks; ++c) {
+      lengths.push_back(wall.brick[c] * (*wall.bricks)[c]);
+    }
+    return lengths;
+  }
+};
+
+/// A millimetre typed as a micrometre shall not fill the memory before it is told.
+void check_count(const Deck& deck, const std::string& path, const Body& body, Findings& findings) {
+  const std::vector<Real> lengths = std::visit(Lengths{deck.geometry}, body.shape.kind);
+  Real count = 1, volume = 1;
+  for (std::size_t c = 0; c < lengths.size(); ++c) {
+    volume *= lengths[c];
+    if (body.cells) count *= (*body.cells)[std::min(c, body.cells->size() - 1)];
+    if (body.size)
+      count *= std::ceil(lengths[c] / (*body.size)[std::min(c, body.size->size() - 1)]);
+  }
+  constexpr Real kMost = std::numeric_limits<LocalIndex>::max(), kMany = 3e7, kEnough = 1e6;
+  if (!(count > kMany)) return;
+  const Real enough = std::pow(volume / kEnough, 1.0 / static_cast<Real>(lengths.size()));
+  const std::string about = "makes about " + short_text(count) +
+                            (body.method == Method::sph ? " particles" : " elements");
+  const std::string remedy = "a size of " + length_text(enough) + " makes a million";
+  const std::string key = path + (body.cells ? ".cells" : ".size");
+  if (count > kMost) {
+    findings.wrong(key, about + ", and " + short_text(kMost) + " can be counted; " + remedy);
+  } else {
+    findings.warn(key, about + "; " + remedy + ", and brunt plan says what it costs");
+  }
+}
+
+/// x is the radius and y the axis; a shape about an axis stands on it.
+struct AxisymmetricShape {
+  const std::string& path;
+  Findings& findings;
+
+  void about_axis(const char* shape, const std::vector<Real>& base, const std::vector<Real>& axis) {
+    const std::string key = path + ".shape." + shape;
+    if (!base.empty() && base[0] != 0) {
+      findings.wrong(key + ".base",
+                     "stands beside the axis of symmetry, x = 0: write base: [0, y]");
+    }
+    if (axis.size() >= 2 && axis[0] != 0) {
+      findings.wrong(key + ".axis", "the axis of symmetry is y: write axis: y, or leave it out");
+    }
+  }
+  void operator()(const Cylinder& c) { about_axis("cylinder", c.base, c.axis); }
+  void operator()(const Tube& t) { about_axis("tube", t.base, t.axis); }
+  void operator()(const Ogive& o) { about_axis("ogive", o.base, o.axis); }
+  void operator()(const Sphere& s) { about_axis("sphere", {}, {}), center(s.center); }
+  template <class Other>
+  void operator()(const Other&) {}
+  void center(const std::vector<Real>& at) {
+    if (at.empty() || at[0] == 0) return;
+    findings.wrong(path + ".shape.sphere.center",
+                   "lies beside the axis of symmetry, x = 0, and would be a ring: write "
+                   "center: [0, y]");
+  }
+};
+
+void check_axisymmetric(const std::string& path, const Body& body, Findings& findings) {
+  if (body.method == Method::sph) {
+    findings.wrong(path + ".method",
+                   "particles are not axisymmetric: take method: fe, or geometry: 3d or "
+                   "plane-strain");
+  }
+  if (body.spin) {
+    findings.wrong(path + ".spin", "axisymmetric bodies do not spin: take it out, or geometry: 3d");
+  }
+  if (body.motion && body.motion->spin) {
+    findings.wrong(path + ".motion.spin",
+                   "axisymmetric bodies do not spin: take it out, or geometry: 3d");
+  }
+  std::visit(AxisymmetricShape{path, findings}, body.shape.kind);
+}
+
+void check_rigid(const std::string& path, const Body& body, Findings& findings) {
+  const auto refuse = [&](const char* key, const char* instead) {
+    findings.wrong(path + "." + key,
+                   std::string("a rigid body does not start, it is moved: write ") + instead);
+  };
+  if (!body.velocity.empty()) refuse("velocity", "motion: {velocity: [...]}");
+  if (body.spin) refuse("spin", "motion: {spin: {...}}");
+}
+
+void check_element(const Deck& deck, const std::string& path, const Body& body,
+                   Findings& findings) {
+  const Hourglass& hourglass = body.element.hourglass;
+  if (std::holds_alternative<AutomaticHourglass>(hourglass)) return;
+  if (body.element.integration != Integration::one_point) {
+    findings.wrong(path + ".element.hourglass",
+                   "only one-point elements have hourglass modes: take it out, or write "
+                   "integration: one-point");
+    return;
+  }
+  const auto material =
+      std::find_if(deck.materials.begin(), deck.materials.end(),
+                   [&](const auto& candidate) { return candidate.name == body.material; });
+  if (std::holds_alternative<ViscousHourglass>(hourglass) && material != deck.materials.end() &&
+      findings.sound("materials." + material->name) &&
+      std::holds_alternative<NoStrength>(material->value.strength)) {
+    findings.warn(path + ".element.hourglass",
+                  "'" + material->name +
+                      "' does not yield, and hourglass modes of an elastic body "
+                      "grow slowly under viscous control; stiffness: 0.05 is for elastic bodies");
+  }
+}
+
+void check_gravity(const Deck& deck, Findings& findings) {
+  if (deck.geometry != Geometry::axisymmetric || deck.gravity.empty()) return;
+  if (deck.gravity[0] != 0) {
+    findings.wrong("gravity", "x is the radius: gravity acts along the axis, [0, g]");
+  }
+}
+
+}  // namespace
+
+void check_bodies(const Deck& deck, Findings& findings) {
+  for (const auto& [name, body] : deck.bodies) {
+    const std::string path = "bodies." + name;
+    if (!findings.sound(path)) continue;
+    if (deck.geometry == Geometry::axisymmetric) check_axisymmetric(path, body, findings);
+    if (body.rigid) {
+      check_rigid(path, body, findings);
+    } else {
+      check_element(deck, path, body, findings);
+    }
+    check_count(deck, path, body, findings);
+  }
+  check_gravity(deck, findings);
+  if (deck.geometry == Geometry::axisymmetric && deck.depth != 1) {
+    findings.warn("depth", "is not used: axisymmetric forces and energies are for the whole turn");
+  }
+  if (!findings.sound("bodies") || !findings.stands("bodies")) return;
+  if (deck.bodies.empty()) {
+    findings.wrong("bodies", "there is no body: add one, with `shape`, `material` and `size`");
+  } else if (std::all_of(deck.bodies.begin(), deck.bodies.end(),
+                         [](const auto& body) { return body.value.rigid; })) {
+    findings.wrong("bodies",
+                   "all bodies are rigid, and nothing is left to compute: one that deforms has "
+                   "`material` and `size`, and no rigid: true");
+  }
+}
+
+}  // namespace brunt::deck

@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include "app/deck/checks.hpp"
+
+namespace brunt::deck {
+
+namespace {
+
+std::string kelvin(Real temperature) { return short_text(temperature) + " K"; }
+
+/// A body that starts at or above the melting of its material has no strength from the start.
+void check_melting(const Deck& deck, const Named<Material>& material, Findings& findings) {
+  const auto* law = std::get_if<JohnsonCook>(&material.value.strength);
+  if (!law || !law->T_melt) return;
+  for (const auto& [name, body] : deck.bodies) {
+    const std::string path = "bodies." + name + ".temperature";
+    if (body.rigid || body.material != material.name || !findings.sound(path)) continue;
+    const Real start = body.temperature.value_or(deck.ambient);
+    if (start < *law->T_melt) continue;
+    findings.wrong(body.temperature ? path : "ambient",
+                   "'" + name + "' starts at " + kelvin(start) + ", and '" + material.name +
+                       "' melts at T_melt = " + kelvin(*law->T_melt) +
+                       ": it would have no strength; a number without unit is in K, 20 degC is "
+                       "293.15 K");
+  }
+}
+
+/// True where the material can be heated by its own plastic work.
+bool can_be_heated(const Material& material) {
+  return material.thermal && !std::holds_alternative<NoStrength>(material.strength);
+}
+
+void check_heat(const Deck& deck, const Named<Material>& material, Findings& findings) {
+  const auto* law = std::get_if<JohnsonCook>(&material.value.strength);
+  const bool softens = law && law->T_melt;
+  const bool deforms = std::any_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
+    return body.value.material == material.name && !body.value.rigid;
+  });
+  if (deck.heat == Heat::automatic && softens && deforms && !material.value.thermal) {
+    findings.warn("materials." + material.name + ".strength",
+                  "softens with heat (T_melt), and without `thermal: {cp: ...}` nothing heats it; "
+                  "heat: off says that this is meant");
+  }
+}
+
+/// s of a solid is 1 to 2; the pressure of the Hugoniot is infinite at a compression of 1/s.
+void check_equation_of_state(const Named<Material>& material, Findings& findings) {
+  const auto* eos = std::get_if<MieGruneisen>(&material.value.eos);
+  const std::string path = "materials." + material.name + ".eos.mie-gruneisen";
+  if (!eos || !findings.sound("materials." + material.name)) return;
+  constexpr Real kSingular = 0.05;
+  if (eos->s * kSingular > 1) {
+    findings.wrong(path + ".s", "the pressure becomes infinite at a compression of 1/s = " +
+                                    short_text(100 / eos->s) +
+                                    " %; s is 1 to 2 for solids, such as 1.49 for copper");
+  }
+  const Real from_shock = material.value.density * eos->c0 * eos->c0;
+  const Real from_elastic = material.value.elastic.bulk_modulus();
+  constexpr Real kFar = 2;
+  if (from_shock > kFar * from_elastic || from_elastic > kFar * from_shock) {
+    findings.warn(path + ".c0", "density c0^2 = " + short_text(from_shock / 1e9) +
+                                    " GPa is the bulk modulus that is used, and `elastic` gives " +
+                                    short_text(from_elastic / 1e9) + " GPa: check both");
+  }
+}
+
+}  // namespace
+
+void check_materials(const Deck& deck, Findings& findings) {
+  for (const auto& material : deck.materials) {
+    if (!findings.sound("materials." + material.name)) continue;
+    check_melting(deck, material, findings);
+    check_heat(deck, material, findings);
+    check_equation_of_state(material, findings);
+  }
+  const auto heated = [](const auto& material) { return can_be_heated(material.value); };
+  if (deck.heat == Heat::adiabatic && findings.sound("materials") &&
+      std::none_of(deck.materials.begin(), deck.materials.end(), heated)) {
+    findings.wrong("heat",
+                   "no material can be heated: that takes `strength` and `thermal: {cp: ...}`; "
+                   "add them to a material, or write heat: off");
+  }
+}
+
+}  // namespace brunt::deck
