@@ -94,6 +94,7 @@ void ContactManager<Dim>::add_forces(Real dt) {
   }
   own.evaluate(dt, longest);
   apply(own.records, dt, own.surfaces, own.entities.nodes);
+  own.dt_last = dt;
   own.longest_last = longest.step;
   own.started = true;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/ledger.hpp"
+#include "core/state.hpp"
 #include "core/step_vote.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
@@ -63,6 +64,11 @@ class Solid {
   virtual BodyView view(Label body) const = 0;
   virtual std::size_t n_elements() const = 0;
   virtual std::size_t n_particles() const = 0;
+  /// Adds tables of all that the group carries from step to step, owned points and all elements.
+  virtual void save_state(std::vector<StateTable>& tables) const = 0;
+  /// Takes every point and element back to a saved state, by id; lists are as old as before. Throws
+  /// StateError where a row is missing; then only a complete load makes the group whole.
+  virtual void load_state(const StateTables& tables) = 0;
 };
 
 }  // namespace brunt

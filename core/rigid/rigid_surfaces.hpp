@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "core/points_state.hpp"
 #include "core/solid.hpp"
 
 namespace brunt {
@@ -42,6 +43,8 @@ class RigidSurfaces final : public Solid<Dim> {
   BodyView view(Label body) const override;
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return 0; }
+  void save_state(std::vector<StateTable>& tables) const override { save_points(points_, tables); }
+  void load_state(const StateTables& tables) override { load_points(points_, tables); }
 
  private:
   Points<Dim> points_;
