@@ -104,6 +104,8 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
 
 template <int Dim>
 void Scene<Dim>::check(Real time) const {
+  // Elements and particles first: an inverted element is why its points are no numbers.
+  for (const auto& solid : solids) solid->check(time, body_names);
   for (const auto& solid : solids) {
     const auto& points = solid->points();
     for (std::size_t i = 0; i < points.x.size(); ++i) {
@@ -115,7 +117,6 @@ void Scene<Dim>::check(Real time) const {
                           "it is not a finite number any more: try a smaller time.safety, and look "
                           "at the last frame for an element or particle that collapsed"});
     }
-    solid->check(time, body_names);
   }
 }
 

@@ -11,6 +11,7 @@ Real choose_step(Scene<Dim>& scene, Clock& clock, Real min_step) {
   const StepVote vote = scene.stable_step(clock.time(), clock.dt());
   // A vote that is not a number fails this comparison too.
   if (!(vote.step >= min_step)) {
+    scene.check(clock.time());  // knows better, where an element is inverted or a value no number
     throw PhysicsError(
         {clock.time(), scene.body_names.empty() ? "" : scene.body_names[vote.body],
          std::string(vote.reason) + " " + std::to_string(vote.entity), "stable step [s]", vote.step,

@@ -71,6 +71,15 @@ PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
       if (!(part > least)) least = part;
     }
   }
+  if (!std::isfinite(least)) {
+    return {0,
+            "",
+            name,
+            "volume",
+            least,
+            "the position of a corner is not a finite number any more: try a smaller time.safety, "
+            "and look at the last frame for what collapsed there"};
+  }
   if (!(least > 0)) {
     return {
         0,      "",
@@ -145,7 +154,9 @@ StepVote FiniteElements<Dim>::stable_step() const {
   for (const auto& block : blocks_) {
     for (LocalIndex e = 0; e < block.n; ++e) {
       if (block.stable_step[e] > best.step) continue;
-      best.take({block.stable_step[e], "element", block.body[e], block.id[e]});
+      // An inverted element has a step that is no number: it collapses the run at once.
+      const Real step = block.stable_step[e] > 0 ? block.stable_step[e] : 0.0;
+      best.take({step, "element", block.body[e], block.id[e]});
     }
   }
   return best;

@@ -34,29 +34,39 @@ Real Simulation::largest_energy() const {
 }
 
 namespace {
-/// Passes on to a monitor, and rearranges after every step where that is asked for.
+/// Passes on to a monitor and to the hooks, and rearranges after every step where that is asked
+/// for.
 template <int Dim>
-class Rearranger final : public Observer<Dim> {
+class Watcher final : public Observer<Dim> {
  public:
-  Rearranger(Monitor<Dim>& monitor, bool every_step) : monitor_(monitor), every_step_(every_step) {}
+  Watcher(Monitor<Dim>& monitor, bool rearrange, const SceneHooks& hooks)
+      : monitor_(monitor), rearrange_(rearrange), hooks_(hooks) {}
   void begin(Scene<Dim>& scene, Clock& clock) override { monitor_.begin(scene, clock); }
   void step_done(Scene<Dim>& scene, Clock& clock) override {
     monitor_.step_done(scene, clock);
-    if (every_step_) scene.rearrange();
+    if constexpr (Dim == 3) {
+      if (hooks_.step_done) hooks_.step_done(scene, clock);
+    }
+    if (rearrange_) scene.rearrange();
   }
 
  private:
   Monitor<Dim>& monitor_;
-  bool every_step_;
+  bool rearrange_;
+  const SceneHooks& hooks_;
 };
 
 template <int Dim>
-Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variation) {
+Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variation,
+                          const SceneHooks& hooks) {
   auto scene = build_scene<Dim>(loaded);
+  if constexpr (Dim == 3) {
+    if (hooks.built) hooks.built(*scene);
+  }
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
   Monitor<Dim> monitor(deck, nullptr, nullptr, true, [] { return false; });
-  Rearranger<Dim> observer(monitor, variation.rearrange_every_step);
+  Watcher<Dim> observer(monitor, variation.rearrange_every_step, hooks);
   Simulation result;
   try {
     run_time_loop(*scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), observer);
@@ -78,19 +88,20 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
 }
 }  // namespace
 
-Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation) {
+Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation,
+                    const SceneHooks& hooks) {
   const int threads = omp_get_max_threads();
   if (variation.threads > 0) omp_set_num_threads(variation.threads);
   Simulation result = loaded.deck.geometry == Geometry::three_d
-                          ? simulate_scene<3>(loaded, variation)
-                          : simulate_scene<2>(loaded, variation);
+                          ? simulate_scene<3>(loaded, variation, hooks)
+                          : simulate_scene<2>(loaded, variation, hooks);
   omp_set_num_threads(threads);
   return result;
 }
 
 Simulation simulate_text(const std::string& text, const std::vector<std::string>& overrides,
-                         const RunVariation& variation) {
-  return simulate(load_deck_text(text, "test.yaml", overrides), variation);
+                         const RunVariation& variation, const SceneHooks& hooks) {
+  return simulate(load_deck_text(text, "test.yaml", overrides), variation, hooks);
 }
 
 Simulation simulate_shipped(const std::string& name, const std::vector<std::string>& overrides,

@@ -1,9 +1,11 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "app/deck/deck.hpp"
+#include "app/time_loop.hpp"
 #include "core/view.hpp"
 
 namespace brunt::test {
@@ -12,6 +14,12 @@ namespace brunt::test {
 struct RunVariation {
   int threads = 0;  ///< 0: as the environment says
   bool rearrange_every_step = false;
+};
+
+/// What a test does to a scene of a 3D deck from outside.
+struct SceneHooks {
+  std::function<void(Scene<3>&)> built;
+  std::function<void(Scene<3>&, const Clock&)> step_done;
 };
 
 /// All that a run of a deck leaves, in memory.
@@ -33,9 +41,10 @@ struct Simulation {
   Real largest_energy() const;
 };
 
-Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation = {});
+Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation = {},
+                    const SceneHooks& hooks = {});
 Simulation simulate_text(const std::string& text, const std::vector<std::string>& overrides = {},
-                         const RunVariation& variation = {});
+                         const RunVariation& variation = {}, const SceneHooks& hooks = {});
 /// A deck that ships, by its folder's name.
 Simulation simulate_shipped(const std::string& name, const std::vector<std::string>& overrides = {},
                             const RunVariation& variation = {});

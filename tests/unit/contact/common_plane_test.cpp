@@ -171,6 +171,34 @@ TEST(CommonPlane, MomentumOfRandomWarpedPairs) {
   EXPECT_GT(split_faces, 200);
 }
 
+TEST(CommonPlane, MomentumOfRandomEdges) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<Real> noise(0, 0.15);
+  int carried = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto jitter = [&] { return Vec<2>(noise(random), noise(random)); };
+    const auto lower = edge(Vec<2>(.5, 0) + jitter(), Vec<2>(-.5, 0) + jitter());
+    const auto upper = edge(Vec<2>(-.3, -.05) + jitter(), Vec<2>(.7, -.05) + jitter());
+    std::array<CommonPlane<2>, 4> plane;
+    if (!common_planes<2>(lower, upper, kPlane, plane)) continue;
+    Vec<2> force = Vec<2>::Zero();
+    Real moment = 0;
+    const auto add = [&](const FacePlane<2>& on, const std::array<Real, 2>& weight, Real sign) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        const Vec<2> f = sign * weight[c] * plane[0].normal;
+        force += f;
+        moment += on.corner[c][0] * f[1] - on.corner[c][1] * f[0];
+      }
+    };
+    add(upper, plane[0].upper_weight, 1);
+    add(lower, plane[0].lower_weight, -1);
+    EXPECT_LT(force.norm(), 1e-14);
+    EXPECT_LT(std::fabs(moment), 1e-14);
+    ++carried;
+  }
+  EXPECT_GT(carried, 1000);
+}
+
 TEST(CommonPlane, TouchingOrAlikeFacesCarryNothing) {
   std::array<CommonPlane<3>, 4> plane;
   const Real z = 0.1 + 0.2;

@@ -85,8 +85,9 @@ struct ContactScene {
     contact->add_forces(0);
   }
 
-  /// One step of velocity Verlet; points without mass keep their velocity.
-  void step(Real dt) {
+  /// One step of velocity Verlet with contact and, if given, other forces; points without mass
+  /// keep their velocity.
+  void step(Real dt, const std::function<void()>& add_other_forces = {}) {
     for (auto& group : groups) {
       auto& p = group.points;
       for (std::size_t i = 0; i < p.x.size(); ++i) {
@@ -96,6 +97,7 @@ struct ContactScene {
       }
     }
     contact->add_forces(dt);
+    if (add_other_forces) add_other_forces();
     for (auto& group : groups) {
       auto& p = group.points;
       for (std::size_t i = 0; i < p.x.size(); ++i) {
