@@ -7,6 +7,7 @@
 #include "app/deck/deck.hpp"
 #include "app/pictures.hpp"
 #include "app/reference.hpp"
+#include "app/restart.hpp"
 #include "app/run.hpp"
 #include "core/errors.hpp"
 #include "io/table.hpp"
@@ -25,10 +26,14 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   add_deck(run, arguments);
   run->add_option("--out", arguments.out, "output folder; default: <deck>.out");
   run->add_flag("--force", arguments.force, "replaces what an earlier run wrote there");
-  run->add_flag("--resume", arguments.resume, "skips a run that is done with the same deck");
+  run->add_flag("--resume", arguments.resume,
+                "goes on from the latest good checkpoint; skips a run that is done");
   run->add_option("--threads", arguments.threads, "threads; default: OMP_NUM_THREADS or all cores")
       ->check(CLI::Range(1, 4096));
-  run->add_option("--until", arguments.until, "ends at this time instead");
+  run->add_option("--until", arguments.until, "stops at this time with a checkpoint");
+  run->add_option(
+      "--restart", arguments.restart,
+      "goes on from a checkpoint (manifest or folder), with a longer end or other output");
   run->add_flag("--quiet", arguments.quiet, "no progress");
   run->add_flag("--json", arguments.json, "prints the summary to stdout");
   return run;
@@ -86,6 +91,10 @@ int command_line(int argc, char** argv) {
   render->add_option("--view", picture.view, "auto, oblique, front, side or top");
   render->add_option("--title", picture.title, "text at the top");
 
+  std::string checkpoint;
+  auto* verify = app.add_subcommand("verify", "says whether checkpoints are whole");
+  verify->add_option("file", checkpoint, "a manifest, or a folder")->required();
+
   std::string key;
   auto* explain = app.add_subcommand("explain", "explains a key of the deck, or lists them");
   explain->add_option("key", key, "such as materials.strength.johnson-cook.C, or library");
@@ -108,6 +117,7 @@ int command_line(int argc, char** argv) {
       std::fputs(format_table(runs, table_options).c_str(), stdout);
       return kDone;
     }
+    if (*verify) return verify_command(checkpoint);
     if (*render) return render_command(picture);
     if (*explain) return explain_command(key);
     return schema_command(markdown);

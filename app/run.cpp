@@ -6,10 +6,10 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 
 #include "app/build/scene_builder.hpp"
+#include "app/checkpointing.hpp"
 #include "app/frames.hpp"
 #include "app/monitor.hpp"
 #include "app/output_folder.hpp"
@@ -19,10 +19,6 @@
 namespace brunt {
 
 namespace {
-// A handler may only set a flag; the loop reads it between steps.
-volatile std::sig_atomic_t signal_received = 0;
-void on_signal(int) { signal_received = 1; }
-
 void choose_threads(int asked) {
   if (asked > 0) omp_set_num_threads(asked);
 }
@@ -30,7 +26,7 @@ void choose_threads(int asked) {
 /// A deck with the command line's --until in place.
 LoadedDeck load(const RunArguments& arguments) {
   auto overrides = arguments.overrides;
-  if (arguments.until) overrides.push_back("time.end=" + *arguments.until);
+  if (arguments.until) overrides.push_back("time.until=" + *arguments.until);
   return load_deck(arguments.deck, overrides);
 }
 
@@ -69,6 +65,12 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   }
 }
 
+std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& folder, bool goes_on) {
+  return std::make_shared<spdlog::logger>(
+      "brunt",
+      std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "log.txt").string(), !goes_on));
+}
+
 struct Ended {
   int status = kDone;
   std::string reason;
@@ -76,11 +78,12 @@ struct Ended {
 
 /// Steps the scene; a broken physics is reported after a last frame.
 template <int Dim>
-Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim>& monitor) {
+Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim>& monitor,
+                  Checkpointing<Dim>& checkpointing) {
   try {
-    run_time_loop(scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), monitor);
+    run_time_loop(scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), checkpointing);
     monitor.end(scene, clock);
-    return {monitor.interrupted() ? kStopped : kDone, monitor.reason()};
+    return {checkpointing.interrupted() ? kStopped : kDone, monitor.reason()};
   } catch (const PhysicsError& error) {
     PhysicsFailure failure = error.failure();
     if (failure.time == 0) failure.time = clock.time();
@@ -95,16 +98,23 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
   auto scene = build_scene<Dim>(loaded);
   const auto folder = output_path(arguments);
   RunSummary summary;
-  if (prepare_output(folder, arguments, loaded.hash) == FolderState::finished) {
+  if (arguments.resume && is_finished(folder, loaded.hash)) {
     summary = read_summary(folder);
     if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
     if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
     return kDone;
   }
+  std::vector<std::string> refused;
+  const auto restart = find_restart(arguments, folder, loaded, [&](const std::string& reason) {
+    refused.push_back(reason);
+    std::fprintf(stderr, "warning: %s\n", reason.c_str());
+  });
+  std::error_code no_folder;
+  const bool goes_on =
+      restart && std::filesystem::equivalent(restart->point().folder(), folder, no_folder);
+  prepare_output(folder, arguments, goes_on);
   write_file_atomically(folder / "deck.resolved.yaml", loaded.resolved);
-  auto log = std::make_shared<spdlog::logger>(
-      "brunt",
-      std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "log.txt").string(), true));
+  auto log = open_log(folder, goes_on);
   log->info("brunt {} ({}), {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA, omp_get_max_threads(),
             arguments.deck);
   for (const auto& warning : loaded.warnings) {
@@ -117,11 +127,17 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
   HistoryWriter history(folder / "history.csv", HistoryColumns<Dim>(*scene).names());
   const auto frames = make_frame_sink(folder);
-  Monitor<Dim> monitor(deck, &history, frames.get(), arguments.quiet,
-                       [] { return signal_received != 0; });
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  const Ended ended = step_to_end(*scene, clock, deck, monitor);
+  Monitor<Dim> monitor(deck, &history, frames.get(), arguments.quiet);
+  if (restart) {
+    log->info("goes on from {}, t = {} s", restart->point().manifest.string(),
+              restart->point().header.time);
+  }
+  Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
+  const Ended ended = step_to_end(*scene, clock, deck, monitor, checkpointing);
+  for (const auto& reason : refused) {
+    log->warn("{}", reason);
+    summary.warnings.push_back({"checkpoint", reason});
+  }
 
   summary.version = BRUNT_VERSION;
   summary.deck_hash = loaded.hash;
@@ -134,7 +150,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
   summary.steps = clock.step();
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-  fill_costs(*scene, clock.step(), summary);
+  fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
   summary.peak_memory = peak_memory();
   summary.drift = monitor.worst_drift();
   for (const auto& measure : monitor.measures()) {
@@ -177,6 +193,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments) {
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
+  listen_to_signals();
   choose_threads(arguments.threads);
   const LoadedDeck loaded = load(arguments);
   return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments)

@@ -15,7 +15,8 @@ struct RunArguments {
   bool quiet = false;
   bool json = false;
   int threads = 0;                   ///< 0: OMP_NUM_THREADS, else all cores
-  std::optional<std::string> until;  ///< overrides time.end
+  std::optional<std::string> until;  ///< overrides time.until
+  std::string restart;               ///< a checkpoint or a folder of them; empty: none
 };
 
 /// Exit statuses (deck.md).

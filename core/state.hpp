@@ -2,6 +2,7 @@
 /// What a run carries from step to step, as tables of numbers by entity: a checkpoint writes them,
 /// a restart reads them, on as many ranks as it likes.
 #include <bit>
+#include <concepts>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -74,7 +75,10 @@ class StateWriter {
  public:
   explicit StateWriter(std::vector<Real>& values) : values_(values) {}
   void operator()(const Real& value) { values_.push_back(value); }
-  void operator()(const std::uint64_t& bits) { values_.push_back(std::bit_cast<Real>(bits)); }
+  template <std::integral Whole>
+  void operator()(const Whole& number) {
+    values_.push_back(std::bit_cast<Real>(static_cast<std::uint64_t>(number)));
+  }
   template <int Dim>
   void operator()(const Eigen::Matrix<Real, Dim, 1>& vector) {
     for (int c = 0; c < Dim; ++c) values_.push_back(vector[c]);
@@ -89,7 +93,10 @@ class StateCounter {
  public:
   std::size_t count = 0;
   void operator()(const Real&) { ++count; }
-  void operator()(const std::uint64_t&) { ++count; }
+  template <std::integral Whole>
+  void operator()(const Whole&) {
+    ++count;
+  }
   template <int Dim>
   void operator()(const Eigen::Matrix<Real, Dim, 1>&) {
     count += static_cast<std::size_t>(Dim);
@@ -101,7 +108,10 @@ class StateReader {
  public:
   explicit StateReader(std::span<const Real> row) : at_(row.data()) {}
   void operator()(Real& value) { value = *at_++; }
-  void operator()(std::uint64_t& bits) { bits = std::bit_cast<std::uint64_t>(*at_++); }
+  template <std::integral Whole>
+  void operator()(Whole& number) {
+    number = static_cast<Whole>(std::bit_cast<std::uint64_t>(*at_++));
+  }
   template <int Dim>
   void operator()(Eigen::Matrix<Real, Dim, 1>& vector) {
     for (int c = 0; c < Dim; ++c) vector[c] = *at_++;

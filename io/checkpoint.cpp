@@ -164,6 +164,10 @@ fs::path checkpoint_part(const fs::path& folder, std::uint64_t step, std::uint64
   return folder / (stem_of(step) + "." + std::to_string(rank) + ".h5");
 }
 
+fs::path manifest_of(const fs::path& file) {
+  return checkpoint_manifest(file.parent_path(), step_of(file).value_or(0));
+}
+
 bool is_checkpoint_file(const fs::path& file) { return step_of(file).has_value(); }
 
 CheckpointPart write_checkpoint_part(const fs::path& folder, const CheckpointHeader& header,

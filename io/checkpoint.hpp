@@ -52,6 +52,8 @@ struct Checkpoint {
 std::filesystem::path checkpoint_manifest(const std::filesystem::path& folder, std::uint64_t step);
 std::filesystem::path checkpoint_part(const std::filesystem::path& folder, std::uint64_t step,
                                       std::uint64_t rank);
+/// The manifest of a file of a checkpoint, by its name.
+std::filesystem::path manifest_of(const std::filesystem::path& file);
 /// True for the names of manifests, parts and what is left of their temporaries.
 bool is_checkpoint_file(const std::filesystem::path& file);
 
