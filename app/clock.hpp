@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+
+#include "core/state.hpp"
 #include "core/step_vote.hpp"
 
 namespace brunt {
@@ -28,13 +31,37 @@ class Clock {
     }
     return dt;
   }
+  /// True if a step under this vote would be shortened by `end`.
+  bool shortens(const StepVote& vote) const {
+    return std::min(safety_ * vote.step, max_step_) >= end_ - time_;
+  }
   void advance(Real dt) {
     dt_ = dt;
     time_ = last_ ? end_ : time_ + dt;
     ++step_;
   }
 
+  /// Time, step and whose the step was, in the one row of the table "clock".
+  void save_state(std::vector<StateTable>& tables) const {
+    save_rows(
+        "clock", 1, only_row, [&](auto& row, std::size_t) { visit(row, *this); }, tables);
+  }
+  /// `end`, safety and the longest step stay as they are. Throws StateError.
+  void load_state(const StateTables& tables) {
+    load_rows(
+        "clock", 1, only_row, [&](auto& row, std::size_t) { visit(row, *this); }, tables);
+    last_ = stopped_ = false;
+    whose_.reason = "before the restart";
+  }
+
  private:
+  static GlobalId only_row(std::size_t) { return 0; }
+  template <class Row, class AnyClock>
+  static void visit(Row& row, AnyClock& clock) {
+    row(clock.time_), row(clock.dt_), row(clock.step_);
+    row(clock.whose_.step), row(clock.whose_.body), row(clock.whose_.entity);
+  }
+
   Real end_, safety_, max_step_;
   Real time_ = 0, dt_ = 0;
   std::int64_t step_ = 0;

@@ -11,6 +11,7 @@
 #include "app/launch_ranks.hpp"
 #include "app/pictures.hpp"
 #include "app/reference.hpp"
+#include "app/restart.hpp"
 #include "app/run.hpp"
 #include "core/errors.hpp"
 #include "io/deck/suggest.hpp"
@@ -36,7 +37,8 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   run->add_option("--out", arguments.out, "output folder; default: the deck's name and .out")
       ->option_text("DIR");
   run->add_flag("--force", arguments.force, "replaces what an earlier run wrote there");
-  run->add_flag("--resume", arguments.resume, "skips a run that is done with the same deck");
+  run->add_flag("--resume", arguments.resume,
+                "goes on from the latest good checkpoint; skips a run that is done");
   run->add_option("--threads", arguments.threads, "threads; default: OMP_NUM_THREADS or all cores")
       ->option_text("N")
       ->check(CLI::Range(1, 4096));
@@ -44,8 +46,11 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
       ->option_text("N")
       ->check(CLI::Range(1, 1 << 20));
   run->add_flag("--oversubscribe", arguments.oversubscribe, "lets ranks share cores");
-  run->add_option("--until", arguments.until, "ends at this time instead: --until '20 us'")
+  run->add_option("--until", arguments.until, "stops at this time with a checkpoint: '20 us'")
       ->option_text("TIME");
+  run->add_option("--restart", arguments.restart,
+                  "goes on from a checkpoint, with a longer end or other output")
+      ->option_text("MANIFEST|DIR");
   run->add_flag("--quiet", arguments.quiet, "no progress, no closing words");
   run->add_flag("--json", arguments.json, "prints summary.json to stdout");
   return run;
@@ -139,6 +144,10 @@ int command_line(int argc, char** argv) {
       ->option_text("VIEW");
   render->add_option("--title", picture.title, "text at the top")->option_text("TEXT");
 
+  std::string checkpoint;
+  auto* verify = app.add_subcommand("verify", "says whether checkpoints are whole");
+  verify->add_option("file", checkpoint, "a manifest, or a folder")->required();
+
   std::string key;
   auto* explain = app.add_subcommand("explain", "explains a key of the deck, or lists them");
   explain
@@ -177,6 +186,7 @@ int command_line(int argc, char** argv) {
       std::fputs(format_table(runs, table_options).c_str(), stdout);
       return kDone;
     }
+    if (*verify) return verify_command(checkpoint);
     if (*render) return render_command(picture);
     if (*explain) return explain_command(key);
     return schema_command(markdown);

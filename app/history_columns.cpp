@@ -56,6 +56,10 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   }
   names_.push_back("state_hash");
   largest_ = energy_of_rounding(scene);
+  for (std::size_t c = 0; c < names_.size(); ++c) {
+    const auto& name = names_[c];
+    if (name == "step" || name == "dt_body" || name.ends_with(".planes")) whole_.push_back(c);
+  }
 }
 
 template <int Dim>
@@ -66,7 +70,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   auto& values = row.values;
   values = {clock.time(), static_cast<Real>(clock.step()), clock.dt(),
             static_cast<Real>(clock.whose().body)};
-  row.whole = {1, 3};
+  row.whole = whole_;
   ExactSum total;
   for (const auto& column : totals.columns) {
     values.push_back(column.value());
@@ -101,7 +105,6 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
       for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
       values.insert(values.end(),
                     {pair.area, pair.max_penetration, static_cast<Real>(pair.planes)});
-      row.whole.push_back(values.size() - 1);
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {
@@ -114,6 +117,24 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   }
   row.state_hash = totals.state_hash;
   return row;
+}
+
+namespace {
+GlobalId only_row(std::size_t) { return 0; }
+}  // namespace
+
+template <int Dim>
+void HistoryColumns<Dim>::save_state(std::vector<StateTable>& tables) const {
+  save_rows(
+      "history.drift", 1, only_row,
+      [&](auto& row, std::size_t) { row(first_), row(total_start_), row(largest_); }, tables);
+}
+
+template <int Dim>
+void HistoryColumns<Dim>::load_state(const StateTables& tables) {
+  load_rows(
+      "history.drift", 1, only_row,
+      [&](auto& row, std::size_t) { row(first_), row(total_start_), row(largest_); }, tables);
 }
 
 template class HistoryColumns<2>;

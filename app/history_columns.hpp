@@ -23,9 +23,16 @@ class HistoryColumns {
   };
   /// Collects a row; the first call sets what drift is measured against.
   Row collect(const Scene<Dim>& scene, const Clock& clock);
+  /// Indices of whole numbers in a row.
+  const std::vector<std::size_t>& whole() const { return whole_; }
+
+  /// What drift is measured against.
+  void save_state(std::vector<StateTable>& tables) const;
+  void load_state(const StateTables& tables);  ///< throws StateError
 
  private:
   std::vector<std::string> names_;
+  std::vector<std::size_t> whole_;
   bool first_ = true;
   Real total_start_ = 0;
   Real largest_ = 0;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/points_state.hpp"
+
 namespace brunt {
 
 template <int Dim>
@@ -14,6 +16,13 @@ void Loads<Dim>::act_on(Points<Dim>& points) {
     body.last_damping.assign(n, Vec<Dim>::Zero());
   }
   bodies_.push_back(std::move(body));
+}
+
+template <int Dim>
+void Loads<Dim>::apply(AppliedForce<Dim> force) {
+  force.last.assign(force.chosen.size(), Vec<Dim>::Zero());
+  force.work.assign(force.chosen.size(), 0.0);
+  forces_.push_back(std::move(force));
 }
 
 template <int Dim>
@@ -34,6 +43,8 @@ void Loads<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
       part.chosen.push_back(here);
       part.share.push_back(load.share[j]);
     }
+    part.last.assign(part.chosen.size(), Vec<Dim>::Zero());
+    part.work.assign(part.chosen.size(), 0.0);
     load = std::move(part);
   }
 }
@@ -65,8 +76,6 @@ void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
   }
   for (auto& load : forces_) {
     auto& points = *load.points;
-    load.last.resize(load.chosen.size(), Vec<Dim>::Zero());
-    load.work.resize(load.chosen.size(), 0.0);
     for (std::size_t j = 0; j < load.chosen.size(); ++j) {
       const auto i = static_cast<std::size_t>(load.chosen[j]);
       Vec3 place = Vec3::Zero();
@@ -97,6 +106,65 @@ void Loads<Dim>::add_totals(Totals<Dim>& totals) const {
   }
   for (const auto& load : forces_) {
     for (const Real work : load.work) totals.add(Column::boundary, -work);
+  }
+}
+
+namespace {
+GlobalId only_row(std::size_t) { return 0; }
+
+template <class Row, class Body>
+void visit_body(Row& row, Body& body, std::size_t i) {
+  if (!body.load_work.empty()) row(body.load_work[i]);
+  if (body.damping_work.empty()) return;
+  row(body.damping_work[i]);
+  row(body.last_damping[i]);
+}
+
+template <class Row, class Force>
+void visit_force(Row& row, Force& force, std::size_t k) {
+  row(force.last[k]);
+  row(force.work[k]);
+}
+
+std::string table_of(const std::string& force) { return "force." + force; }
+}  // namespace
+
+template <int Dim>
+void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
+  for (const auto& body : bodies_) {
+    const std::uint64_t fresh = body.fresh;
+    save_rows(
+        "loads", 1, only_row, [&](auto& row, std::size_t) { row(fresh); }, tables);
+    if (body.load_work.empty() && body.damping_work.empty()) continue;
+    save_rows(
+        "loads.points", static_cast<std::size_t>(body.points->n_owned),
+        [&](std::size_t i) { return body.points->id[i]; },
+        [&](auto& row, std::size_t i) { visit_body(row, body, i); }, tables);
+  }
+  for (const auto& force : forces_) {
+    save_chosen(
+        table_of(force.name), *force.points, force.chosen,
+        [&](auto& row, std::size_t k) { visit_force(row, force, k); }, tables);
+  }
+}
+
+template <int Dim>
+void Loads<Dim>::load_state(const StateTables& tables) {
+  for (auto& body : bodies_) {
+    std::uint64_t fresh = 0;
+    load_rows(
+        "loads", 1, only_row, [&](auto& row, std::size_t) { row(fresh); }, tables);
+    body.fresh = fresh != 0;
+    if (body.load_work.empty() && body.damping_work.empty()) continue;
+    load_rows(
+        "loads.points", static_cast<std::size_t>(body.points->n_owned),
+        [&](std::size_t i) { return body.points->id[i]; },
+        [&](auto& row, std::size_t i) { visit_body(row, body, i); }, tables);
+  }
+  for (auto& force : forces_) {
+    load_chosen(
+        table_of(force.name), *force.points, force.chosen,
+        [&](auto& row, std::size_t k) { visit_force(row, force, k); }, tables);
   }
 }
 

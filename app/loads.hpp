@@ -9,13 +9,14 @@ namespace brunt {
 /// A force on chosen points, in proportion to their masses; total per component [N] over time.
 template <int Dim>
 struct AppliedForce {
+  std::string name;
   Points<Dim>* points = nullptr;
   std::vector<LocalIndex> chosen;
   std::vector<Real> share;  ///< fraction of the total that each point takes
   std::array<std::optional<PrescribedVelocity>, Dim> force;  ///< [N] as a function of time, place
   Real from = 0, to = kInfinity;
   std::vector<Vec<Dim>> last;  ///< [N] at the last full step
-  std::vector<Real> work;      ///< [J] done on each point
+  std::vector<Real> work;      ///< [J] done on the scene, by chosen point
 };
 
 /// Gravity, applied forces and mass-proportional damping, each with its work.
@@ -24,7 +25,7 @@ class Loads {
  public:
   void gravity(const Vec<Dim>& g) { gravity_ = g, has_gravity_ = true; }
   void damp(Real rate, Real until) { rate_ = rate, until_ = until; }  ///< [1/s], [s]
-  void apply(AppliedForce<Dim> force) { forces_.push_back(std::move(force)); }
+  void apply(AppliedForce<Dim> force);
   void act_on(Points<Dim>& points);  ///< a group whose points feel gravity and damping
   /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
   void follow(const Points<Dim>& old, Points<Dim>& now);
@@ -34,6 +35,10 @@ class Loads {
   void add_forces(Real time, Real dt, const Vec<Dim>& origin);
   StepVote stable_step(Real time) const;
   void add_totals(Totals<Dim>& totals) const;
+  /// Work of the owned points that loads act on, and the forces that the next step starts with.
+  void save_state(std::vector<StateTable>& tables) const;
+  /// Throws StateError where a row is missing.
+  void load_state(const StateTables& tables);
 
  private:
   struct Body {

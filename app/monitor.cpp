@@ -27,29 +27,26 @@ Real center(const Scene<Dim>& scene, Label body, int axis) {
   return moment.value() / mass.value() + scene.origin[axis];
 }
 
-/// A row as history.csv has it: whole numbers stay whole.
-template <class Row>
-std::vector<HistoryValue> row_values(const Row& row) {
-  std::vector<HistoryValue> values(row.values.begin(), row.values.end());
-  for (const std::size_t i : row.whole) values[i] = static_cast<std::int64_t>(row.values[i]);
-  values.emplace_back(row.state_hash);
+}  // namespace
+
+std::vector<HistoryValue> history_values(const std::vector<Real>& row, std::uint64_t hash,
+                                         const std::vector<std::size_t>& whole) {
+  std::vector<HistoryValue> values(row.begin(), row.end());
+  for (const std::size_t i : whole) values[i] = static_cast<std::int64_t>(row[i]);
+  values.emplace_back(hash);
   return values;
 }
 
-/// Index of the multiple of `every` at or before time; rounding may not lose a row.
 std::int64_t multiples(Real time, Real every) {
   return every > 0 ? static_cast<std::int64_t>(std::floor(time / every * (1 + 1e-12))) : 0;
 }
-}  // namespace
 
 template <int Dim>
-Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet,
-                      std::function<bool()> interrupted)
+Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet)
     : deck_(deck),
       history_(history),
       frames_(frames),
       progress_(quiet),
-      interrupted_(std::move(interrupted)),
       measured_(deck.measures.size(), false),
       history_every_(deck.output.history.value_or(deck.time.end / 2000)),
       frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
@@ -64,7 +61,7 @@ Label Monitor<Dim>::label(const std::string& body) const {
 }
 
 template <int Dim>
-void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
+void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
   columns_ = collector_->names();
   if (!deck_.measures.empty()) {
@@ -74,15 +71,26 @@ void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
   if (beyond && static_cast<int>(beyond->axis) < Dim) {
     start_center_ = center(scene, label(beyond->body), static_cast<int>(beyond->axis));
   }
+}
+
+template <int Dim>
+void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
+  prepare(scene);
   write_row(scene, clock);
   write_frame(scene, clock.time());
+}
+
+template <int Dim>
+void Monitor<Dim>::stop(Clock& clock, std::string reason) {
+  reason_ = std::move(reason);
+  clock.stop();
 }
 
 template <int Dim>
 void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
   const PhaseTimer timer(scene.phases, Phase::ledger);
   const auto row = collector_->collect(scene, clock);
-  if (history_) history_->write_row(row_values(row));
+  if (history_) history_->write_row(history_values(row.values, row.state_hash, row.whole));
   rows_.push_back(row.values);
   hashes_.push_back(row.state_hash);
   last_row_ = clock.time();
@@ -149,11 +157,6 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   const auto& whose = clock.whose();
   progress_.show(clock, body_names_.empty() ? "" : body_names_[whose.body] + ": " + whose.reason,
                  drift_);
-  if (interrupted_ && scene.ranks->any(interrupted_())) {
-    was_interrupted_ = true;
-    reason_ = "stopped by a signal";
-    clock.stop();
-  }
 }
 
 template <int Dim>
@@ -173,8 +176,7 @@ void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
     } else {
       if (at_rest_since_ < 0) at_rest_since_ = clock.time();
       if (clock.time() - at_rest_since_ >= rest->duration) {
-        reason_ = rest->body + " is at rest";
-        clock.stop();
+        stop(clock, rest->body + " is at rest");
       }
     }
   }
@@ -183,8 +185,7 @@ void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
     if (axis >= Dim) return;
     const Real now = center(scene, label(beyond->body), axis);
     if ((start_center_ - beyond->at) * (now - beyond->at) <= 0) {
-      reason_ = beyond->body + " is beyond its place";
-      clock.stop();
+      stop(clock, beyond->body + " is beyond its place");
     }
   }
 }

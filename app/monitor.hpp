@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -21,23 +20,43 @@ class FrameSink {
   virtual ~FrameSink() = default;
   virtual void write(Real time, const std::vector<BodyView>& bodies,
                      const ContactView* contact) = 0;
+  /// Which frames there are, for a checkpoint.
+  virtual std::string index() const = 0;
+  /// Goes on after the frames of an index, which lie in the folder `from`; later ones go away.
+  virtual void resume(const std::string& index, const std::filesystem::path& from) = 0;
 };
+
+/// A row as history.csv has it: the values at the indices `whole` stay whole, the hash comes last.
+std::vector<HistoryValue> history_values(const std::vector<Real>& row, std::uint64_t hash,
+                                         const std::vector<std::size_t>& whole);
+/// Number of the multiple of `every` at or before time; rounding may not lose a row.
+std::int64_t multiples(Real time, Real every);
 
 /// Watches a run: history rows, frames, checks of the state and of the ledger, measures, stop
 /// conditions, progress. Reads the scene and changes nothing.
 template <int Dim>
 class Monitor final : public Observer<Dim> {
  public:
-  /// history may be null, frames may be null; interrupted is asked after every step.
-  Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet,
-          std::function<bool()> interrupted);
+  /// history may be null, frames may be null.
+  Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet);
 
   void begin(Scene<Dim>& scene, Clock& clock) override;
+  /// What begin does before it writes: all that measures and stops remember of the scene at time 0.
+  void prepare(Scene<Dim>& scene);
   void step_done(Scene<Dim>& scene, Clock& clock) override;
   /// The last row and frame where they are not written yet, and the measures of the end.
   void end(Scene<Dim>& scene, const Clock& clock);
   /// A last frame after a failure; what does not work any more is left out.
   void write_last_frame(Scene<Dim>& scene, const Clock& clock);
+  /// Ends the run after this step.
+  void stop(Clock& clock, std::string reason);
+
+  /// History, measures and what stops wait for; after a whole step.
+  void save_state(std::vector<StateTable>& tables, std::map<std::string, std::string>& texts) const;
+  /// After prepare: takes them back and writes the history anew. frames: the folder that holds the
+  /// frames written so far. Throws StateError; MachineError where history or frames fail.
+  void load_state(const StateTables& tables, const std::map<std::string, std::string>& texts,
+                  const Clock& clock, const std::filesystem::path& frames);
 
   const std::vector<MeasureValue>& measures() const { return measures_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -46,9 +65,10 @@ class Monitor final : public Observer<Dim> {
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }
   Real worst_drift() const { return worst_drift_; }
   const std::string& reason() const { return reason_; }  ///< why it stopped before its end
-  bool interrupted() const { return was_interrupted_; }
 
  private:
+  template <class Row, class AnyMonitor>
+  static void visit(Row& row, AnyMonitor& monitor);
   void write_row(Scene<Dim>& scene, const Clock& clock);
   void write_frame(Scene<Dim>& scene, Real time);
   void check_stops(Scene<Dim>& scene, Clock& clock);
@@ -59,7 +79,6 @@ class Monitor final : public Observer<Dim> {
   HistoryWriter* history_;
   FrameSink* frames_;
   Progress progress_;
-  std::function<bool()> interrupted_;
   std::unique_ptr<HistoryColumns<Dim>> collector_;
   std::vector<std::string> body_names_;
   std::vector<std::string> columns_;
@@ -76,7 +95,6 @@ class Monitor final : public Observer<Dim> {
   Real drift_ = 0, worst_drift_ = 0;
   Real at_rest_since_ = -1;  // [s]; negative: it moves
   Real start_center_ = 0;    // [m] of the body of stop.beyond
-  bool was_interrupted_ = false;
 };
 
 }  // namespace brunt

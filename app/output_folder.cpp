@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/errors.hpp"
+#include "io/checkpoint.hpp"
 #include "io/file.hpp"
 #include "io/summary.hpp"
 
@@ -17,6 +18,7 @@ bool written_by_brunt(const fs::path& path) {
                                        "summary.json", "frames.pvd"};
   static constexpr std::array endings = {".vtu", ".vtp", ".png"};
   const std::string name = path.filename().string();
+  if (is_checkpoint_file(path) || path.extension().string().starts_with(".tmp-")) return true;
   for (const char* known : names) {
     if (name == known) return true;
   }
@@ -36,7 +38,13 @@ void clear(const fs::path& folder) {
   }
 }
 
-/// True where the folder holds a summary of a run that is done with the same deck.
+}  // namespace
+
+fs::path output_path(const RunArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return fs::path(arguments.deck).stem().string() + ".out";
+}
+
 bool is_finished(const fs::path& folder, const std::string& deck_hash) {
   if (!fs::exists(folder / "summary.json")) return false;
   try {
@@ -46,30 +54,24 @@ bool is_finished(const fs::path& folder, const std::string& deck_hash) {
     return false;
   }
 }
-}  // namespace
-
-fs::path output_path(const RunArguments& arguments) {
-  if (!arguments.out.empty()) return arguments.out;
-  return fs::path(arguments.deck).stem().string() + ".out";
-}
-
-FolderState prepare_output(const fs::path& folder, const RunArguments& arguments,
-                           const std::string& deck_hash) {
+void prepare_output(const fs::path& folder, const RunArguments& arguments, bool goes_on) {
   if (fs::exists(folder)) {
-    if (arguments.resume && is_finished(folder, deck_hash)) return FolderState::finished;
     if (!arguments.force && !arguments.resume) {
       throw DeckError({{{folder.string(), 0, 0},
                         "",
-                        "the output folder exists; --force replaces it, --resume skips a run that "
-                        "is done, --out DIR names another"}});
+                        "the output folder exists; --force replaces it, --resume goes on with its "
+                        "run or skips it where it is done, --out DIR names another"}});
     }
     if (!fs::is_directory(folder)) {
       throw DeckError({{{folder.string(), 0, 0}, "", "is a file, not an output folder"}});
     }
-    clear(folder);
+    if (goes_on) {
+      fs::remove(folder / "summary.json");  // of the run before it went on
+    } else {
+      clear(folder);
+    }
   }
   create_folder(folder);
-  return FolderState::fresh;
 }
 
 }  // namespace brunt

@@ -6,16 +6,16 @@
 
 namespace brunt {
 
-/// What is to be done with a run's output folder.
-enum class FolderState { fresh, finished };
-
 /// The folder a run writes to.
 std::filesystem::path output_path(const RunArguments& arguments);
 
+/// True where the folder holds a summary of a run that is done with the same resolved deck.
+bool is_finished(const std::filesystem::path& folder, const std::string& deck_hash);
+
 /// Makes the folder, once the deck is known to be right. An existing one is refused (DeckError)
 /// without force or resume; force takes away what an earlier run wrote there and nothing else.
-/// finished: resume found a run that is done with the same resolved deck.
-FolderState prepare_output(const std::filesystem::path& folder, const RunArguments& arguments,
-                           const std::string& deck_hash);
+/// goes_on  the run goes on from a checkpoint in this folder: history, frames and checkpoints stay
+void prepare_output(const std::filesystem::path& folder, const RunArguments& arguments,
+                    bool goes_on);
 
 }  // namespace brunt

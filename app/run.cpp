@@ -6,12 +6,12 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <optional>
 
 #include "app/build/scene_builder.hpp"
 #include "app/build/sound_part.hpp"
+#include "app/checkpointing.hpp"
 #include "app/deck/findings.hpp"
 #include "app/distribute.hpp"
 #include "app/frames.hpp"
@@ -27,14 +27,6 @@ namespace brunt {
 namespace fs = std::filesystem;
 
 namespace {
-// A handler may only set a flag; the loop reads it between steps. A second signal ends at once.
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler has no other way.
-volatile std::sig_atomic_t signal_received = 0;
-void on_signal(int number) {
-  signal_received = 1;
-  std::signal(number, SIG_DFL);
-}
-
 void choose_threads(int asked) {
   if (asked > 0) omp_set_num_threads(asked);
 }
@@ -43,7 +35,7 @@ void choose_threads(int asked) {
 LoadedDeck load(const RunArguments& arguments) {
   auto overrides = arguments.overrides;
   if (!arguments.until) return load_or_tell_all(arguments.deck, overrides);
-  overrides.push_back("time.end=" + *arguments.until);
+  overrides.push_back("time.until=" + *arguments.until);
   try {
     return load_or_tell_all(arguments.deck, overrides);
   } catch (const DeckError& error) {
@@ -94,6 +86,7 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
 
 /// What goes between ranks in a step, of all ranks together.
 void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& summary) {
+  summary.ranks = ranks.size();
   if (ranks.alone() || steps == 0) return;
   const auto sum = [&](std::int64_t mine) {
     return static_cast<double>(ranks.sum(static_cast<std::uint64_t>(mine)));
@@ -104,6 +97,15 @@ void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& sum
   summary.reductions_step = static_cast<double>(own.reductions) / static_cast<double>(steps);
 }
 
+/// The log of the root; other ranks keep none.
+std::shared_ptr<spdlog::logger> open_log(const fs::path& folder, bool goes_on, bool root) {
+  auto log = std::make_shared<spdlog::logger>("brunt");
+  if (!root) return log;
+  log->sinks().push_back(
+      std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "log.txt").string(), !goes_on));
+  return log;
+}
+
 struct Ended {
   int status = kDone;
   std::string reason;
@@ -111,11 +113,12 @@ struct Ended {
 
 /// Steps the scene; a broken physics is reported after a last frame.
 template <int Dim>
-Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim>& monitor) {
+Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim>& monitor,
+                  Checkpointing<Dim>& checkpointing) {
   try {
-    run_time_loop(scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), monitor);
+    run_time_loop(scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), checkpointing);
     monitor.end(scene, clock);
-    return {monitor.interrupted() ? kStopped : kDone, monitor.reason()};
+    return {checkpointing.interrupted() ? kStopped : kDone, monitor.reason()};
   } catch (const PhysicsError& error) {
     PhysicsFailure failure = error.failure();
     if (failure.time == 0) failure.time = clock.time();
@@ -175,6 +178,34 @@ void print_end(const Ended& ended, const Clock& clock, const fs::path& folder) {
   }
 }
 
+/// What the run came to; costs aside.
+template <int Dim>
+void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clock,
+                  const Monitor<Dim>& monitor, RunSummary& summary) {
+  summary.version = BRUNT_VERSION;
+  summary.deck_hash = loaded.hash;
+  for (const auto& parameter : loaded.parameters) {
+    summary.parameters.emplace_back(parameter.name, parameter.text);
+  }
+  summary.overrides = loaded.overrides;
+  summary.status = ended.status;
+  summary.reason = ended.reason;
+  summary.steps = clock.step();
+  summary.peak_memory = peak_memory();
+  summary.drift = monitor.worst_drift();
+  for (const auto& measure : monitor.measures()) {
+    std::optional<Real> error;
+    if (measure.reference && *measure.reference != 0) {
+      error = (measure.value - *measure.reference) / std::fabs(*measure.reference);
+    }
+    summary.measures.push_back(
+        {measure.name, measure.value, measure.unit, measure.reference, error});
+  }
+  for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
+  summary.threads = omp_get_max_threads();
+  summary.instruction_set = BRUNT_ISA;
+}
+
 template <int Dim>
 int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
   const auto wall_start = std::chrono::steady_clock::now();
@@ -189,21 +220,27 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const auto folder = output_path(arguments);
   RunSummary summary;
   const bool root = ranks.is_root();
-  const bool finished =
-      root && prepare_output(folder, arguments, loaded.hash) == FolderState::finished;
-  if (ranks.any(finished)) {
+  if (arguments.resume && ranks.any(root && is_finished(folder, loaded.hash))) {
     if (!root) return kDone;
     summary = read_summary(folder);
     if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
     if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
     return kDone;
   }
-  auto log = std::make_shared<spdlog::logger>("brunt");  // of the root alone
+  std::vector<std::string> refused;
+  const auto restart = find_restart(arguments, folder, loaded, [&](const std::string& reason) {
+    refused.push_back(reason);
+    if (root) std::fprintf(stderr, "warning: %s\n", reason.c_str());
+  });
+  std::error_code no_folder;
+  const bool goes_on = restart && fs::equivalent(restart->point().folder(), folder, no_folder);
+  ranks.barrier();  // all have read what the root may replace
   if (root) {
+    prepare_output(folder, arguments, goes_on);
     write_file_atomically(folder / "deck.resolved.yaml", loaded.resolved);
-    log->sinks().push_back(
-        std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "log.txt").string(), true));
   }
+  ranks.barrier();  // the folder is there for all
+  auto log = open_log(folder, goes_on, root);
   log->info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA,
             ranks.size(), omp_get_max_threads(), arguments.deck);
   for (const auto& warning : loaded.warnings) {
@@ -217,39 +254,23 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   std::optional<HistoryWriter> history;
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = root ? make_frame_sink(folder) : drop_frames();
-  Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
-                       [] { return signal_received != 0; });
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  const Ended ended = step_to_end(*scene, clock, deck, monitor);
-
-  summary.version = BRUNT_VERSION;
-  summary.deck_hash = loaded.hash;
-  for (const auto& parameter : loaded.parameters) {
-    summary.parameters.emplace_back(parameter.name, parameter.text);
+  Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root);
+  if (restart) {
+    log->info("goes on from {}, t = {} s", restart->point().manifest.string(),
+              restart->point().header.time);
   }
-  summary.overrides = loaded.overrides;
-  summary.status = ended.status;
-  summary.reason = ended.reason;
-  summary.steps = clock.step();
+  Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
+  const Ended ended = step_to_end(*scene, clock, deck, monitor, checkpointing);
+  for (const auto& reason : refused) {
+    log->warn("{}", reason);
+    summary.warnings.push_back({"checkpoint", reason});
+  }
+
+  fill_summary(loaded, ended, clock, monitor, summary);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-  fill_costs(*scene, clock.step(), summary);
-  summary.peak_memory = peak_memory();
-  summary.drift = monitor.worst_drift();
-  for (const auto& measure : monitor.measures()) {
-    std::optional<Real> error;
-    if (measure.reference && *measure.reference != 0) {
-      error = (measure.value - *measure.reference) / std::fabs(*measure.reference);
-    }
-    summary.measures.push_back(
-        {measure.name, measure.value, measure.unit, measure.reference, error});
-  }
-  for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
-  summary.ranks = ranks.size();
-  summary.threads = omp_get_max_threads();
-  summary.instruction_set = BRUNT_ISA;
-  fill_traffic(ranks, clock.step(), summary);
+  fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
+  fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
   if (!root) return ended.status;
   const auto pictures = deck.output.pictures && ended.status != kStopped
                             ? draw_pictures(folder, deck.title, summary)
@@ -267,6 +288,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
 }  // namespace
 
 int run_command(const RunArguments& arguments, const Communicator& ranks) {
+  listen_to_signals();
   choose_threads(arguments.threads);
   const LoadedDeck loaded = load(arguments);
   return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)

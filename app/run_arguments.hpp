@@ -17,7 +17,8 @@ struct RunArguments {
   int threads = 0;                   ///< 0: OMP_NUM_THREADS, else all cores
   int ranks = 1;                     ///< processes that brunt starts by mpirun
   bool oversubscribe = false;        ///< more ranks than cores
-  std::optional<std::string> until;  ///< overrides time.end
+  std::optional<std::string> until;  ///< overrides time.until
+  std::string restart;               ///< a checkpoint or a folder of them; empty: none
 };
 
 /// Exit statuses (deck.md).

@@ -236,6 +236,23 @@ ContactView Scene<Dim>::contact_view() const {
 }
 
 template <int Dim>
+void Scene<Dim>::save_state(std::vector<StateTable>& tables) const {
+  for (const auto& solid : solids) solid->save_state(tables);
+  supports.save_state(tables);
+  loads.save_state(tables);
+  if (contact) contact->save_state(tables);
+}
+
+template <int Dim>
+void Scene<Dim>::load_state(const StateTables& tables) {
+  for (auto& solid : solids) solid->load_state(tables);
+  for (auto& solid : solids) solid->rearrange();
+  supports.load_state(tables);
+  loads.load_state(tables);
+  if (contact) contact->load_state(tables);
+}
+
+template <int Dim>
 std::size_t Scene<Dim>::n_points() const {
   std::size_t n = 0;
   for (const auto& solid : solids) n += static_cast<std::size_t>(solid->points().n_owned);

@@ -45,6 +45,11 @@ struct Scene {
   /// On the root, absolute positions; elsewhere empty.
   BodyView view(Label body) const;
   ContactView contact_view() const;
+  /// Tables of all that goes on from step to step.
+  void save_state(std::vector<StateTable>& tables) const;
+  /// Takes the scene back to a saved state and rebuilds its lists there. Throws StateError where a
+  /// row is missing; then only a complete load makes the scene whole again.
+  void load_state(const StateTables& tables);
 
   std::size_t n_points() const;
   std::size_t n_elements() const;

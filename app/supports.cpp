@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/points_state.hpp"
+
 namespace brunt {
 
 namespace {
@@ -171,6 +173,45 @@ void Supports<Dim>::add_totals(Totals<Dim>& totals) const {
   }
   for (const auto& constraint : constraints_) {
     for (const Real work : constraint.work) totals.add(Column::boundary, -work);
+  }
+}
+
+namespace {
+template <class Row, class Held>
+void visit_held(Row& row, Held& held, std::size_t k) {
+  row(held.reaction[k]);
+  row(held.work[k]);
+}
+
+std::string table_of(const std::string& constraint) { return "support." + constraint; }
+}  // namespace
+
+template <int Dim>
+void Supports<Dim>::save_state(std::vector<StateTable>& tables) const {
+  for (const auto& rigid : rigid_) {
+    save_rows(
+        "rigid", static_cast<std::size_t>(rigid.points->n_owned),
+        [&](std::size_t i) { return rigid.points->id[i]; },
+        [&](auto& row, std::size_t i) { visit_held(row, rigid, i); }, tables);
+  }
+  for (const auto& held : constraints_) {
+    save_chosen(
+        table_of(held.name), *held.points, held.chosen,
+        [&](auto& row, std::size_t k) { visit_held(row, held, k); }, tables);
+  }
+}
+
+template <int Dim>
+void Supports<Dim>::load_state(const StateTables& tables) {
+  for (auto& rigid : rigid_) {
+    load_rows(
+        "rigid", rigid.reaction.size(), [&](std::size_t i) { return rigid.points->id[i]; },
+        [&](auto& row, std::size_t i) { visit_held(row, rigid, i); }, tables);
+  }
+  for (auto& held : constraints_) {
+    load_chosen(
+        table_of(held.name), *held.points, held.chosen,
+        [&](auto& row, std::size_t k) { visit_held(row, held, k); }, tables);
   }
 }
 

@@ -44,6 +44,10 @@ class Supports {
   void take_reactions(Real time, Real dt);
   /// Column boundary: minus the work done on the scene.
   void add_totals(Totals<Dim>& totals) const;
+  /// Reactions and work of the owned points that are held.
+  void save_state(std::vector<StateTable>& tables) const;
+  /// Throws StateError where a row is missing.
+  void load_state(const StateTables& tables);
   const std::vector<Constraint<Dim>>& constraints() const { return constraints_; }
 
  private:

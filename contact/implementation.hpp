@@ -39,6 +39,7 @@ struct ContactManager<Dim>::Implementation {
   Candidates<Dim> candidates;
   Records<Dim> records;
   StepVote vote;
+  Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation
   bool started = false;  // forces have been evaluated
 };

@@ -127,6 +127,7 @@ void ContactManager<Dim>::add_forces(Real dt) {
   own.evaluate(dt, longest, ahead);
   const auto elsewhere = own.imports.send_home(own.records, nodes);
   apply<Dim>(own.records, elsewhere, dt, own.surfaces, nodes);
+  own.dt_last = dt;
   own.ahead_last = ahead;
   own.started = true;
 }

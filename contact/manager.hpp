@@ -56,6 +56,12 @@ class ContactManager {
   /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping.
   void add_forces(Real dt);
   void add_totals(Totals<Dim>& totals) const;
+  /// Forces and energies of the owned points that contact moves.
+  void save_state(std::vector<StateTable>& tables) const;
+  /// Takes contact back to a saved state; the surfaces are there already. Lists are built, records
+  /// and votes evaluated anew at the positions and mid-step velocities of the last evaluation.
+  /// Throws StateError where a row is missing.
+  void load_state(const StateTables& tables);
   std::vector<PairReport> reports() const;
   /// Contacts of the last evaluation; positions relative to the scene's origin; normal from
   /// body_a to body_b, force on body_b.

@@ -5,6 +5,7 @@
 #include "core/ledger.hpp"
 #include "core/parallel/deal.hpp"
 #include "core/parallel/ghosts.hpp"
+#include "core/state.hpp"
 #include "core/step_vote.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
@@ -73,6 +74,11 @@ class Solid {
   /// Elements and particles that this rank counts.
   virtual std::size_t n_elements() const = 0;
   virtual std::size_t n_particles() const = 0;
+  /// Adds tables of all that the group carries from step to step, owned points and all elements.
+  virtual void save_state(std::vector<StateTable>& tables) const = 0;
+  /// Takes every point and element back to a saved state, by id; lists are as old as before. Throws
+  /// StateError where a row is missing; then only a complete load makes the group whole.
+  virtual void load_state(const StateTables& tables) = 0;
 };
 
 }  // namespace brunt

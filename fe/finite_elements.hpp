@@ -40,6 +40,8 @@ class FiniteElements final : public Solid<Dim> {
   std::size_t n_elements() const override;
   std::size_t n_particles() const override { return 0; }
   const GhostPlan& ghosts() const override { return ghosts_; }
+  void save_state(std::vector<StateTable>& tables) const override;
+  void load_state(const StateTables& tables) override;
 
   const std::vector<ElementBlock<Dim>>& blocks() const { return blocks_; }
   /// For tests and restart: state of the elements.

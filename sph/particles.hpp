@@ -90,6 +90,8 @@ class SphParticles final : public Solid<Dim> {
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return n_owned(); }
   const GhostPlan& ghosts() const override { return ghosts_; }
+  void save_state(std::vector<StateTable>& tables) const override;
+  void load_state(const StateTables& tables) override;
 
   /// Skin of the neighbour lists, in units of the largest smoothing length of the group.
   void set_skin(Real skin);

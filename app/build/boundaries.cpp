@@ -99,9 +99,10 @@ void add_velocity(const std::string& name, const deck::Boundary& boundary, Point
 }
 
 template <int Dim>
-void add_force(const deck::Boundary& boundary, Points<Dim>& points,
+void add_force(const std::string& name, const deck::Boundary& boundary, Points<Dim>& points,
                const std::vector<LocalIndex>& chosen, Scene<Dim>& scene) {
   AppliedForce<Dim> force;
+  force.name = name;
   force.points = &points;
   force.chosen = chosen;
   force.from = boundary.from, force.to = boundary.to;
@@ -156,7 +157,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     if (!boundary.fix.empty() || boundary.velocity) {
       add_velocity(name, boundary, points, chosen, scene);
     }
-    if (boundary.force) add_force(boundary, points, chosen, scene);
+    if (boundary.force) add_force(name, boundary, points, chosen, scene);
   }
   if (!deck.gravity.empty()) {
     Vec<Dim> g;

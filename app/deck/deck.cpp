@@ -26,6 +26,9 @@ void describe(Schema& s, Time& time) {
   s.real({"min_step", "a shorter step stops the run"}, time.min_step, {"s", positive()});
   s.real({"max_drift", "energy drift over the largest energy at which the run stops"},
          time.max_drift, {"1", positive(), between(0, 1)});
+  s.real(
+      {"until", "stops here with a checkpoint, at the first step that gets there; no bit changes"},
+      time.until, {"s", positive()});
   s.later(kLater);
 }
 
@@ -71,7 +74,6 @@ void describe(Schema& s, Output& output) {
   static constexpr const char* kFields[] = {
       "displacement", "velocity", "acceleration", "force",   "temperature", "stress", "pressure",
       "von_mises",    "eps_p",    "strain_rate",  "density", "piece",       "id"};
-  static constexpr const char* kLater[] = {"checkpoint"};
   s.real({"every", "time between frames; default: a hundredth of the end"}, output.every,
          {"s", positive()});
   s.real({"history", "time between rows of history.csv; default: the end over 2000"},
@@ -83,7 +85,11 @@ void describe(Schema& s, Output& output) {
   s.words({"fields", "fields in frames; default: all"}, output.fields, kFields);
   s.names({"bodies", "bodies in frames; default: all"}, output.bodies, 0);
   s.flag({"pictures", "writes pictures at the end"}, output.pictures);
-  s.later(kLater);
+  s.real_or_word(
+      {"checkpoint", "wall time between checkpoints; off: only on a signal and at time.until"},
+      output.checkpoint, {"s", positive()}, "off");
+  s.integer({"checkpoint_steps", "steps between checkpoints besides; 0: none"},
+            output.checkpoint_steps, at_least(0));
 }
 
 }  // namespace deck

@@ -24,6 +24,7 @@ struct Time {
   std::optional<Real> max_step;  ///< [s]
   std::optional<Real> min_step;  ///< [s] a smaller step stops the run
   Real max_drift = 0.05;         ///< energy drift over the largest energy at which the run stops
+  std::optional<Real> until;  ///< [s] stops, with a checkpoint, at the first step that gets there
 };
 
 enum class Heat : int { automatic, off, adiabatic };
@@ -63,6 +64,8 @@ struct Output {
   std::vector<std::string> fields;  ///< empty: all
   std::vector<std::string> bodies;  ///< empty: all
   bool pictures = false;
+  std::optional<Real> checkpoint = 600;  ///< [s] of wall time between checkpoints; none: off
+  int checkpoint_steps = 0;              ///< steps between checkpoints besides; 0: none
 };
 
 void describe(Schema& s, Time& time);

@@ -54,6 +54,8 @@ class Communicator {
   bool any(bool mine) const {
     return reduce(mine, [](bool& a, bool b) { a = a || b; });
   }
+  /// Waits until all ranks are here.
+  void barrier() const { any(false); }
   /// The largest of each value over all ranks.
   void max(std::span<Real> values) const;
   Real max(Real mine) const {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "core/points_state.hpp"
 #include "core/solid.hpp"
 
 namespace brunt {
@@ -44,6 +45,8 @@ class RigidSurfaces final : public Solid<Dim> {
   const GhostPlan& ghosts() const override { return ghosts_; }
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return 0; }
+  void save_state(std::vector<StateTable>& tables) const override { save_points(points_, tables); }
+  void load_state(const StateTables& tables) override { load_points(points_, tables); }
 
  private:
   Points<Dim> points_;

@@ -30,11 +30,11 @@ class KeyWalker final : public Schema {
   void real(const Key& key, std::optional<Real>&, const Quantity& quantity) override {
     add(key, KeyInfo::Type::real, quantity);
   }
-  void real_or_word(const Key& key, std::optional<Real>&, const Quantity& quantity,
+  void real_or_word(const Key& key, std::optional<Real>& value, const Quantity& quantity,
                     const char* word) override {
     KeyInfo& info = add(key, KeyInfo::Type::real_or_word, quantity);
     info.words = {word};
-    info.fallback = word;
+    info.fallback = value ? shortest_text(*value) : word;
   }
   void integer(const Key& key, int& value, const Range& range) override {
     KeyInfo& info = add(key, KeyInfo::Type::integer, {"1", range});

@@ -40,7 +40,7 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-void write_frame_index(const std::filesystem::path& folder, const std::vector<FrameEntry>& frames) {
+std::string frame_index_text(const std::vector<FrameEntry>& frames) {
   std::string text =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
@@ -55,16 +55,22 @@ void write_frame_index(const std::filesystem::path& folder, const std::vector<Fr
       text += "\"/>\n";
     }
   }
-  text += "  </Collection>\n</VTKFile>\n";
-  write_file_atomically(folder / "frames.pvd", text);
+  return text + "  </Collection>\n</VTKFile>\n";
+}
+
+void write_frame_index(const std::filesystem::path& folder, const std::vector<FrameEntry>& frames) {
+  write_file_atomically(folder / "frames.pvd", frame_index_text(frames));
 }
 
 std::vector<FrameEntry> read_frame_index(const std::filesystem::path& folder) {
   const auto path = folder / "frames.pvd";
-  const auto fail = [&path](const std::string& what) {
-    throw MachineError("cannot use '" + path.string() + "': " + what);
+  return parse_frame_index(read_file(path), path.string());
+}
+
+std::vector<FrameEntry> parse_frame_index(const std::string& text, const std::string& name) {
+  const auto fail = [&name](const std::string& what) {
+    throw MachineError("cannot use '" + name + "': " + what);
   };
-  const std::string text = read_file(path);
   VtkMessages messages;
   const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
       vtkXMLUtilities::ReadElementFromString(text.c_str()));
@@ -75,11 +81,11 @@ std::vector<FrameEntry> read_frame_index(const std::filesystem::path& folder) {
     auto* element = collection->GetNestedElement(i);
     const char* time = element->GetAttribute("timestep");
     const char* file = element->GetAttribute("file");
-    const char* name = element->GetAttribute("name");
+    const char* part = element->GetAttribute("name");
     const auto value = time ? parse_real(time) : std::nullopt;
     if (!value || file == nullptr) fail("entry " + std::to_string(i) + " has no time or no file");
     if (frames.empty() || frames.back().time != *value) frames.push_back({*value, {}});
-    frames.back().parts.push_back({name ? name : file, file});
+    frames.back().parts.push_back({part ? part : file, file});
   }
   return frames;
 }

@@ -17,6 +17,12 @@ struct FrameEntry {
   std::vector<Part> parts;
 };
 
+/// The text of frames.pvd.
+std::string frame_index_text(const std::vector<FrameEntry>& frames);
+
+/// What such a text names, by time. Throws MachineError naming `name` where it is broken.
+std::vector<FrameEntry> parse_frame_index(const std::string& text, const std::string& name);
+
 /// Replaces folder/frames.pvd, which ParaView opens: each part is a block with its name. Throws
 /// MachineError.
 void write_frame_index(const std::filesystem::path& folder, const std::vector<FrameEntry>& frames);

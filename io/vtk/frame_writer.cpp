@@ -4,6 +4,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <cstdio>
+#include <set>
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
@@ -49,13 +50,28 @@ std::string bytes_of(vtkDataObject* data, const std::filesystem::path& path) {
   return writer->GetOutputString();
 }
 
-void remove_frames(const std::filesystem::path& folder) {
+/// Removes the frames in a folder but those kept.
+void remove_frames(const std::filesystem::path& folder, const std::set<std::string>& kept = {}) {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const auto extension = entry.path().extension();
+    if (kept.count(std::string(kSubfolder) + "/" + entry.path().filename().string())) continue;
     if (extension == ".vtu" || extension == ".vtp") std::filesystem::remove(entry.path(), error);
     if (error) throw MachineError("cannot remove '" + entry.path().string() + "'");
   }
+}
+
+/// Links or copies a file; true if it is there in the end.
+bool bring(const std::filesystem::path& from, const std::filesystem::path& to) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_regular_file(from, error)) return false;
+  if (fs::equivalent(from, to, error)) return true;
+  fs::remove(to, error);
+  fs::create_hard_link(from, to, error);
+  if (error) fs::copy_file(from, to, error);
+  if (error) throw MachineError("cannot write '" + to.string() + "': " + error.message());
+  return true;
 }
 
 }  // namespace
@@ -66,28 +82,39 @@ FrameWriter::FrameWriter(std::filesystem::path folder) : folder_(std::move(folde
   remove_frames(folder_ / kSubfolder);
 }
 
-FrameWriter::FrameWriter(std::filesystem::path folder, Real until) : folder_(std::move(folder)) {
+FrameWriter::FrameWriter(std::filesystem::path folder, const std::string& index,
+                         const std::filesystem::path& from)
+    : folder_(std::move(folder)) {
   create_folder(folder_ / kSubfolder);
-  for (auto& frame : read_frame_index(folder_)) {
-    if (frame.time <= until) frames_.push_back(std::move(frame));
+  std::set<std::string> kept;
+  for (auto& frame : parse_frame_index(index, "frames of the checkpoint")) {
+    ++next_;
+    bool whole = true;
+    for (const auto& part : frame.parts)
+      whole = bring(from / part.file, folder_ / part.file) && whole;
+    if (!whole) continue;
+    for (const auto& part : frame.parts) kept.insert(part.file);
+    frames_.push_back(std::move(frame));
   }
   write_frame_index(folder_, frames_);
+  remove_frames(folder_ / kSubfolder, kept);
 }
 
 void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
                         const ContactView* contact) {
   FrameEntry frame{time, {}};
   for (const auto& body : bodies) {
-    frame.parts.push_back({body.body, file_name(body.body, frames_.size(), ".vtu")});
+    frame.parts.push_back({body.body, file_name(body.body, next_, ".vtu")});
     const auto path = folder_ / frame.parts.back().file;
     write_file_atomically(path, bytes_of<vtkXMLUnstructuredGridWriter>(to_grid(body), path));
   }
   if (contact != nullptr) {
-    frame.parts.push_back({"contact", file_name("contact", frames_.size(), ".vtp")});
+    frame.parts.push_back({"contact", file_name("contact", next_, ".vtp")});
     const auto path = folder_ / frame.parts.back().file;
     write_file_atomically(path, bytes_of<vtkXMLPolyDataWriter>(to_contacts(*contact, time), path));
   }
   frames_.push_back(std::move(frame));
+  ++next_;
   write_frame_index(folder_, frames_);
 }
 

@@ -16,8 +16,14 @@ class FrameWriter {
   /// Starts anew: frames that are there already are removed. Throws MachineError.
   explicit FrameWriter(std::filesystem::path folder);
 
-  /// Goes on after a restart: keeps the frames up to time `until` [s]. Throws MachineError.
-  FrameWriter(std::filesystem::path folder, Real until);
+  /// Goes on after a restart with the frames of an index, which lie in the folder `from`: those of
+  /// another folder are linked or copied, those that are not there any more left out. Others in
+  /// `folder` are removed. Throws MachineError.
+  FrameWriter(std::filesystem::path folder, const std::string& index,
+              const std::filesystem::path& from);
+
+  /// The present text of frames.pvd.
+  std::string index() const { return frame_index_text(frames_); }
 
   /// Writes one frame. contact may be null; a scene gives it always or never, so that the parts are
   /// the same in all frames. Throws MachineError with the name of the file; the frames before stay.
@@ -28,6 +34,7 @@ class FrameWriter {
  private:
   std::filesystem::path folder_;
   std::vector<FrameEntry> frames_;
+  std::size_t next_ = 0;  // number of the next frame in names of files
 };
 
 }  // namespace brunt

@@ -1,5 +1,6 @@
 // Every shipped deck, shortened where it is long: the balance closes within 1 %, and not one bit of
-// any history row depends on threads, skin or how often lists are rebuilt.
+// any history row depends on threads, skin, how often lists are rebuilt or whether the run was
+// split in two by a restart.
 #include <gtest/gtest.h>
 
 #include "tests/support/simulate.hpp"
@@ -43,6 +44,15 @@ TEST_P(ShippedDeck, BitsDependOnTheDeckAlone) {
                    "rearranged every step");
   for (const char* skin : {"contact.skin=0", "contact.skin=0.05 mm", "contact.skin=2 mm"}) {
     expect_same_bits(one, simulate_shipped(name, with(skin), {.threads = 2}), skin);
+  }
+  // In two parts, cut early and late.
+  for (const std::int64_t step : {std::int64_t{1}, one.steps / 3, one.steps - 1}) {
+    const auto split = simulate_shipped(name, shorten, {.threads = 2, .split_at = step});
+    expect_same_bits(one, split, "restarted at step " + std::to_string(step));
+    EXPECT_EQ(split.steps, one.steps);
+    EXPECT_EQ(split.steps_here, one.steps - step);
+    EXPECT_EQ(split.measures, one.measures);
+    EXPECT_EQ(split.worst_drift, one.worst_drift);
   }
 }
 

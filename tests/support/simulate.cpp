@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "app/build/scene_builder.hpp"
+#include "app/checkpointing.hpp"
 #include "app/monitor.hpp"
 
 namespace brunt::test {
@@ -34,16 +36,29 @@ Real Simulation::largest_energy() const {
 }
 
 namespace {
-/// Passes on to a monitor and to the hooks, and rearranges after every step where that is asked
-/// for.
+/// A folder that goes away with it.
+struct TemporaryFolder {
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "brunt-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path = name;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::filesystem::path path;
+};
+
+/// Passes on to another observer and to the hooks, and rearranges after every step where that is
+/// asked for.
 template <int Dim>
 class Watcher final : public Observer<Dim> {
  public:
-  Watcher(Monitor<Dim>& monitor, bool rearrange, const SceneHooks& hooks)
-      : monitor_(monitor), rearrange_(rearrange), hooks_(hooks) {}
-  void begin(Scene<Dim>& scene, Clock& clock) override { monitor_.begin(scene, clock); }
+  Watcher(Observer<Dim>& inner, bool rearrange, const SceneHooks& hooks)
+      : inner_(inner), rearrange_(rearrange), hooks_(hooks) {}
+  void begin(Scene<Dim>& scene, Clock& clock) override { inner_.begin(scene, clock); }
   void step_done(Scene<Dim>& scene, Clock& clock) override {
-    monitor_.step_done(scene, clock);
+    inner_.step_done(scene, clock);
     if constexpr (Dim == 3) {
       if (hooks_.step_done) hooks_.step_done(scene, clock);
     }
@@ -51,22 +66,28 @@ class Watcher final : public Observer<Dim> {
   }
 
  private:
-  Monitor<Dim>& monitor_;
+  Observer<Dim>& inner_;
   bool rearrange_;
   const SceneHooks& hooks_;
 };
 
 template <int Dim>
 Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variation,
-                          const SceneHooks& hooks) {
+                          const SceneHooks& hooks, const std::filesystem::path& folder,
+                          Restart* restart) {
   auto scene = build_scene<Dim>(loaded);
   if constexpr (Dim == 3) {
     if (hooks.built) hooks.built(*scene);
   }
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
-  Monitor<Dim> monitor(deck, nullptr, nullptr, true, [] { return false; });
-  Watcher<Dim> observer(monitor, variation.rearrange_every_step, hooks);
+  Monitor<Dim> monitor(deck, nullptr, nullptr, true);
+  const std::int64_t stop_at = restart == nullptr ? variation.split_at : 0;
+  std::int64_t steps = 0;
+  Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart, [&] {
+    return Requests{false, ++steps == stop_at};
+  });
+  Watcher<Dim> observer(checkpointing, variation.rearrange_every_step, hooks);
   Simulation result;
   try {
     run_time_loop(*scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), observer);
@@ -83,6 +104,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
     result.bodies[scene->body_names[b]] = scene->view(static_cast<Label>(b));
   }
   result.steps = clock.step();
+  result.steps_here = clock.step() - checkpointing.first_step();
   result.worst_drift = monitor.worst_drift();
   return result;
 }
@@ -92,9 +114,22 @@ Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation,
                     const SceneHooks& hooks) {
   const int threads = omp_get_max_threads();
   if (variation.threads > 0) omp_set_num_threads(variation.threads);
-  Simulation result = loaded.deck.geometry == Geometry::three_d
-                          ? simulate_scene<3>(loaded, variation, hooks)
-                          : simulate_scene<2>(loaded, variation, hooks);
+  const auto run = [&](const std::filesystem::path& folder, Restart* restart) {
+    return loaded.deck.geometry == Geometry::three_d
+               ? simulate_scene<3>(loaded, variation, hooks, folder, restart)
+               : simulate_scene<2>(loaded, variation, hooks, folder, restart);
+  };
+  Simulation result;
+  if (variation.split_at == 0) {
+    result = run("", nullptr);
+  } else {
+    const TemporaryFolder folder;
+    run(folder.path, nullptr);
+    Restart restart(checkpoints_in(folder.path), loaded,
+                    [](const std::string& reason) { throw std::runtime_error(reason); });
+    if (!restart.next()) throw std::runtime_error("the first part wrote no checkpoint");
+    result = run("", &restart);
+  }
   omp_set_num_threads(threads);
   return result;
 }

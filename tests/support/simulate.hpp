@@ -14,6 +14,8 @@ namespace brunt::test {
 struct RunVariation {
   int threads = 0;  ///< 0: as the environment says
   bool rearrange_every_step = false;
+  /// Stops after so many steps with a checkpoint, and goes on from it in a new scene; 0: does not.
+  std::int64_t split_at = 0;
 };
 
 /// What a test does to a scene of a 3D deck from outside.
@@ -30,6 +32,7 @@ struct Simulation {
   std::map<std::string, Real> measures;
   std::map<std::string, BodyView> bodies;  ///< at the end
   std::int64_t steps = 0;
+  std::int64_t steps_here = 0;  ///< without those before a restart
   Real worst_drift = 0;
   std::string failure;  ///< what a PhysicsError said; empty: none
 

@@ -33,6 +33,8 @@ class Broken final : public Solid<3> {
  public:
   Broken(std::unique_ptr<Solid<3>> solid, Real factor) : solid_(std::move(solid)), by_(factor) {}
   std::unique_ptr<Solid<3>> part(const Deal&, const Communicator&) const override { return {}; }
+  void save_state(std::vector<StateTable>& tables) const override { solid_->save_state(tables); }
+  void load_state(const StateTables& tables) override { solid_->load_state(tables); }
   const GhostPlan& ghosts() const override { return solid_->ghosts(); }
   Points<3>& points() override { return solid_->points(); }
   const Points<3>& points() const override { return solid_->points(); }
@@ -54,6 +56,8 @@ class Broken final : public Solid<3> {
   BodyView view(Label body) const override { return solid_->view(body); }
   std::size_t n_elements() const override { return solid_->n_elements(); }
   std::size_t n_particles() const override { return solid_->n_particles(); }
+  void save_state(std::vector<StateTable>& tables) const override { solid_->save_state(tables); }
+  void load_state(const StateTables& tables) override { solid_->load_state(tables); }
 
  private:
   std::unique_ptr<Solid<3>> solid_;

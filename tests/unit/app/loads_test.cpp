@@ -58,5 +58,52 @@ TEST(Loads, ForceIsSharedByMass) {
   EXPECT_EQ(points.f[1], Vec<2>(0, 6));
 }
 
+/// One mass under weight, drag and a force that grows, for `steps` steps from step `from` on.
+void advance(Points<3>& points, Loads<3>& loads, int from, int steps) {
+  const Real dt = 1e-3;
+  for (int n = from; n < from + steps; ++n) {
+    predict(points, dt, n ? dt : 0);
+    loads.add_forces(dt * (n + 1), dt, Vec3::Zero());
+    correct(points, dt);
+  }
+}
+Loads<3> all_loads(Points<3>& points) {
+  Loads<3> loads;
+  loads.gravity(Vec3(0, 0, -9.81));
+  loads.damp(2, 0.5);
+  loads.act_on(points);
+  AppliedForce<3> force;
+  force.name = "push";
+  force.points = &points;
+  force.chosen = {0};
+  force.share = {1};
+  force.force[1] = [](Real t, const Vec3&) { return 8 * t; };
+  loads.apply(force);
+  return loads;
+}
+
+TEST(Loads, TheSameBitsAfterASplit) {
+  Points<3> points;
+  points.resize(1);
+  points.id[0] = 17;
+  points.mass[0] = 3;
+  points.v[0] = Vec3(1, 0, 0);
+  auto whole = all_loads(points);
+  advance(points, whole, 0, 20);
+  std::vector<StateTable> tables;
+  whole.save_state(tables);
+  auto other = points;
+  auto again = all_loads(other);
+  again.load_state(StateTables(std::move(tables)));
+  advance(points, whole, 20, 20);
+  advance(other, again, 20, 20);
+  Totals<3> a, b;
+  whole.add_totals(a);
+  again.add_totals(b);
+  EXPECT_EQ(a.value(Column::boundary), b.value(Column::boundary));
+  EXPECT_EQ(a.value(Column::damping), b.value(Column::damping));
+  EXPECT_EQ(points.x, other.x);
+}
+
 }  // namespace
 }  // namespace brunt

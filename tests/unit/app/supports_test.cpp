@@ -82,5 +82,44 @@ TEST(Supports, RigidBodyTurnsAndItsReactionIsTheForceOnIt) {
   EXPECT_NEAR(boundary(supports), 3 * -1.5 - first, 1e-12);
 }
 
+TEST(Supports, WorkAndReactionsGoOnAfterASplit) {
+  Points<2> points;
+  points.resize(2);
+  points.id = {4, 9};
+  points.mass = {2, 3};
+  const auto supported = [](Points<2>& of) {
+    Supports<2> supports(Vec<2>::Zero());
+    Constraint<2> constraint;
+    constraint.name = "pull";
+    constraint.points = &of;
+    constraint.chosen = {1};
+    constraint.velocity[0] = [](Real t, const Vec3&) { return 3 * std::sin(5 * t); };
+    supports.constrain(constraint);
+    return supports;
+  };
+  const auto advance = [](Points<2>& of, Supports<2>& supports, int from, int steps) {
+    for (int n = from; n < from + steps; ++n) {
+      predict(of, 0.01, n ? 0.01 : 0);
+      supports.impose(0.01 * (n + 1), 0.01);
+      for (std::size_t i = 0; i < 2; ++i) of.f[i] -= 4 * of.x[i];
+      supports.take_reactions(0.01 * (n + 1), 0.01);
+      correct(of, 0.01);
+    }
+  };
+  auto whole = supported(points);
+  advance(points, whole, 0, 50);
+  std::vector<StateTable> tables;
+  whole.save_state(tables);
+  auto other = points;
+  auto again = supported(other);
+  again.load_state(StateTables(std::move(tables)));
+  EXPECT_EQ(again.constraints()[0].reaction, whole.constraints()[0].reaction);
+  advance(points, whole, 50, 50);
+  advance(other, again, 50, 50);
+  EXPECT_EQ(boundary(again), boundary(whole));
+  EXPECT_NE(boundary(whole), 0);
+  EXPECT_EQ(other.x, points.x);
+}
+
 }  // namespace
 }  // namespace brunt

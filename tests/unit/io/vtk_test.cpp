@@ -148,14 +148,28 @@ TEST_F(VtkTest, NamesPartsForParaView) {
 }
 
 TEST_F(VtkTest, StartsAnewAndGoesOn) {
+  std::string index;
   {
     FrameWriter writer(folder_);
-    for (int i = 0; i < 3; ++i) writer.write(i, {hex_body(i)}, nullptr);
+    for (int i = 0; i < 2; ++i) writer.write(i, {hex_body(i)}, nullptr);
+    index = writer.index();
+    writer.write(2, {hex_body(2)}, nullptr);
   }
-  FrameWriter again(folder_, 1.0);
+  FrameWriter again(folder_, index, folder_);
   EXPECT_EQ(again.n_frames(), 2u);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "frames/bar.00002.vtu"));
   again.write(1.5, {hex_body(1.5)}, nullptr);
   EXPECT_EQ(read_frame_index(folder_).back().parts[0].file, "frames/bar.00002.vtu");
+  // In another folder: the frames come along; one that is gone is left out and its number not used.
+  std::filesystem::remove(folder_ / "frames/bar.00000.vtu");
+  FrameWriter elsewhere(folder_ / "other", index, folder_);
+  elsewhere.write(1.7, {hex_body(1.7)}, nullptr);
+  const auto brought = read_frame_index(folder_ / "other");
+  ASSERT_EQ(brought.size(), 2u);
+  EXPECT_EQ(brought[0].parts[0].file, "frames/bar.00001.vtu");
+  EXPECT_EQ(brought[1].parts[0].file, "frames/bar.00002.vtu");
+  EXPECT_EQ(read_file(folder_ / "other/frames/bar.00001.vtu"),
+            read_file(folder_ / "frames/bar.00001.vtu"));
   FrameWriter anew(folder_);
   EXPECT_TRUE(read_frame_index(folder_).empty());
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "frames"));

@@ -1,0 +1,140 @@
+#include "app/checkpointing.hpp"
+
+#include <utility>
+
+#include "core/parallel/packing.hpp"
+
+namespace brunt {
+
+namespace {
+constexpr std::size_t kKept = 2;
+constexpr Real kLongestGrowth = 8;  // of a step over the one before; contact allows 4
+}  // namespace
+
+namespace {
+/// Tables of one row that is the same on all ranks: the root writes them.
+bool is_common(const StateTable& table) { return table.name == "contact" || table.name == "loads"; }
+
+/// What any rank was asked for.
+Requests of_all_ranks(const Requests& mine, const Communicator& ranks) {
+  return ranks.reduce(mine, [](Requests& a, const Requests& b) {
+    a.stop = a.stop || b.stop;
+    a.checkpoint = a.checkpoint || b.checkpoint;
+  });
+}
+}  // namespace
+
+template <int Dim>
+Checkpointing<Dim>::Checkpointing(const LoadedDeck& loaded, std::filesystem::path folder,
+                                  Monitor<Dim>& monitor, Restart* restart,
+                                  std::function<Requests()> requests)
+    : loaded_(loaded),
+      folder_(std::move(folder)),
+      monitor_(monitor),
+      restart_(restart),
+      requests_(std::move(requests)),
+      last_(std::chrono::steady_clock::now()) {}
+
+template <int Dim>
+void Checkpointing<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
+  if (restart_ == nullptr) return monitor_.begin(scene, clock);
+  monitor_.prepare(scene);
+  go_on(scene, clock);
+  first_step_ = clock.step();
+}
+
+/// A complete load makes the scene whole again after one that failed half way.
+template <int Dim>
+void Checkpointing<Dim>::go_on(Scene<Dim>& scene, Clock& clock) {
+  do {
+    const RestartPoint& point = restart_->point();
+    try {
+      scene.load_state(*point.state);
+      clock.load_state(*point.state);
+      monitor_.load_state(*point.state, point.texts, clock, point.folder());
+      std::error_code error;
+      if (std::filesystem::equivalent(point.folder(), folder_, error)) {
+        kept_.push_back(point.header.step);
+      }
+      return;
+    } catch (const StateError& error) {
+      restart_->refuse(error.what());
+    }
+  } while (restart_->next());
+  throw MachineError("there is no checkpoint that is good");
+}
+
+template <int Dim>
+void Checkpointing<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
+  monitor_.step_done(scene, clock);
+  const Requests requests = of_all_ranks(requests_(), *scene.ranks);
+  const bool stopped = stop_if_asked(requests, clock);
+  // The step that `end` shortens is of this run alone: the checkpoint before it serves longer ones.
+  if (folder_.empty() || clock.time() >= clock.end()) return;
+  if (stopped || requests.checkpoint || is_due(scene, clock)) write(scene, clock);
+}
+
+/// True if the run ends here on request; its state is a whole step like any other.
+template <int Dim>
+bool Checkpointing<Dim>::stop_if_asked(const Requests& requests, Clock& clock) {
+  if (clock.time() >= clock.end()) return false;
+  if (requests.stop) {
+    interrupted_ = true;
+    monitor_.stop(clock, "stopped by a signal");
+    return true;
+  }
+  const auto& until = loaded_.deck.time.until;
+  if (!until || clock.time() < *until) return false;
+  monitor_.stop(clock, "stopped at time.until");
+  return true;
+}
+
+template <int Dim>
+bool Checkpointing<Dim>::is_due(const Scene<Dim>& scene, const Clock& clock) {
+  const auto& output = loaded_.deck.output;
+  if (output.checkpoint_steps > 0 && clock.step() % output.checkpoint_steps == 0) return true;
+  if (!output.checkpoint) return false;
+  if (clock.finished()) return true;  // a condition of `stop`
+  const std::chrono::duration<Real> since = std::chrono::steady_clock::now() - last_;
+  if (scene.ranks->any(since.count() >= *output.checkpoint)) return true;
+  if (before_end_ || clock.end() - clock.time() > kLongestGrowth * clock.dt()) return false;
+  before_end_ = clock.shortens(scene.stable_step(clock.time(), clock.dt()));
+  return before_end_;
+}
+
+template <int Dim>
+void Checkpointing<Dim>::write(Scene<Dim>& scene, const Clock& clock) {
+  const PhaseTimer timer(scene.phases, Phase::output);
+  const Communicator& ranks = *scene.ranks;
+  CheckpointContent content;
+  scene.save_state(content.tables);
+  if (ranks.is_root()) {
+    clock.save_state(content.tables);
+    monitor_.save_state(content.tables, content.texts);
+    content.texts["deck"] = loaded_.resolved;
+  } else {
+    std::erase_if(content.tables, is_common);
+  }
+  const CheckpointHeader header{BRUNT_VERSION, loaded_.hash, clock.time(),
+                                static_cast<std::uint64_t>(clock.step()),
+                                static_cast<std::uint64_t>(ranks.size())};
+  const auto rank = static_cast<std::uint64_t>(ranks.rank());
+  const CheckpointPart part = write_checkpoint_part(folder_, header, rank, content);
+  // The manifest comes when all parts are on disk: before it there is no checkpoint.
+  std::vector<CheckpointPart> parts;
+  for (const Bytes& bytes : ranks.gather((Packer() << part).take())) {
+    Unpacker(bytes) >> parts.emplace_back();
+  }
+  kept_.push_back(header.step);
+  if (kept_.size() > kKept) kept_.erase(kept_.begin());
+  if (ranks.is_root()) {
+    write_checkpoint_manifest(folder_, header, parts);
+    remove_checkpoints_but(folder_, kept_);
+  }
+  last_ = std::chrono::steady_clock::now();
+}
+
+template class Checkpointing<2>;
+template class Checkpointing<3>;
+
+}  // namespace brunt

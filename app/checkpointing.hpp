@@ -1,0 +1,47 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <functional>
+
+#include "app/monitor.hpp"
+#include "app/restart.hpp"
+#include "app/signals.hpp"
+
+namespace brunt {
+
+/// Watches a run besides its monitor: goes on from a checkpoint, writes them, and stops where it is
+/// asked to. Reads the scene and changes nothing; when it writes changes no bit.
+template <int Dim>
+class Checkpointing final : public Observer<Dim> {
+ public:
+  /// folder  where checkpoints go; empty: nowhere
+  /// restart  null: the run starts at time 0
+  /// requests  asked after every step
+  Checkpointing(const LoadedDeck& loaded, std::filesystem::path folder, Monitor<Dim>& monitor,
+                Restart* restart, std::function<Requests()> requests);
+
+  void begin(Scene<Dim>& scene, Clock& clock) override;
+  void step_done(Scene<Dim>& scene, Clock& clock) override;
+
+  bool interrupted() const { return interrupted_; }
+  std::int64_t first_step() const { return first_step_; }  ///< of this process
+
+ private:
+  void go_on(Scene<Dim>& scene, Clock& clock);
+  bool stop_if_asked(const Requests& requests, Clock& clock);
+  bool is_due(const Scene<Dim>& scene, const Clock& clock);
+  void write(Scene<Dim>& scene, const Clock& clock);
+
+  const LoadedDeck& loaded_;
+  std::filesystem::path folder_;
+  Monitor<Dim>& monitor_;
+  Restart* restart_;
+  std::function<Requests()> requests_;
+  std::vector<std::uint64_t> kept_;  // steps of the checkpoints that stay, the latest last
+  std::chrono::steady_clock::time_point last_;
+  bool before_end_ = false;  // the one before the last step is written
+  bool interrupted_ = false;
+  std::int64_t first_step_ = 0;
+};
+
+}  // namespace brunt

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace brunt {
+
+/// What a restart may not change and two resolved decks do not share, one line a key:
+/// "materials.copper.density: 8960 in the checkpoint, 8900 in the deck". The end of the run, where
+/// it stops, its output and its title may differ. Throws DeckError where a text is no deck.
+std::vector<std::string> deck_differences(const std::string& checkpoint, const std::string& deck);
+
+}  // namespace brunt

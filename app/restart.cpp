@@ -1,0 +1,127 @@
+#include "app/restart.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/deck/difference.hpp"
+#include "io/number.hpp"
+
+namespace brunt {
+
+namespace fs = std::filesystem;
+
+namespace {
+[[noreturn]] void refuse_call(const fs::path& file, const std::string& message) {
+  throw DeckError({{{file.string(), 0, 0}, "", message}});
+}
+
+/// Manifests that a name stands for, the one to use first first.
+std::vector<fs::path> manifests_for(const fs::path& file) {
+  if (!fs::exists(file)) refuse_call(file, "there is no such checkpoint");
+  if (fs::is_directory(file)) {
+    auto manifests = checkpoints_in(file);
+    if (manifests.empty()) refuse_call(file, "there is no checkpoint in this folder");
+    return manifests;
+  }
+  if (!is_checkpoint_file(file)) {
+    refuse_call(file, "is no checkpoint: expects a folder or checkpoint-STEP.manifest");
+  }
+  const fs::path chosen = manifest_of(file);
+  const auto all = checkpoints_in(chosen.parent_path().empty() ? "." : chosen.parent_path());
+  std::vector<fs::path> manifests = {chosen};
+  for (const auto& other : all) {
+    if (other.filename() < chosen.filename()) manifests.push_back(other);
+  }
+  return manifests;
+}
+
+void check_deck(const RestartPoint& point, const LoadedDeck& loaded) {
+  const auto deck = point.texts.find("deck");
+  if (deck == point.texts.end()) throw StateError("the text 'deck' is missing");
+  std::vector<DeckProblem> problems;
+  const SourcePlace place{point.manifest.string(), 0, 0};
+  for (const auto& difference : deck_differences(deck->second, loaded.resolved)) {
+    problems.push_back({place, "", "is of another deck: " + difference});
+  }
+  const auto later = [&](const char* key, Real value) {
+    if (value > point.header.time) return;
+    problems.push_back(loaded.places.problem(
+        key, "expects a time after that of the checkpoint, " + shortest(point.header.time) + " s"));
+  };
+  later("time.end", loaded.deck.time.end);
+  if (loaded.deck.time.until) later("time.until", *loaded.deck.time.until);
+  if (!problems.empty()) throw DeckError(problems);
+}
+}  // namespace
+
+Restart::Restart(std::vector<fs::path> manifests, const LoadedDeck& loaded, Report report)
+    : manifests_(manifests.rbegin(), manifests.rend()),
+      loaded_(loaded),
+      report_(std::move(report)) {}
+
+bool Restart::next() {
+  while (!manifests_.empty()) {
+    const fs::path manifest = manifests_.back();
+    manifests_.pop_back();
+    try {
+      Checkpoint read = read_checkpoint(manifest);
+      point_.emplace(RestartPoint{manifest, read.header,
+                                  std::make_unique<StateTables>(std::move(read.content.tables)),
+                                  std::move(read.content.texts)});
+      check_deck(*point_, loaded_);
+      return true;
+    } catch (const CheckpointError& error) {
+      report_(error.what());
+    } catch (const StateError& error) {
+      report_(CheckpointError(manifest, error.what()).what());
+    }
+  }
+  return false;
+}
+
+void Restart::refuse(const std::string& reason) {
+  report_(CheckpointError(point_->manifest, reason).what());
+}
+
+std::unique_ptr<Restart> find_restart(const RunArguments& arguments, const fs::path& folder,
+                                      const LoadedDeck& loaded, const Restart::Report& report) {
+  if (arguments.resume) {
+    try {
+      auto own = std::make_unique<Restart>(checkpoints_in(folder), loaded, report);
+      if (own->next()) return own;
+    } catch (const DeckError& error) {
+      // A folder of another deck is written anew, as one without a checkpoint is.
+      for (const auto& problem : error.problems()) report(problem.text());
+    }
+  }
+  if (arguments.restart.empty()) return nullptr;
+  auto asked = std::make_unique<Restart>(manifests_for(arguments.restart), loaded, report);
+  if (asked->next()) return asked;
+  throw MachineError("'" + arguments.restart + "' holds no checkpoint that is good");
+}
+
+int verify_command(const std::string& file) {
+  auto manifests = manifests_for(file);
+  if (!fs::is_directory(file)) manifests.resize(1);
+  int status = kDone;
+  for (const auto& manifest : manifests) {
+    try {
+      const Checkpoint read = read_checkpoint(manifest);
+      const StateTables state(read.content.tables);  // no row twice
+      std::printf(
+          "%s: good; t = %s s, step %llu, %llu rank%s, brunt %s, deck %s\n", manifest.c_str(),
+          shortest(read.header.time).c_str(), static_cast<unsigned long long>(read.header.step),
+          static_cast<unsigned long long>(read.header.ranks), read.header.ranks == 1 ? "" : "s",
+          read.header.program.c_str(), read.header.deck_hash.c_str());
+    } catch (const CheckpointError& error) {
+      std::fprintf(stderr, "brunt: %s\n", error.what());
+      status = kMachineFailed;
+    } catch (const StateError& error) {
+      std::fprintf(stderr, "brunt: %s\n", CheckpointError(manifest, error.what()).what());
+      status = kMachineFailed;
+    }
+  }
+  return status;
+}
+
+}  // namespace brunt

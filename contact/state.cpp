@@ -1,0 +1,87 @@
+/// What contact carries from step to step, as tables: one a surface, by the ids of its points.
+#include "contact/implementation.hpp"
+
+namespace brunt {
+namespace {
+
+template <class Row, class Nodes>
+void visit_node(Row& row, Nodes& nodes, std::size_t i) {
+  row(nodes.v[i]);
+  row(nodes.spring[i]);
+  row(nodes.damping[i]);
+  row(nodes.spring_energy[i]);
+  row(nodes.damping_energy[i]);
+}
+
+/// Nodes of one surface that are points here: the owned ones, or copies too.
+template <int Dim>
+std::vector<std::size_t> nodes_of(const ContactNodes<Dim>& nodes, std::size_t surface,
+                                  bool owned_only) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (static_cast<std::size_t>(nodes.surface[i]) != surface || nodes.point[i] < 0) continue;
+    if (nodes.owned[i] || !owned_only) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+std::string table_of(std::size_t surface) { return "contact." + std::to_string(surface); }
+
+/// The one row of the table "contact".
+struct Common {
+  Real dt_last = 0;
+  std::uint64_t started = 0;
+};
+template <class Row, class AnyCommon>
+void visit_common(Row& row, AnyCommon& common) {
+  row(common.dt_last);
+  row(common.started);
+}
+GlobalId only_row(std::size_t) { return 0; }
+
+}  // namespace
+
+template <int Dim>
+void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
+  const auto& own = *implementation_;
+  const Common common{own.dt_last, own.started ? 1u : 0u};
+  save_rows(
+      "contact", 1, only_row, [&](auto& row, std::size_t) { visit_common(row, common); }, tables);
+  const auto& nodes = own.entities.nodes;
+  for (std::size_t s = 0; s < own.surfaces.size(); ++s) {
+    const auto chosen = nodes_of(nodes, s, true);
+    save_rows(
+        table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
+        [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
+  }
+}
+
+template <int Dim>
+void ContactManager<Dim>::load_state(const StateTables& tables) {
+  auto& own = *implementation_;
+  Common common;
+  load_rows(
+      "contact", 1, only_row, [&](auto& row, std::size_t) { visit_common(row, common); }, tables);
+  auto& nodes = own.entities.nodes;
+  for (std::size_t s = 0; s < own.surfaces.size(); ++s) {
+    const auto chosen = nodes_of(nodes, s, false);
+    load_rows(
+        table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
+        [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
+  }
+  own.dt_last = common.dt_last;
+  own.started = common.started != 0;
+  if (!own.started) return rearrange();
+  rearrange();
+  const StepVote longest = own.longest_after(own.dt_last);
+  own.ahead_last = own.look_ahead(own.dt_last, longest);
+  own.renew(own.ahead_last, false);
+  own.evaluate(own.dt_last, longest, own.ahead_last);
+}
+
+template void ContactManager<2>::save_state(std::vector<StateTable>&) const;
+template void ContactManager<3>::save_state(std::vector<StateTable>&) const;
+template void ContactManager<2>::load_state(const StateTables&);
+template void ContactManager<3>::load_state(const StateTables&);
+
+}  // namespace brunt

@@ -1,0 +1,31 @@
+#pragma once
+/// The state of a material point as values of a row.
+#include "core/materials/material.hpp"
+#include "core/state.hpp"
+
+namespace brunt {
+
+/// Hands all that point k of a state carries to row.
+template <class Row, class State>
+void visit_material_point(Row& row, State& state, std::size_t k) {
+  for (auto& component : state.deviator) row(component[k]);
+  row(state.pressure[k]);
+  row(state.bulk[k]);
+  for (auto* field :
+       {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat, &state.energy}) {
+    if (!field->empty()) row((*field)[k]);
+  }
+}
+
+/// The optional fields of a state, for the name of a table: states with the same text have rows of
+/// the same columns.
+inline std::string fields_of(const MaterialState& state) {
+  std::string text;
+  if (!state.eps_p.empty()) text += ".plastic";
+  if (!state.temperature.empty()) text += ".temperature";
+  if (!state.heat.empty()) text += ".heat";
+  if (!state.energy.empty()) text += ".energy";
+  return text;
+}
+
+}  // namespace brunt

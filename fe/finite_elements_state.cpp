@@ -1,0 +1,65 @@
+/// What finite elements carry from step to step, as tables: points by their ids, elements by
+/// theirs.
+#include "core/materials/state_rows.hpp"
+#include "core/points_state.hpp"
+#include "fe/finite_elements.hpp"
+
+namespace brunt {
+namespace {
+
+/// A name for all blocks whose elements have rows of the same columns.
+template <int Dim>
+std::string table_of(const ElementBlock<Dim>& block) {
+  return "elements." + std::to_string(block.gauss) + fields_of(block.state);
+}
+
+template <class Row, class Block>
+void visit_element(Row& row, Block& block, std::size_t e) {
+  for (int g = 0; g < block.gauss; ++g) {
+    visit_material_point(row, block.state, block.point(static_cast<LocalIndex>(e), g));
+  }
+  for (std::size_t k = e; k < block.hourglass.size();
+       k += static_cast<std::size_t>(block.n_padded)) {
+    row(block.hourglass[k]);
+  }
+  row(block.viscous_pressure[e]);
+  row(block.stress_work[e]);
+  row(block.hourglass_work[e]);
+  row(block.viscous_work[e]);
+  row(block.stable_step[e]);
+}
+
+}  // namespace
+
+template <int Dim>
+void FiniteElements<Dim>::save_state(std::vector<StateTable>& tables) const {
+  save_points(points_, tables);
+  for (const auto& block : blocks_) {
+    std::vector<std::size_t> owned;
+    for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
+      if (block.owned[e]) owned.push_back(e);
+    }
+    save_rows(
+        table_of(block), owned.size(), [&](std::size_t k) { return block.id[owned[k]]; },
+        [&](auto& row, std::size_t k) { visit_element(row, block, owned[k]); }, tables);
+  }
+}
+
+/// The padding repeats the last element, so it takes that one's row.
+template <int Dim>
+void FiniteElements<Dim>::load_state(const StateTables& tables) {
+  load_points(points_, tables);
+  for (auto& block : blocks_) {
+    load_rows(
+        table_of(block), static_cast<std::size_t>(block.n_padded),
+        [&](std::size_t e) { return block.id[e]; },
+        [&](auto& row, std::size_t e) { visit_element(row, block, e); }, tables);
+  }
+}
+
+template void FiniteElements<2>::save_state(std::vector<StateTable>&) const;
+template void FiniteElements<3>::save_state(std::vector<StateTable>&) const;
+template void FiniteElements<2>::load_state(const StateTables&);
+template void FiniteElements<3>::load_state(const StateTables&);
+
+}  // namespace brunt

@@ -1,0 +1,53 @@
+/* A disk that is full from the N-th write on (BRUNT_FULL_AT, counted from 1): preloaded into a
+   process, write, pwrite and fsync of files that are open for writing then fail with ENOSPC. Pipes,
+   terminals and devices go on. With BRUNT_COUNT, the number of writes is left in that file. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+static atomic_long calls;
+
+static int full(int descriptor) {
+  struct stat status;
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+  const char* at = getenv("BRUNT_FULL_AT");
+  const long call = atomic_fetch_add(&calls, 1) + 1;
+  return at != NULL && atol(at) > 0 && call >= atol(at);
+}
+
+ssize_t write(int descriptor, const void* data, size_t size) {
+  static ssize_t (*real)(int, const void*, size_t);
+  if (real == NULL) *(void**)&real = dlsym(RTLD_NEXT, "write");
+  if (full(descriptor)) return errno = ENOSPC, -1;
+  return real(descriptor, data, size);
+}
+
+ssize_t pwrite64(int descriptor, const void* data, size_t size, off64_t at) {
+  static ssize_t (*real)(int, const void*, size_t, off64_t);
+  if (real == NULL) *(void**)&real = dlsym(RTLD_NEXT, "pwrite64");
+  if (full(descriptor)) return errno = ENOSPC, -1;
+  return real(descriptor, data, size, at);
+}
+
+int fsync(int descriptor) {
+  static int (*real)(int);
+  if (real == NULL) *(void**)&real = dlsym(RTLD_NEXT, "fsync");
+  if (full(descriptor)) return errno = ENOSPC, -1;
+  return real(descriptor);
+}
+
+__attribute__((destructor)) static void report(void) {
+  const char* name = getenv("BRUNT_COUNT");
+  if (name == NULL) return;
+  FILE* file = fopen(name, "w");
+  if (file == NULL) return;
+  fprintf(file, "%ld\n", atomic_load(&calls));
+  fclose(file);
+}
