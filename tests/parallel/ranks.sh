@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The same history, byte for byte, state hashes and all, on any number of ranks and threads: every
-# shipped deck, shortened, with --ranks and with a plain mpirun, two skins, one output cadence more.
+# shipped deck, shortened; with another skin; and split in two by a restart on other ranks.
 #   ranks.sh PROGRAM SOURCE RANKS...
 set -euo pipefail
 brunt=$1
@@ -10,14 +10,14 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# deck, then what makes it a matter of seconds
+# deck, when it is split by a restart, then what makes it a matter of seconds; a blank is written _
 cases=(
-  "bars time.end=20_us"
-  "taylor-bar parameters.size=0.9_mm time.end=6_us"
-  "taylor-bar-axisymmetric time.end=8_us bodies.bar.cells=[4,_40]"
-  "taylor-bar-sph parameters.spacing=0.8_mm time.end=8_us"
-  "drop-on-plate parameters.size=4_mm time.end=60_us"
-  "projectile-2d parameters.spacing=2_mm parameters.size=4_mm time.end=60_us"
+  "bars 8_us time.end=20_us"
+  "taylor-bar 2_us parameters.size=0.9_mm time.end=4_us"
+  "taylor-bar-axisymmetric 2_us time.end=5_us bodies.bar.cells=[4,_40]"
+  "taylor-bar-sph 2_us parameters.spacing=0.8_mm time.end=5_us"
+  "drop-on-plate 20_us parameters.size=4_mm time.end=45_us"
+  "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"
 )
 status=0
 run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
@@ -25,7 +25,7 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
   shift 2
   while [ "$1" != -- ]; do options+=("$1"); shift; done
   shift
-  for each in "$@"; do overrides+=(--set "${each//_/ }"); done  # a blank is written _
+  for each in "$@"; do overrides+=(--set "${each//_/ }"); done
   "$brunt" run "$decks/$deck/$deck.yaml" --quiet --out "$out" --oversubscribe \
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
 }
@@ -36,7 +36,7 @@ same() {  # same DECK A B
   status=1
 }
 for each in "${cases[@]}"; do
-  read -r deck shorten <<<"$each"
+  read -r deck until shorten <<<"$each"
   run "$deck" "$deck-1" --threads 1 -- $shorten
   for n in "$@"; do
     for threads in 1 2; do
@@ -47,5 +47,10 @@ for each in "${cases[@]}"; do
   done
   run "$deck" "$deck-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
   same "$deck" "$deck-1" "$deck-skin"
+  run "$deck" "$deck-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
+  run "$deck" "$deck-rest" --ranks 3 --threads 1 --restart "$deck-half" -- $shorten
+  same "$deck" "$deck-1" "$deck-rest"
+  run "$deck" "$deck-alone" --threads 1 --restart "$deck-half" -- $shorten
+  same "$deck" "$deck-1" "$deck-alone"
 done
 exit $status
