@@ -32,12 +32,12 @@ void choose_threads(int asked) {
 }
 
 /// A deck with the command line's --until in place.
-LoadedDeck load(const RunArguments& arguments) {
+LoadedDeck load(const RunArguments& arguments, bool print_warnings) {
   auto overrides = arguments.overrides;
-  if (!arguments.until) return load_or_tell_all(arguments.deck, overrides);
+  if (!arguments.until) return load_or_tell_all(arguments.deck, overrides, print_warnings);
   overrides.push_back("time.until=" + *arguments.until);
   try {
-    return load_or_tell_all(arguments.deck, overrides);
+    return load_or_tell_all(arguments.deck, overrides, print_warnings);
   } catch (const DeckError& error) {
     auto problems = error.problems();
     for (auto& problem : problems) {
@@ -290,7 +290,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
 int run_command(const RunArguments& arguments, const Communicator& ranks) {
   listen_to_signals();
   choose_threads(arguments.threads);
-  const LoadedDeck loaded = load(arguments);
+  const LoadedDeck loaded = load(arguments, ranks.is_root());
   return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)
                                                    : run_scene<2>(loaded, arguments, ranks);
 }

@@ -92,11 +92,12 @@ void add_build_problems(const LoadedDeck& loaded, std::vector<DeckProblem>& prob
   }
 }
 
-LoadedDeck load_or_tell_all(const std::string& path, const std::vector<std::string>& overrides) {
+LoadedDeck load_or_tell_all(const std::string& path, const std::vector<std::string>& overrides,
+                            bool print_warnings) {
   std::vector<DeckProblem> problems;
   LoadedDeck loaded = read_deck(path, overrides, problems);
   for (const auto& warning : loaded.warnings) {
-    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
+    if (print_warnings) std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
   }
   if (problems.empty()) return loaded;
   add_build_problems(loaded, problems);

@@ -15,6 +15,7 @@ void add_build_problems(const LoadedDeck& loaded, std::vector<DeckProblem>& prob
 
 /// Reads a deck for a command: prints its warnings; where it is wrong, throws DeckError with all
 /// that reading and building find.
-LoadedDeck load_or_tell_all(const std::string& path, const std::vector<std::string>& overrides);
+LoadedDeck load_or_tell_all(const std::string& path, const std::vector<std::string>& overrides,
+                            bool print_warnings = true);
 
 }  // namespace brunt
