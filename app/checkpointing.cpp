@@ -119,7 +119,7 @@ void Checkpointing<Dim>::write(Scene<Dim>& scene, const Clock& clock) {
                                 static_cast<std::uint64_t>(clock.step()),
                                 static_cast<std::uint64_t>(ranks.size())};
   const auto rank = static_cast<std::uint64_t>(ranks.rank());
-  const CheckpointPart part = write_checkpoint_part(folder_, header, rank, content);
+  const CheckpointPart part = write_checkpoint_part(folder_, header, rank, std::move(content));
   // The manifest comes when all parts are on disk: before it there is no checkpoint.
   std::vector<CheckpointPart> parts;
   for (const Bytes& bytes : ranks.gather((Packer() << part).take())) {

@@ -45,10 +45,10 @@ template <int Dim>
 Real neighbour_bytes(Real smoothing) {
   const Real ball = Dim == 3 ? 4.0 / 3 * kPi : kPi;
   const auto within = [&](Real reach) { return ball * std::pow(reach * smoothing, Dim); };
-  constexpr Real kSkin = 0.25;
+  constexpr Real kSkin = 0.35;
   const Real rows = 2 * sizeof(std::int64_t) + sizeof(int);
-  // Candidates, true neighbours, and the candidates again while they are sought.
-  return rows + sizeof(LocalIndex) * 3 * within(2 + kSkin);
+  // Candidates, true neighbours with their weights, and the candidates again while they are sought.
+  return rows + (sizeof(LocalIndex) * 3 + sizeof(Real)) * within(2 + kSkin);
 }
 
 /// Faces and their nodes, twice while a new table takes over from the old one.
@@ -73,6 +73,18 @@ Real building_bytes(std::size_t points, std::size_t elements) {
   const Real element = 3 * (sizeof(LocalIndex) << Dim) + sizeof(GlobalId) + 2 * sizeof(Label);
   return static_cast<Real>(points) * point +
          static_cast<Real>(elements) * (element + kFaces * face);
+}
+
+/// A checkpoint: the rows of points, elements, particles and contact nodes (an id and values), then
+/// HDF5's image of them and the bytes of the file.
+template <int Dim>
+Real checkpoint_bytes(Real points, Real elements, Real particles, int gauss) {
+  constexpr Real kPoint = 3 + 5 * Dim, kContact = 3 + 3 * Dim, kParticle = 35 + kContact;
+  constexpr Real kElement = 6 + ElementBlock<Dim>::kHourglassValues;
+  const Real material = kMaterialPoint / sizeof(Real);
+  const Real values = points * kPoint + particles * (kParticle + material) +
+                      elements * (kElement + gauss * material);
+  return 3 * sizeof(Real) * values;
 }
 
 /// A frame holds all fields of all bodies; VTK copies them, and encodes the copy.
@@ -108,8 +120,12 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     estimate.contact = contact_bytes<Dim>(scene.contact->n_facets(), scene.n_particles());
   }
   estimate.building = building_bytes<Dim>(scene.n_points(), scene.n_elements());
-  estimate.output = inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
-                    frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim);
+  estimate.output =
+      inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
+      std::max(frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim),
+               checkpoint_bytes<Dim>(static_cast<Real>(scene.n_points()),
+                                     static_cast<Real>(scene.n_elements()),
+                                     static_cast<Real>(scene.n_particles()), inputs.gauss));
   return estimate;
 }
 
