@@ -82,6 +82,20 @@ Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
          (static_cast<Real>(points) * kPointValues * sizeof(Real) +
           static_cast<Real>(cells) * (kCellValues * sizeof(Real) + corners * sizeof(std::int64_t)));
 }
+/// A checkpoint holds the state of all entities, twice while it is written: as tables and as a
+/// file.
+template <int Dim>
+Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
+  constexpr Real kPoint = 5 * Dim + 3, kContactNode = 3 * Dim + 3;
+  constexpr Real kMaterial = 14;
+  constexpr Real kElement = (1 << Dim) * Dim + 6;
+  constexpr Real kParticle = sizeof(ParticleState<Dim>) / sizeof(Real) + 1 + kMaterial;
+  const auto particles = static_cast<Real>(scene.n_particles());
+  return 2 * sizeof(Real) *
+         (static_cast<Real>(scene.n_points()) * kPoint +
+          static_cast<Real>(scene.n_elements()) * (kElement + gauss * kMaterial) +
+          particles * (kParticle + (scene.contact ? kContactNode : 0)));
+}
 }  // namespace
 
 Real resident_memory() {
@@ -109,7 +123,8 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
   }
   estimate.building = building_bytes<Dim>(scene.n_points(), scene.n_elements());
   estimate.output = inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
-                    frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim);
+                    std::max(frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim),
+                             checkpoint_bytes(scene, inputs.gauss));
   return estimate;
 }
 

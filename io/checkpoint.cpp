@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "io/file.hpp"
 #include "io/hash.hpp"
@@ -171,13 +172,12 @@ fs::path manifest_of(const fs::path& file) {
 bool is_checkpoint_file(const fs::path& file) { return step_of(file).has_value(); }
 
 CheckpointPart write_checkpoint_part(const fs::path& folder, const CheckpointHeader& header,
-                                     std::uint64_t rank, const CheckpointContent& content) {
+                                     std::uint64_t rank, CheckpointContent content) {
   const fs::path file = checkpoint_part(folder, header.step, rank);
-  CheckpointContent with_header = content;
-  with_header.texts[kHeaderText] = header_of_part(header, rank);
+  content.texts[kHeaderText] = header_of_part(header, rank);
   std::string image;
   try {
-    image = to_hdf5(with_header);
+    image = to_hdf5(std::move(content));
   } catch (const ImageError& error) {
     throw MachineError("cannot write '" + file.string() + "': " + error.what());
   }

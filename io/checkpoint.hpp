@@ -57,10 +57,10 @@ std::filesystem::path manifest_of(const std::filesystem::path& file);
 /// True for the names of manifests, parts and what is left of their temporaries.
 bool is_checkpoint_file(const std::filesystem::path& file);
 
-/// Writes the file of one rank. Throws MachineError.
+/// Writes the file of one rank. Moves of the content save its memory. Throws MachineError.
 CheckpointPart write_checkpoint_part(const std::filesystem::path& folder,
                                      const CheckpointHeader& header, std::uint64_t rank,
-                                     const CheckpointContent& content);
+                                     CheckpointContent content);
 /// Makes the parts of all ranks a checkpoint; called once, when all parts are written. Throws
 /// MachineError.
 void write_checkpoint_manifest(const std::filesystem::path& folder, const CheckpointHeader& header,

@@ -15,7 +15,7 @@ command -v script >/dev/null || { echo "no script(1): not tested"; exit 0; }
 # The shell on the terminal sends the signal that Ctrl-C sends, to brunt alone.
 cat >session.sh <<END
 stty cols 160 2>/dev/null
-"$brunt" run "$deck" --until "1 s" --out stopped &
+"$brunt" run "$deck" --set "time.end=1 s" --out stopped &
 pid=\$!
 for i in \$(seq 300); do
   [ "\$(wc -l <stopped/history.csv 2>/dev/null || echo 0)" -ge 1 ] && break
@@ -41,7 +41,7 @@ columns=$(head -n 1 stopped/history.csv | tr -cd , | wc -c)
 # A narrow terminal: no line is longer than it, or its rest would stay on the screen.
 cat >narrow.sh <<END
 stty cols 60 2>/dev/null
-"$brunt" run "$deck" --until "200 us" --out narrow
+"$brunt" run "$deck" --set "time.end=200 us" --out narrow
 END
 script -qec "bash narrow.sh" screen.txt >/dev/null </dev/null || true
 tr '\r' '\n' <screen.txt | sed 's/\x1b\[K//g' | grep ' %  .* of 200 us' >bars.txt || true

@@ -56,8 +56,6 @@ class Broken final : public Solid<3> {
   BodyView view(Label body) const override { return solid_->view(body); }
   std::size_t n_elements() const override { return solid_->n_elements(); }
   std::size_t n_particles() const override { return solid_->n_particles(); }
-  void save_state(std::vector<StateTable>& tables) const override { solid_->save_state(tables); }
-  void load_state(const StateTables& tables) override { solid_->load_state(tables); }
 
  private:
   std::unique_ptr<Solid<3>> solid_;
