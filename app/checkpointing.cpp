@@ -11,19 +11,6 @@ constexpr std::size_t kKept = 2;
 constexpr Real kLongestGrowth = 8;  // of a step over the one before; contact allows 4
 }  // namespace
 
-namespace {
-/// Tables of one row that is the same on all ranks: the root writes them.
-bool is_common(const StateTable& table) { return table.name == "contact" || table.name == "loads"; }
-
-/// What any rank was asked for.
-Requests of_all_ranks(const Requests& mine, const Communicator& ranks) {
-  return ranks.reduce(mine, [](Requests& a, const Requests& b) {
-    a.stop = a.stop || b.stop;
-    a.checkpoint = a.checkpoint || b.checkpoint;
-  });
-}
-}  // namespace
-
 template <int Dim>
 Checkpointing<Dim>::Checkpointing(const LoadedDeck& loaded, std::filesystem::path folder,
                                   Monitor<Dim>& monitor, Restart* restart,
@@ -52,10 +39,7 @@ void Checkpointing<Dim>::go_on(Scene<Dim>& scene, Clock& clock) {
       scene.load_state(*point.state);
       clock.load_state(*point.state);
       monitor_.load_state(*point.state, point.texts, clock, point.folder());
-      std::error_code error;
-      if (std::filesystem::equivalent(point.folder(), folder_, error)) {
-        kept_.push_back(point.header.step);
-      }
+      if (restart_->lies_in(folder_)) kept_.push_back(point.header.step);
       return;
     } catch (const StateError& error) {
       restart_->refuse(error.what());
@@ -67,11 +51,24 @@ void Checkpointing<Dim>::go_on(Scene<Dim>& scene, Clock& clock) {
 template <int Dim>
 void Checkpointing<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   monitor_.step_done(scene, clock);
-  const Requests requests = of_all_ranks(requests_(), *scene.ranks);
+  const Requests requests = ask(scene);
   const bool stopped = stop_if_asked(requests, clock);
   // The step that `end` shortens is of this run alone: the checkpoint before it serves longer ones.
   if (folder_.empty() || clock.time() >= clock.end()) return;
   if (stopped || requests.checkpoint || is_due(scene, clock)) write(scene, clock);
+}
+
+/// What any rank was asked for; the root's clock says when the next checkpoint is due.
+template <int Dim>
+Requests Checkpointing<Dim>::ask(const Scene<Dim>& scene) {
+  Requests mine = requests_();
+  const auto& every = loaded_.deck.output.checkpoint;
+  const std::chrono::duration<Real> since = std::chrono::steady_clock::now() - last_;
+  if (every && scene.ranks->is_root() && since.count() >= *every) mine.checkpoint = true;
+  return scene.ranks->reduce(mine, [](Requests& a, const Requests& b) {
+    a.checkpoint = a.checkpoint || b.checkpoint;
+    a.stop = a.stop || b.stop;
+  });
 }
 
 /// True if the run ends here on request; its state is a whole step like any other.
@@ -95,42 +92,57 @@ bool Checkpointing<Dim>::is_due(const Scene<Dim>& scene, const Clock& clock) {
   if (output.checkpoint_steps > 0 && clock.step() % output.checkpoint_steps == 0) return true;
   if (!output.checkpoint) return false;
   if (clock.finished()) return true;  // a condition of `stop`
-  const std::chrono::duration<Real> since = std::chrono::steady_clock::now() - last_;
-  if (scene.ranks->any(since.count() >= *output.checkpoint)) return true;
   if (before_end_ || clock.end() - clock.time() > kLongestGrowth * clock.dt()) return false;
   before_end_ = clock.shortens(scene.stable_step(clock.time(), clock.dt()));
   return before_end_;
 }
 
+namespace {
+/// Runs what may fail on some ranks; then all of them throw.
+template <class Action>
+void agreed(const Communicator& ranks, const Action& action) {
+  std::string failure;
+  try {
+    action();
+  } catch (const MachineError& error) {
+    failure = error.what();
+  }
+  if (!ranks.any(!failure.empty())) return;
+  throw MachineError(failure.empty() ? "another rank could not write the checkpoint" : failure);
+}
+}  // namespace
+
 template <int Dim>
 void Checkpointing<Dim>::write(Scene<Dim>& scene, const Clock& clock) {
   const PhaseTimer timer(scene.phases, Phase::output);
   const Communicator& ranks = *scene.ranks;
+  scene.check(clock.time());  // what has broken already must not take the place of a good one
   CheckpointContent content;
   scene.save_state(content.tables);
   if (ranks.is_root()) {
     clock.save_state(content.tables);
     monitor_.save_state(content.tables, content.texts);
     content.texts["deck"] = loaded_.resolved;
-  } else {
-    std::erase_if(content.tables, is_common);
   }
   const CheckpointHeader header{BRUNT_VERSION, loaded_.hash, clock.time(),
                                 static_cast<std::uint64_t>(clock.step()),
                                 static_cast<std::uint64_t>(ranks.size())};
-  const auto rank = static_cast<std::uint64_t>(ranks.rank());
-  const CheckpointPart part = write_checkpoint_part(folder_, header, rank, std::move(content));
-  // The manifest comes when all parts are on disk: before it there is no checkpoint.
+  CheckpointPart part;
+  agreed(ranks, [&] {
+    part = write_checkpoint_part(folder_, header, static_cast<std::uint64_t>(ranks.rank()),
+                                 std::move(content));
+  });
+  Packer mine;
+  mine << part;
   std::vector<CheckpointPart> parts;
-  for (const Bytes& bytes : ranks.gather((Packer() << part).take())) {
-    Unpacker(bytes) >> parts.emplace_back();
-  }
+  for (const Bytes& bytes : ranks.gather(mine.take())) Unpacker(bytes) >> parts.emplace_back();
   kept_.push_back(header.step);
   if (kept_.size() > kKept) kept_.erase(kept_.begin());
-  if (ranks.is_root()) {
+  agreed(ranks, [&] {
+    if (!ranks.is_root()) return;
     write_checkpoint_manifest(folder_, header, parts);
     remove_checkpoints_but(folder_, kept_);
-  }
+  });
   last_ = std::chrono::steady_clock::now();
 }
 

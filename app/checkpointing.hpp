@@ -10,13 +10,14 @@
 namespace brunt {
 
 /// Watches a run besides its monitor: goes on from a checkpoint, writes them, and stops where it is
-/// asked to. Reads the scene and changes nothing; when it writes changes no bit.
+/// asked to. Each rank writes its own part, the root the manifest. Reads the scene and changes
+/// nothing; when it writes changes no bit.
 template <int Dim>
 class Checkpointing final : public Observer<Dim> {
  public:
   /// folder  where checkpoints go; empty: nowhere
   /// restart  null: the run starts at time 0
-  /// requests  asked after every step
+  /// requests  asked after every step, on every rank: one that says yes is enough
   Checkpointing(const LoadedDeck& loaded, std::filesystem::path folder, Monitor<Dim>& monitor,
                 Restart* restart, std::function<Requests()> requests);
 
@@ -28,6 +29,7 @@ class Checkpointing final : public Observer<Dim> {
 
  private:
   void go_on(Scene<Dim>& scene, Clock& clock);
+  Requests ask(const Scene<Dim>& scene);
   bool stop_if_asked(const Requests& requests, Clock& clock);
   bool is_due(const Scene<Dim>& scene, const Clock& clock);
   void write(Scene<Dim>& scene, const Clock& clock);

@@ -75,24 +75,27 @@ Real building_bytes(std::size_t points, std::size_t elements) {
          static_cast<Real>(elements) * (element + kFaces * face);
 }
 
-/// A checkpoint: the rows of points, elements, particles and contact nodes (an id and values), then
-/// HDF5's image of them and the bytes of the file.
-template <int Dim>
-Real checkpoint_bytes(Real points, Real elements, Real particles, int gauss) {
-  constexpr Real kPoint = 3 + 5 * Dim, kContact = 3 + 3 * Dim, kParticle = 35 + kContact;
-  constexpr Real kElement = 6 + ElementBlock<Dim>::kHourglassValues;
-  const Real material = kMaterialPoint / sizeof(Real);
-  const Real values = points * kPoint + particles * (kParticle + material) +
-                      elements * (kElement + gauss * material);
-  return 3 * sizeof(Real) * values;
-}
-
 /// A frame holds all fields of all bodies; VTK copies them, and encodes the copy.
 Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
   constexpr Real kPointValues = 16, kCellValues = 16;
   return 3 *
          (static_cast<Real>(points) * kPointValues * sizeof(Real) +
           static_cast<Real>(cells) * (kCellValues * sizeof(Real) + corners * sizeof(std::int64_t)));
+}
+
+/// A checkpoint holds the state of all entities, twice while it is written: as tables and as a
+/// file.
+template <int Dim>
+Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
+  constexpr Real kPoint = 5 * Dim + 3, kContactNode = 3 * Dim + 3;
+  constexpr Real kMaterial = 14;
+  constexpr Real kElement = (1 << Dim) * Dim + 6;
+  constexpr Real kParticle = sizeof(ParticleState<Dim>) / sizeof(Real) + 1 + kMaterial;
+  const auto particles = static_cast<Real>(scene.n_particles());
+  return 2 * sizeof(Real) *
+         (static_cast<Real>(scene.n_points()) * kPoint +
+          static_cast<Real>(scene.n_elements()) * (kElement + gauss * kMaterial) +
+          particles * (kParticle + (scene.contact ? kContactNode : 0)));
 }
 }  // namespace
 
@@ -120,12 +123,9 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     estimate.contact = contact_bytes<Dim>(scene.contact->n_facets(), scene.n_particles());
   }
   estimate.building = building_bytes<Dim>(scene.n_points(), scene.n_elements());
-  estimate.output =
-      inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
-      std::max(frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim),
-               checkpoint_bytes<Dim>(static_cast<Real>(scene.n_points()),
-                                     static_cast<Real>(scene.n_elements()),
-                                     static_cast<Real>(scene.n_particles()), inputs.gauss));
+  estimate.output = inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
+                    std::max(frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim),
+                             checkpoint_bytes(scene, inputs.gauss));
   return estimate;
 }
 

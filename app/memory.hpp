@@ -12,7 +12,7 @@ struct MemoryEstimate {
   Real neighbours = 0;  ///< [byte] lists of particles, at the expected number of neighbours
   Real contact = 0;     ///< [byte] faces, nodes, lists
   Real building = 0;    ///< [byte] meshes before they are scenes: free again, seldom given back
-  Real output = 0;      ///< [byte] history, and a frame while it is written
+  Real output = 0;      ///< [byte] history, and a frame or a checkpoint while it is written
   Real total() const {
     return program + elements + particles + neighbours + contact + building + output;
   }

@@ -54,6 +54,7 @@ bool is_finished(const fs::path& folder, const std::string& deck_hash) {
     return false;
   }
 }
+
 void prepare_output(const fs::path& folder, const RunArguments& arguments, bool goes_on) {
   if (fs::exists(folder)) {
     if (!arguments.force && !arguments.resume) {
@@ -66,7 +67,9 @@ void prepare_output(const fs::path& folder, const RunArguments& arguments, bool 
       throw DeckError({{{folder.string(), 0, 0}, "", "is a file, not an output folder"}});
     }
     if (goes_on) {
-      fs::remove(folder / "summary.json");  // of the run before it went on
+      std::error_code error;
+      fs::remove(folder / "summary.json", error);  // of the run before it went on
+      if (error) throw MachineError((folder / "summary.json").string() + ": " + error.message());
     } else {
       clear(folder);
     }

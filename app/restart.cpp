@@ -79,6 +79,11 @@ bool Restart::next() {
   return false;
 }
 
+bool Restart::lies_in(const fs::path& folder) const {
+  std::error_code error;
+  return fs::equivalent(point_->folder(), folder, error);
+}
+
 void Restart::refuse(const std::string& reason) {
   report_(CheckpointError(point_->manifest, reason).what());
 }

@@ -16,7 +16,9 @@ struct RestartPoint {
   CheckpointHeader header;
   std::unique_ptr<StateTables> state;
   std::map<std::string, std::string> texts;
-  std::filesystem::path folder() const { return manifest.parent_path(); }
+  std::filesystem::path folder() const {
+    return manifest.has_parent_path() ? manifest.parent_path() : std::filesystem::path(".");
+  }
 };
 
 /// Where a run goes on: the latest good checkpoint of those it may use.
@@ -32,6 +34,8 @@ class Restart {
   bool next();
   /// The one that was read last.
   const RestartPoint& point() const { return *point_; }
+  /// True if it lies in this folder.
+  bool lies_in(const std::filesystem::path& folder) const;
   /// Reports that the last one did not fit, after all.
   void refuse(const std::string& reason);
 

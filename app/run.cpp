@@ -169,7 +169,7 @@ void print_end(const Ended& ended, const Clock& clock, const fs::path& folder) {
     std::fprintf(
         stderr,
         "brunt: stopped by a signal at t = %s of %s, after step %lld; what stands in %s is "
-        "whole up to there, and --force runs the deck anew\n",
+        "whole up to there, and --resume goes on from there\n",
         deck::time_text(clock.time()).c_str(), deck::time_text(clock.end()).c_str(),
         static_cast<long long>(clock.step()), folder.c_str());
   } else if (!ended.reason.empty()) {
@@ -232,8 +232,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
     refused.push_back(reason);
     if (root) std::fprintf(stderr, "warning: %s\n", reason.c_str());
   });
-  std::error_code no_folder;
-  const bool goes_on = restart && fs::equivalent(restart->point().folder(), folder, no_folder);
+  const bool goes_on = restart && restart->lies_in(folder);
   ranks.barrier();  // all have read what the root may replace
   if (root) {
     prepare_output(folder, arguments, goes_on);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "io/file.hpp"
 #include "io/hash.hpp"
@@ -176,7 +177,7 @@ CheckpointPart write_checkpoint_part(const fs::path& folder, const CheckpointHea
   content.texts[kHeaderText] = header_of_part(header, rank);
   std::string image;
   try {
-    image = to_hdf5(content);
+    image = to_hdf5(std::move(content));
   } catch (const ImageError& error) {
     throw MachineError("cannot write '" + file.string() + "': " + error.what());
   }

@@ -57,7 +57,7 @@ std::filesystem::path manifest_of(const std::filesystem::path& file);
 /// True for the names of manifests, parts and what is left of their temporaries.
 bool is_checkpoint_file(const std::filesystem::path& file);
 
-/// Writes the file of one rank. Throws MachineError.
+/// Writes the file of one rank. Moves of the content save its memory. Throws MachineError.
 CheckpointPart write_checkpoint_part(const std::filesystem::path& folder,
                                      const CheckpointHeader& header, std::uint64_t rank,
                                      CheckpointContent content);

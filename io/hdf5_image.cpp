@@ -150,10 +150,10 @@ void write_text(hid_t in, const char* name, const std::string& text) {
   write_array(in, name, H5T_STD_U8LE, H5T_NATIVE_UINT8, ended.data(), ended.size(), 0);
 }
 
-void write_content(hid_t file, const CheckpointContent& content) {
+void write_content(hid_t file, CheckpointContent& content) {
   const Group tables = Group::made(file, "tables"), texts = Group::made(file, "texts");
   std::size_t number = 0;
-  for (const auto& table : content.tables) {
+  for (auto& table : content.tables) {
     const auto width = static_cast<std::size_t>(table.width);
     need(width > 0 && table.value.size() == width * table.id.size(), "a table has ragged rows");
     if (table.id.empty()) continue;
@@ -162,6 +162,7 @@ void write_content(hid_t file, const CheckpointContent& content) {
     write_array(group, "id", H5T_STD_U64LE, H5T_NATIVE_UINT64, table.id.data(), table.id.size(), 0);
     write_array(group, "value", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, table.value.data(),
                 table.id.size(), width);
+    table = {};
   }
   number = 0;
   for (const auto& [name, text] : content.texts) {
@@ -226,7 +227,7 @@ hsize_t members_of(hid_t group) {
 
 }  // namespace
 
-std::string to_hdf5(const CheckpointContent& content) {
+std::string to_hdf5(CheckpointContent content) {
   const Quiet quiet;
   Memory memory;
   {

@@ -13,9 +13,10 @@ class ImageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The bytes of an HDF5 file with the content; tables without rows are left out. Throws ImageError
-/// where HDF5 has no memory for it.
-std::string to_hdf5(const CheckpointContent& content);
+/// The bytes of an HDF5 file with the content; tables without rows are left out. Each table is
+/// freed when it stands in the file, so that memory holds the content twice at the most. Throws
+/// ImageError where HDF5 has no memory for it.
+std::string to_hdf5(CheckpointContent content);
 
 /// Reads what to_hdf5 wrote. Types, sizes and checksums are looked at before anything is allocated
 /// or believed. Throws ImageError.
