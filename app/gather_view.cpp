@@ -128,11 +128,40 @@ BodyView gather_view(const BodyView& mine, const Communicator& ranks) {
   return view;
 }
 
+namespace {
+/// The contacts of a view in the order of their keys.
+ContactView sorted(const ContactView& all) {
+  const std::size_t n = all.key.size();
+  std::vector<std::size_t> order(n), first(n + 1, 0);  // first: corner of each contact
+  for (std::size_t i = 0; i < n; ++i) {
+    order[i] = i;
+    first[i + 1] = first[i] + static_cast<std::size_t>(all.polygon_size[i]);
+  }
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return all.key[a] < all.key[b]; });
+  ContactView view;
+  for (const std::size_t i : order) {
+    for (std::size_t corner = first[i]; corner < first[i + 1]; ++corner) {
+      append(view.position, all.position, corner, 3);
+    }
+    view.polygon_size.push_back(all.polygon_size[i]);
+    append(view.normal, all.normal, i, 3);
+    append(view.pressure, all.pressure, i, 1);
+    append(view.penetration, all.penetration, i, 1);
+    append(view.force, all.force, i, 3);
+    view.body_a.push_back(all.body_a[i]);
+    view.body_b.push_back(all.body_b[i]);
+    view.key.push_back(all.key[i]);
+  }
+  return view;
+}
+}  // namespace
+
 ContactView gather_view(const ContactView& mine, const Communicator& ranks) {
   if (ranks.alone()) return mine;
   Packer packer;
   packer << mine.position << mine.polygon_size << mine.normal << mine.pressure << mine.penetration
-         << mine.force << mine.body_a << mine.body_b;
+         << mine.force << mine.body_a << mine.body_b << mine.key;
   ContactView view;
   const auto join = [](auto& to, Unpacker& from) {
     std::decay_t<decltype(to)> part;
@@ -143,9 +172,9 @@ ContactView gather_view(const ContactView& mine, const Communicator& ranks) {
     Unpacker from(bytes);
     join(view.position, from), join(view.polygon_size, from), join(view.normal, from);
     join(view.pressure, from), join(view.penetration, from), join(view.force, from);
-    join(view.body_a, from), join(view.body_b, from);
+    join(view.body_a, from), join(view.body_b, from), join(view.key, from);
   }
-  return view;
+  return sorted(view);
 }
 
 }  // namespace brunt

@@ -9,7 +9,7 @@ namespace brunt {
 /// Collective.
 BodyView gather_view(const BodyView& mine, const Communicator& ranks);
 
-/// The contacts of all ranks, rank after rank, on the root. Collective.
+/// The contacts of all ranks by their keys, the order of a lone rank, on the root. Collective.
 ContactView gather_view(const ContactView& mine, const Communicator& ranks);
 
 }  // namespace brunt

@@ -111,6 +111,7 @@ ContactView ContactManager<Dim>::view() const {
     view.penetration.push_back(record.penetration);
     view.body_a.push_back(record.lower_body);
     view.body_b.push_back(record.upper_body);
+    view.key.push_back({record.of_particle ? 1u : 0u, record.first, record.second, record.ordinal});
   });
   return view;
 }

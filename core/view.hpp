@@ -1,6 +1,7 @@
 #pragma once
 /// What a group shows to output, measures and pictures: plain data, SI. A group's view is
 /// relative to the scene's origin; the scene adds it.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct ContactView {
   std::vector<Real> penetration;  ///< [m]
   std::vector<Real> force;        ///< 3 a contact [N]
   std::vector<Label> body_a, body_b;
+  /// The place of a contact among all: kind, then ids of its two sides, then a number.
+  std::vector<std::array<GlobalId, 4>> key;
 };
 
 }  // namespace brunt

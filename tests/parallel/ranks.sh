@@ -30,6 +30,7 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
 }
 same() {  # same DECK A B
+  diff -rq "$2/frames" "$3/frames" >frames.txt || { echo "FAILED: $1: $3: frames"; head -3 frames.txt; status=1; }
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
   diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4
