@@ -51,6 +51,7 @@ int launch_ranks(const RunArguments& arguments, int argc, char** argv) {
   command.emplace_back(self.data());
   for (auto& argument : own_arguments(argc, argv)) command.push_back(std::move(argument));
   std::vector<char*> raw;
+  raw.reserve(command.size() + 1);
   for (auto& argument : command) raw.push_back(argument.data());
   raw.push_back(nullptr);
   execvp(raw[0], raw.data());

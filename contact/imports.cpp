@@ -193,6 +193,7 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
     }
   });
   std::vector<Bytes> bytes;
+  bytes.reserve(to.size());
   for (auto& packer : to) bytes.push_back(packer.take());
   for (const Bytes& from : ranks().exchange(bytes)) {
     Unpacker unpacker(from);

@@ -65,7 +65,9 @@ struct Access : Handle {
 };
 
 /// The memory of a file that HDF5 writes, kept when HDF5 closes it: only then is its superblock
-/// final (H5Fget_file_image of 1.10 gives one whose checksum is wrong).
+/// final (H5Fget_file_image of 1.10 gives one whose checksum is wrong). HDF5 asks for memory as
+/// realloc gives it.
+// NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory): see above
 class Memory {
  public:
   Memory() = default;
@@ -113,6 +115,7 @@ class Memory {
   char* data_ = nullptr;
   std::size_t size_ = 0;
 };
+// NOLINTEND(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory)
 
 struct Group : Handle {
   static Group made(hid_t in, const std::string& name) {

@@ -47,6 +47,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
   }
   points_ = whole.points_.subset(kept, static_cast<LocalIndex>(kept.size()));
   std::vector<Real> spacing;
+  spacing.reserve(kept.size());
   for (const LocalIndex i : kept) {
     spacing.push_back(whole.state_[static_cast<std::size_t>(i)].spacing);
   }

@@ -47,7 +47,7 @@ bool launched_by_mpirun() {
          std::getenv("PMIX_RANK") != nullptr;
 }
 
-void Communicator::swap(std::span<const Message> messages) const {
+void Communicator::trade(std::span<const Message> messages) const {
   std::vector<MPI_Request> requests;
   requests.reserve(2 * messages.size());
   for (const auto& message : messages) {
@@ -78,7 +78,7 @@ std::vector<Bytes> Communicator::exchange(const std::vector<Bytes>& to) const {
     from[r].resize(coming[r]);
     if (sizes[r] || coming[r]) messages.push_back({static_cast<int>(r), to[r], from[r]});
   }
-  swap(messages);
+  trade(messages);
   return from;
 }
 

@@ -72,7 +72,7 @@ class Communicator {
   /// What every rank gave, on the root; nothing elsewhere.
   std::vector<Bytes> gather(const Bytes& mine) const;
   /// Messages among neighbours, all at once; at most one to and from each rank.
-  void swap(std::span<const Message> messages) const;
+  void trade(std::span<const Message> messages) const;
 
   const Traffic& traffic() const { return traffic_; }
 

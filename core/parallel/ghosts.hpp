@@ -36,7 +36,7 @@ void refresh_ghosts(const Communicator& ranks, const GhostPlan& plan, std::size_
     messages.push_back({peer.rank, std::as_bytes(std::span<const Real>(out[p])),
                         std::as_writable_bytes(std::span<Real>(in[p]))});
   }
-  ranks.swap(messages);
+  ranks.trade(messages);
   for (std::size_t p = 0; p < plan.peers.size(); ++p) {
     const auto& fill = plan.peers[p].fill;
     for (std::size_t k = 0; k < fill.size(); ++k) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/support/simulate.hpp"
@@ -108,16 +109,28 @@ TEST(TaylorLong, Q1P0Hexes) {
   EXPECT_LT(run.worst_drift, 0.01);
 }
 
-/// Diameter [m] of a body of particles at a height [m]: of those whose layer reaches it.
+/// Diameter [m] of a body of particles about the z axis at a height [m]: a line through the radii
+/// of its outermost particles, by sector and layer within two spacings of it. (The widest of a band
+/// would be that of its lower edge: the bar is a cone there.)
 Real diameter_at(const BodyView& bar, Real height) {
-  Real widest = 0;
+  constexpr std::size_t kSectors = 24, kLayers = 4;
+  std::array<std::pair<Real, Real>, kSectors * kLayers> outermost{};  // radius, z
   for (std::size_t i = 0; i < bar.point_radius.size(); ++i) {
     const Real* x = bar.position.data() + 3 * i;
-    const Real r = bar.point_radius[i];
-    if (std::fabs(x[2] - height) > 2 * r) continue;
-    widest = std::max(widest, 2 * (std::hypot(x[0], x[1]) + r));
+    const Real spacing = 2 * bar.point_radius[i], up = (x[2] - height) / spacing + 2;
+    if (!(up >= 0 && up < kLayers)) continue;
+    const Real turn = (std::atan2(x[1], x[0]) / kPi + 1) / 2;
+    const auto sector = std::min(static_cast<std::size_t>(turn * kSectors), kSectors - 1);
+    auto& best = outermost[sector * kLayers + static_cast<std::size_t>(up)];
+    best = std::max(best, {std::hypot(x[0], x[1]) + 0.5 * spacing, x[2]});
   }
-  return widest;
+  Real n = 0, z = 0, r = 0, zz = 0, zr = 0;  // sums of the least squares
+  for (const auto& [radius, at] : outermost) {
+    if (radius == 0) continue;
+    const Real dz = at - height;
+    n += 1, z += dz, r += radius, zz += dz * dz, zr += dz * radius;
+  }
+  return 2 * (zz * r - z * zr) / (n * zz - z * z);
 }
 
 // The deck that ships, at 10 particles a radius. W(0.2 L0) = 8.07 mm by physics.md B2.1.
