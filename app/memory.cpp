@@ -90,7 +90,8 @@ Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
   constexpr Real kPoint = 5 * Dim + 3, kContactNode = 3 * Dim + 3;
   constexpr Real kMaterial = 14;
   constexpr Real kElement = (1 << Dim) * Dim + 6;
-  constexpr Real kParticle = sizeof(ParticleState<Dim>) / sizeof(Real) + 1 + kMaterial;
+  constexpr std::size_t kStateValues = sizeof(ParticleState<Dim>) / sizeof(Real);
+  constexpr Real kParticle = static_cast<Real>(kStateValues + 1) + kMaterial;
   const auto particles = static_cast<Real>(scene.n_particles());
   return 2 * sizeof(Real) *
          (static_cast<Real>(scene.n_points()) * kPoint +

@@ -73,11 +73,11 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
         path + ".field", "'" + kind.body + "' has no field '" + name + "'" + reason_for(name) +
                              "; it has " + joined(known->second)));
   };
-  for (const auto& [name, measure] : loaded.deck.measures) {
+  for (const auto& named : loaded.deck.measures) {
     std::visit(
         [&](const auto& kind) {
           const std::string path =
-              "measures." + name + "." + std::remove_cvref_t<decltype(kind)>::deck_name;
+              "measures." + named.name + "." + std::remove_cvref_t<decltype(kind)>::deck_name;
           if constexpr (requires { kind.field; }) check_field(path, kind);
           if constexpr (requires { kind.column; }) {
             if (contains(columns, kind.column)) return;
@@ -86,7 +86,7 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
                 "there is no column '" + kind.column + "'" + columns_like(kind.column, columns)));
           }
         },
-        measure.kind);
+        named.value.kind);
   }
 }
 

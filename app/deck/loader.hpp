@@ -13,7 +13,7 @@ class DeckLoader {
  public:
   DeckLoader();
   /// A tree of all sources to a checked deck; problems (appended): all that is wrong.
-  LoadedDeck read(Node root, const std::vector<std::string>& overrides,
+  LoadedDeck read(Node root, const std::vector<std::string>& override_texts,
                   std::vector<DeckProblem>& problems) const;
   /// The same; throws DeckError with all that is wrong.
   LoadedDeck load(Node root, const std::vector<std::string>& overrides) const;

@@ -27,7 +27,7 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
   constexpr std::size_t kLongest = 64;
   if (word.size() > kLongest) return "";
   // One of many: "body" for "bodies" is further away than a typing error.
-  const std::string plural =
+  std::string plural =
       word.ends_with('y') ? std::string(word.substr(0, word.size() - 1)) + "ies" : "";
   if (std::find(known.begin(), known.end(), plural) != known.end()) return plural;
   std::string nearest;
