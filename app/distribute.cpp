@@ -7,7 +7,7 @@ namespace brunt {
 namespace {
 /// Positions and weights of all points of the scene, by id.
 template <int Dim>
-Deal deal_points(const Scene<Dim>& scene, const Communicator& ranks) {
+Deal first_deal(const Scene<Dim>& scene, const Communicator& ranks) {
   std::size_t n = 0;
   for (const auto& solid : scene.solids) n += solid->points().x.size();
   std::vector<Vec<Dim>> x(n, Vec<Dim>::Zero());
@@ -26,13 +26,14 @@ Deal deal_points(const Scene<Dim>& scene, const Communicator& ranks) {
 }  // namespace
 
 template <int Dim>
-void distribute(Scene<Dim>& scene, const Communicator& ranks) {
+void distribute(Scene<Dim>& scene, const Communicator& ranks, std::unique_ptr<const Deal> deal) {
   scene.ranks = &ranks;
+  scene.phases.ranks = &ranks;
   if (ranks.alone()) return;
-  scene.deal = deal_points(scene, ranks);
+  scene.deal = std::move(deal);
   std::vector<std::unique_ptr<Solid<Dim>>> whole;
   for (auto& solid : scene.solids) {
-    auto part = solid->part(scene.deal, ranks);
+    auto part = solid->part(*scene.deal, ranks);
     scene.supports.follow(solid->points(), part->points());
     scene.loads.follow(solid->points(), part->points());
     whole.push_back(std::exchange(solid, std::move(part)));
@@ -40,11 +41,19 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks) {
   if (!scene.contact) return;
   std::vector<Surface<Dim>*> surfaces;
   for (auto& solid : scene.solids) surfaces.push_back(&solid->surface());
-  scene.contact =
-      std::make_unique<ContactManager<Dim>>(*scene.contact, std::move(surfaces), scene.deal, ranks);
+  scene.contact = std::make_unique<ContactManager<Dim>>(*scene.contact, std::move(surfaces),
+                                                        *scene.deal, ranks);
+}
+
+template <int Dim>
+void distribute(Scene<Dim>& scene, const Communicator& ranks) {
+  auto deal = ranks.alone() ? nullptr : std::make_unique<const Deal>(first_deal(scene, ranks));
+  distribute(scene, ranks, std::move(deal));
 }
 
 template void distribute<2>(Scene<2>&, const Communicator&);
 template void distribute<3>(Scene<3>&, const Communicator&);
+template void distribute<2>(Scene<2>&, const Communicator&, std::unique_ptr<const Deal>);
+template void distribute<3>(Scene<3>&, const Communicator&, std::unique_ptr<const Deal>);
 
 }  // namespace brunt

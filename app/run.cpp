@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/balance.hpp"
 #include "app/build/scene_builder.hpp"
 #include "app/build/sound_part.hpp"
 #include "app/checkpointing.hpp"
@@ -114,9 +115,10 @@ struct Ended {
 /// Steps the scene; a broken physics is reported after a last frame.
 template <int Dim>
 Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim>& monitor,
-                  Checkpointing<Dim>& checkpointing) {
+                  Checkpointing<Dim>& checkpointing, Balance<Dim>& balance) {
   try {
-    run_time_loop(scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), checkpointing);
+    run_time_loop(scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), checkpointing,
+                  &balance);
     monitor.end(scene, clock);
     return {checkpointing.interrupted() ? kStopped : kDone, monitor.reason()};
   } catch (const PhysicsError& error) {
@@ -217,6 +219,9 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   }
   auto scene = build_scene<Dim>(loaded);
   distribute(*scene, ranks);
+  const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
+  Balance<Dim> balance(
+      loaded.deck.ranks, [&] { return build_scene<Dim>(loaded); }, build_time.count());
   const auto folder = output_path(arguments);
   RunSummary summary;
   const bool root = ranks.is_root();
@@ -259,7 +264,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
               restart->point().header.time);
   }
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
-  const Ended ended = step_to_end(*scene, clock, deck, monitor, checkpointing);
+  const Ended ended = step_to_end(*scene, clock, deck, monitor, checkpointing, balance);
   for (const auto& reason : refused) {
     log->warn("{}", reason);
     summary.warnings.push_back({"checkpoint", reason});
@@ -270,6 +275,8 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
   fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
+  summary.balance = balance.ratio();
+  summary.deals = balance.deals();
   if (!root) return ended.status;
   const auto pictures = deck.output.pictures && ended.status != kStopped
                             ? draw_pictures(folder, deck.title, summary)

@@ -30,7 +30,7 @@ struct Scene {
   Loads<Dim> loads;
   Phases phases;
   const Communicator* ranks = &lone_rank();
-  Deal deal;  ///< whose each point is; empty on a lone rank
+  std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
 
   /// Positions and velocities of copies, from their owners. Collective.
   void refresh_motion();

@@ -34,12 +34,17 @@ void rearrange_where_due(Scene<Dim>& scene, Real dt) {
 }  // namespace
 
 template <int Dim>
-void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer) {
+void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer,
+                   Balance<Dim>* balance) {
   scene.supports.start();
   scene.refresh_motion();
   scene.rearrange();
   observer.begin(scene, clock);
   while (!clock.finished()) {
+    if (balance != nullptr) {
+      const PhaseTimer timer(scene.phases, Phase::balance);
+      balance->look(scene, clock.time());
+    }
     const Real dt = choose_step(scene, clock, min_step);
     rearrange_where_due(scene, dt);
     {
@@ -74,7 +79,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
   }
 }
 
-template void run_time_loop<2>(Scene<2>&, Clock&, Real, Observer<2>&);
-template void run_time_loop<3>(Scene<3>&, Clock&, Real, Observer<3>&);
+template void run_time_loop<2>(Scene<2>&, Clock&, Real, Observer<2>&, Balance<2>*);
+template void run_time_loop<3>(Scene<3>&, Clock&, Real, Observer<3>&, Balance<3>*);
 
 }  // namespace brunt

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/balance.hpp"
 #include "app/clock.hpp"
 #include "app/scene.hpp"
 
@@ -15,7 +16,9 @@ class Observer {
 
 /// Steps the scene to the end of its time: velocity Verlet, all of the physics in one loop
 /// (architecture.md 4). Throws PhysicsError when the step collapses below min_step [s].
+/// balance  none: points stay with the ranks that have them
 template <int Dim>
-void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer);
+void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer,
+                   Balance<Dim>* balance = nullptr);
 
 }  // namespace brunt

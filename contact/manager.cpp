@@ -161,6 +161,35 @@ ContactWork ContactManager<Dim>::work() const {
           own.candidates.skin()};
 }
 
+template <int Dim>
+std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
+  // [ns] of a candidate, near or far alike (docs/performance.md); only their ratio matters.
+  constexpr Real kFacePair = 1500, kParticleOnFace = 400;
+  const auto& own = *implementation_;
+  const auto& nodes = own.entities.nodes;
+  std::vector<std::vector<Real>> work;
+  for (const auto* surface : own.surfaces) {
+    work.emplace_back(static_cast<std::size_t>(surface->points->n_owned), 0.0);
+  }
+  const auto add = [&](LocalIndex node, Real cost) {
+    const auto i = static_cast<std::size_t>(node);
+    if (!nodes.owned[i] || nodes.point[i] < 0) return;
+    auto& of_surface = work[static_cast<std::size_t>(nodes.surface[i])];
+    const auto point = static_cast<std::size_t>(nodes.point[i]);
+    if (point < of_surface.size()) of_surface[point] += cost;
+  };
+  for (const auto& pair : own.candidates.faces()) {
+    const auto& face = own.entities.faces[static_cast<std::size_t>(pair.lower)];
+    for (int c = 0; c < face.n_nodes; ++c) {
+      add(face.node[static_cast<std::size_t>(c)], kFacePair / face.n_nodes);
+    }
+  }
+  for (const auto& pair : own.candidates.particles()) {
+    add(own.entities.particles[static_cast<std::size_t>(pair.particle)].node, kParticleOnFace);
+  }
+  return work;
+}
+
 template class ContactManager<2>;
 template class ContactManager<3>;
 

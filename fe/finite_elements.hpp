@@ -40,6 +40,8 @@ class FiniteElements final : public Solid<Dim> {
   std::size_t n_elements() const override;
   std::size_t n_particles() const override { return 0; }
   const GhostPlan& ghosts() const override { return ghosts_; }
+  /// Every element's material points, shared by those of its nodes that are owned here.
+  std::vector<Real> point_work() const override;
   void save_state(std::vector<StateTable>& tables) const override;
   void load_state(const StateTables& tables) override;
 

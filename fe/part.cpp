@@ -1,4 +1,7 @@
 /// The part of a whole that one rank computes.
+#include <algorithm>
+#include <span>
+
 #include "fe/finite_elements.hpp"
 
 namespace brunt {
@@ -118,6 +121,27 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& dea
   start_steps();
 }
 
+template <int Dim>
+std::vector<Real> FiniteElements<Dim>::point_work() const {
+  constexpr std::size_t n = Shape<Dim>::kCorners;
+  std::vector<Real> work(static_cast<std::size_t>(points_.n_owned), 0.0);
+  for (const auto& block : blocks_) {
+    for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
+      const std::span corners(block.corner.data() + e * n, n);
+      const auto is_owned = [&](LocalIndex node) { return node < points_.n_owned; };
+      const auto owned = std::count_if(corners.begin(), corners.end(), is_owned);
+      for (const LocalIndex node : corners) {
+        if (!is_owned(node)) continue;
+        work[static_cast<std::size_t>(node)] +=
+            static_cast<Real>(block.gauss) / static_cast<Real>(owned);
+      }
+    }
+  }
+  return work;
+}
+
+template std::vector<Real> FiniteElements<2>::point_work() const;
+template std::vector<Real> FiniteElements<3>::point_work() const;
 template FiniteElements<2>::FiniteElements(const FiniteElements&, const Deal&, const Communicator&);
 template FiniteElements<3>::FiniteElements(const FiniteElements&, const Deal&, const Communicator&);
 

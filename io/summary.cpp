@@ -94,6 +94,8 @@ RunSummary from_json(const Json& json) {
   s.messages_step = json.value("messages_step", s.messages_step);
   s.bytes_step = json.value("bytes_step", s.bytes_step);
   s.reductions_step = json.value("reductions_step", s.reductions_step);
+  s.balance = json.value("balance", s.balance);
+  s.deals = json.value("deals", s.deals);
   return s;
 }
 
@@ -147,6 +149,8 @@ std::string to_json(const RunSummary& s) {
   json["messages_step"] = s.messages_step;
   json["bytes_step"] = s.bytes_step;
   json["reductions_step"] = s.reductions_step;
+  json["balance"] = s.balance;
+  json["deals"] = s.deals;
   // Text of the user that is not UTF-8 is replaced rather than losing the whole summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

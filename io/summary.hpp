@@ -50,6 +50,8 @@ struct RunSummary {
   Real messages_step = 0;    ///< sent from rank to rank in a step, by all ranks together
   Real bytes_step = 0;       ///< [byte] in them
   Real reductions_step = 0;  ///< in which all ranks take part
+  Real balance = 1;          ///< largest over mean work of the ranks at the last look
+  int deals = 0;             ///< how often points were dealt out again
 };
 
 /// A word for an exit status: "done", "deck error", "physics error", "machine error", "stopped".

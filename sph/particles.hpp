@@ -90,6 +90,8 @@ class SphParticles final : public Solid<Dim> {
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return n_owned(); }
   const GhostPlan& ghosts() const override { return ghosts_; }
+  /// A particle and each of its neighbours count one.
+  std::vector<Real> point_work() const override;
   void save_state(std::vector<StateTable>& tables) const override;
   void load_state(const StateTables& tables) override;
 

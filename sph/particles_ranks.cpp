@@ -190,6 +190,17 @@ bool SphParticles<Dim>::bodies_hold(Real dt) const {
   return true;
 }
 
+template <int Dim>
+std::vector<Real> SphParticles<Dim>::point_work() const {
+  std::vector<Real> work(n_owned());
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    work[i] = 1.0 + rows_.count(static_cast<LocalIndex>(i));
+  }
+  return work;
+}
+
+template std::vector<Real> SphParticles<2>::point_work() const;
+template std::vector<Real> SphParticles<3>::point_work() const;
 template SphParticles<2>::SphParticles(const SphParticles&, const Deal&, const Communicator&);
 template SphParticles<3>::SphParticles(const SphParticles&, const Deal&, const Communicator&);
 template void SphParticles<2>::renew_ghosts(Real);

@@ -92,6 +92,15 @@ void describe(Schema& s, Output& output) {
             output.checkpoint_steps, at_least(0));
 }
 
+void describe(Schema& s, Ranks& ranks) {
+  s.real_or_word({"balance",
+                  "largest over mean work of the ranks beyond which points are dealt out "
+                  "again, once that pays; 1: at every look; the answer is the same"},
+                 ranks.balance, {"1", at_least(1)}, "off");
+  s.integer({"balance_steps", "steps between two looks at the balance"}, ranks.balance_steps,
+            at_least(1));
+}
+
 }  // namespace deck
 
 void describe(Schema& s, Deck& deck) {
@@ -122,6 +131,7 @@ void describe(Schema& s, Deck& deck) {
   s.named({"measures", "numbers that the run is asked for, by name"}, deck.measures);
   s.object({"stop", "what ends the run before its time"}, deck.stop);
   s.object({"output", "what is written, and when"}, deck.output);
+  s.object({"ranks", "how work is spread over several processes"}, deck.ranks);
   s.later(kLater);
 }
 

@@ -68,6 +68,11 @@ struct Output {
   int checkpoint_steps = 0;              ///< steps between checkpoints besides; 0: none
 };
 
+struct Ranks {
+  std::optional<Real> balance = 1.15;  ///< largest over mean work that is put up with; none: off
+  int balance_steps = 100;             ///< steps between two looks at it
+};
+
 void describe(Schema& s, Time& time);
 void describe(Schema& s, ContactPair& pair);
 void describe(Schema& s, Contact& contact);
@@ -75,6 +80,7 @@ void describe(Schema& s, AtRest& rest);
 void describe(Schema& s, Beyond& beyond);
 void describe(Schema& s, Stop& stop);
 void describe(Schema& s, Output& output);
+void describe(Schema& s, Ranks& ranks);
 
 }  // namespace deck
 
@@ -94,6 +100,7 @@ struct Deck {
   std::vector<Named<deck::Measure>> measures;
   deck::Stop stop;
   deck::Output output;
+  deck::Ranks ranks;
 };
 
 void describe(Schema& s, Deck& deck);

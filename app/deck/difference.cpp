@@ -11,8 +11,9 @@ namespace brunt {
 namespace {
 bool may_differ(const std::string& path) {
   static constexpr const char* kFree[] = {"time.end", "time.until", "title"};
-  return path.starts_with("output.") || std::any_of(std::begin(kFree), std::end(kFree),
-                                                    [&](const char* key) { return path == key; });
+  return path.starts_with("output.") || path.starts_with("ranks.") ||
+         std::any_of(std::begin(kFree), std::end(kFree),
+                     [&](const char* key) { return path == key; });
 }
 
 using Leaves = std::map<std::string, std::string>;

@@ -3,6 +3,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <chrono>
 #include <climits>
 #include <cstdlib>
 
@@ -42,12 +43,30 @@ void post(std::span<const Message> messages, std::vector<MPI_Request>& requests)
 }
 }  // namespace
 
+namespace {
+/// Adds its life time to a count of seconds.
+class Waiting {
+ public:
+  explicit Waiting(double& seconds) : seconds_(seconds) {}
+  ~Waiting() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+}  // namespace
+
 bool launched_by_mpirun() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr ||
          std::getenv("PMIX_RANK") != nullptr;
 }
 
 void Communicator::trade(std::span<const Message> messages) const {
+  const Waiting waiting(traffic_.seconds);
   std::vector<MPI_Request> requests;
   requests.reserve(2 * messages.size());
   for (const auto& message : messages) {
@@ -65,8 +84,12 @@ std::vector<Bytes> Communicator::exchange(const std::vector<Bytes>& to) const {
   const auto n = static_cast<std::size_t>(size_);
   std::vector<std::uint64_t> sizes(n), coming(n);
   for (std::size_t r = 0; r < n; ++r) sizes[r] = to[r].size();
-  check(MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD),
+  {
+    const Waiting waiting(traffic_.seconds);
+    check(
+        MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD),
         "exchange of sizes");
+  }
   ++traffic_.reductions;
   std::vector<Bytes> from(n);
   std::vector<Message> messages;
@@ -97,6 +120,7 @@ std::vector<Bytes> Communicator::gather(const Bytes& mine) const {
 /// Binomial tree to rank 0, then a broadcast: 2 log2(n) messages deep, any size of value.
 void Communicator::reduce_bytes(void* value, std::size_t size, CombineBytes combine,
                                 void* context) const {
+  const Waiting waiting(traffic_.seconds);
   ++traffic_.reductions;
   const auto count = static_cast<int>(size);
   Bytes other(size);
@@ -116,6 +140,7 @@ void Communicator::reduce_bytes(void* value, std::size_t size, CombineBytes comb
 
 void Communicator::max(std::span<Real> values) const {
   if (alone() || values.empty()) return;
+  const Waiting waiting(traffic_.seconds);
   ++traffic_.reductions;
   check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE,
                       MPI_MAX, MPI_COMM_WORLD),

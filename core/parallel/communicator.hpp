@@ -24,6 +24,7 @@ struct Traffic {
   std::int64_t messages = 0;    ///< sent from rank to rank
   std::int64_t bytes = 0;       ///< in them
   std::int64_t reductions = 0;  ///< in which all ranks took part
+  double seconds = 0;           ///< of wall time in which this rank sent, received and waited
 };
 
 /// All calls are collective: every rank makes them in the same order. A lone rank starts no MPI and

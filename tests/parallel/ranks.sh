@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same history, byte for byte, state hashes and all, on any number of ranks and threads: every
-# shipped deck, shortened; with another skin; and split in two by a restart on other ranks.
+# shipped deck, shortened; with another skin; dealt out again every few steps; and split in two by a
+# restart on other ranks.
 #   ranks.sh PROGRAM SOURCE RANKS...
 set -euo pipefail
 brunt=$1
@@ -48,6 +49,9 @@ for each in "${cases[@]}"; do
   done
   run "$deck" "$deck-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
   same "$deck" "$deck-1" "$deck-skin"
+  run "$deck" "$deck-dealt" --ranks 3 --threads 1 -- $shorten ranks.balance=1 ranks.balance_steps=7
+  same "$deck" "$deck-1" "$deck-dealt"
+  grep -q '"deals": [1-9]' "$deck-dealt/summary.json" || { echo "FAILED: $deck was not dealt again"; status=1; }
   run "$deck" "$deck-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
   run "$deck" "$deck-rest" --ranks 3 --threads 1 --restart "$deck-half" -- $shorten
   same "$deck" "$deck-1" "$deck-rest"

@@ -1,0 +1,43 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "app/deck/deck.hpp"
+#include "app/scene.hpp"
+
+namespace brunt {
+
+/// Watches how evenly the work of a run is spread over its ranks, and deals the points out again
+/// where it has drifted apart. Which rank computes what changes no bit of the answer: dealing is a
+/// restart within the run, by the rows that a checkpoint would write.
+template <int Dim>
+class Balance {
+ public:
+  using Build = std::function<std::unique_ptr<Scene<Dim>>()>;
+  /// build  makes the whole scene at time 0
+  /// cost  [s] of wall time that a deal takes, as far as is known
+  Balance(const deck::Ranks& options, Build build, double cost);
+
+  /// Between two steps: compares the ranks' work every so many steps, and deals it out again where
+  /// that will pay. time [s]. Throws PhysicsError as Scene::check does. Collective.
+  void look(Scene<Dim>& scene, Real time);
+
+  Real ratio() const { return ratio_; }  ///< largest over mean work, since the last look but one
+  int deals() const { return deals_; }   ///< since the start
+
+ private:
+  bool is_due(Scene<Dim>& scene);
+  std::vector<Real> weights(const Scene<Dim>& scene) const;
+  void deal_again(Scene<Dim>& scene);
+
+  deck::Ranks options_;
+  Build build_;
+  double cost_;
+  int steps_ = 0;  // since the last look
+  Phases last_;    // at the last look
+  Real ratio_ = 1;
+  Real lost_ = 0;  // [s] that ranks have waited since the last deal
+  int deals_ = 0;
+};
+
+}  // namespace brunt
