@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 #include "app/gather_view.hpp"
@@ -119,11 +120,10 @@ void merge(Totals<Dim>& into, const Totals<Dim>& from) {
 
 template <int Dim>
 void sum_over_ranks(Totals<Dim>& totals, const Communicator& ranks) {
-  const auto add = [](ExactSum& a, const ExactSum& b) { a.add(b); };
-  for (auto& column : totals.columns) column = ranks.reduce(column, add);
-  for (auto& body : totals.bodies) {
-    body = ranks.reduce(body, [](BodySums<Dim>& a, const BodySums<Dim>& b) { add_body(a, b); });
-  }
+  ranks.reduce_all(std::span<ExactSum>(totals.columns),
+                   [](ExactSum& a, const ExactSum& b) { a.add(b); });
+  ranks.reduce_all(std::span(totals.bodies),
+                   [](BodySums<Dim>& a, const BodySums<Dim>& b) { add_body(a, b); });
   totals.state_hash = ranks.sum(totals.state_hash);
 }
 }  // namespace

@@ -80,6 +80,7 @@ void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
   entities.add_faces(imported);
   entities.refresh_planes();
   plan(entities.nodes);
+  find_peers(entities.nodes);
 }
 
 template <int Dim>
@@ -156,6 +157,26 @@ void ContactImports<Dim>::plan(const ContactNodes<Dim>& nodes) {
   }
 }
 
+/// Ranks that forces of this one may go to, and ranks that may send some here.
+template <int Dim>
+void ContactImports<Dim>::find_peers(const ContactNodes<Dim>& nodes) {
+  const auto n = static_cast<std::size_t>(ranks().size());
+  std::vector<char> is_peer(n, 0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes.owned[i]) is_peer[static_cast<std::size_t>(ranks_.owner_of(nodes.id[i]))] = 1;
+  }
+  std::vector<Bytes> word(n);
+  for (std::size_t r = 0; r < n; ++r) {
+    if (is_peer[r]) word[r].resize(1);
+  }
+  const auto heard = ranks().exchange(word);
+  peers_.clear();
+  for (int r = 0; r < ranks().size(); ++r) {
+    const auto k = static_cast<std::size_t>(r);
+    if (r != ranks().rank() && (is_peer[k] || !heard[k].empty())) peers_.push_back(r);
+  }
+}
+
 template <int Dim>
 void ContactImports<Dim>::refresh_motion(ContactNodes<Dim>& nodes) const {
   for (std::size_t s = 0; s < plans_.size(); ++s) {
@@ -193,9 +214,9 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
     }
   });
   std::vector<Bytes> bytes;
-  bytes.reserve(to.size());
-  for (auto& packer : to) bytes.push_back(packer.take());
-  for (const Bytes& from : ranks().exchange(bytes)) {
+  bytes.reserve(peers_.size());
+  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
+  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
     Unpacker unpacker(from);
     while (!unpacker.done()) {
       Letter<Dim> letter;

@@ -37,12 +37,14 @@ class ContactImports {
   LocalIndex node_of(LocalIndex surface, GlobalId id, Real mass, const Vec<Dim>& x,
                      const Vec<Dim>& v, Entities<Dim>& entities);
   void plan(const ContactNodes<Dim>& nodes);
+  void find_peers(const ContactNodes<Dim>& nodes);
 
   using Name = std::pair<LocalIndex, GlobalId>;  // surface, point
   ContactRanks ranks_;
   std::vector<Surface<Dim>*> surfaces_;
   std::map<Name, LocalIndex> place_;  // of every node of the entities
   std::vector<GhostPlan> plans_;      // by surface: points of owners to nodes here
+  std::vector<int> peers_;            // ranks that own nodes here, and ranks with own ones
 };
 
 }  // namespace brunt

@@ -1,6 +1,7 @@
 /// What the manager shows: sums by pair of bodies, and the contacts of one instant.
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "contact/implementation.hpp"
 #include "core/exact_sum.hpp"
@@ -60,14 +61,16 @@ void append_polygon(const Entities<Dim>& entities, const Section& section,
 template <int Dim>
 std::vector<PairReport> ContactManager<Dim>::reports() const {
   const auto& own = *implementation_;
-  std::map<std::pair<Label, Label>, PairSums> sums;
-  if (!own.ranks.alone()) {
-    for (const auto& pair : own.pairs.pairs()) sums[pair];
-  }
+  const auto& pairs = own.pairs.pairs();
+  std::map<std::pair<Label, Label>, std::size_t> place;
+  for (std::size_t p = 0; p < pairs.size(); ++p) place[pairs[p]] = p;
+  std::vector<PairSums> sums(pairs.size());
   own.records.visit([&](const ContactRecord<Dim>& record) {
     const Label first = std::min(record.lower_body, record.upper_body);
     const Label second = std::max(record.lower_body, record.upper_body);
-    auto& sum = sums[{first, second}];
+    const auto known = place.find({first, second});
+    if (known == place.end()) return;
+    auto& sum = sums[known->second];
     // A body exerts no force on itself as a whole.
     const Real sign = first == second ? 0.0 : (record.upper_body == first ? 1.0 : -1.0);
     for (int c = 0; c < Dim; ++c) {
@@ -78,17 +81,15 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
     sum.max_penetration = std::max(sum.max_penetration, record.penetration);
     ++sum.planes;
   });
-  for (auto& [pair, sum] : sums) sum = own.ranks.all->reduce(sum, merge);
+  own.ranks.all->reduce_all(std::span(sums), merge);
   std::vector<PairReport> reports;
-  for (std::size_t p = 0; p < own.pairs.pairs().size(); ++p) {
+  for (std::size_t p = 0; p < sums.size(); ++p) {
     auto& report = reports.emplace_back();
     report.name = own.pairs.names()[p];
-    const auto it = sums.find(own.pairs.pairs()[p]);
-    if (it == sums.end()) continue;
-    for (std::size_t c = 0; c < 3; ++c) report.force[c] = it->second.force[c].value();
-    report.area = it->second.area.value();
-    report.max_penetration = it->second.max_penetration;
-    report.planes = it->second.planes;
+    for (std::size_t c = 0; c < 3; ++c) report.force[c] = sums[p].force[c].value();
+    report.area = sums[p].area.value();
+    report.max_penetration = sums[p].max_penetration;
+    report.planes = sums[p].planes;
   }
   return reports;
 }

@@ -109,7 +109,7 @@ class SphParticles final : public Solid<Dim> {
   void take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing);
   void renew_ghosts(Real skin);
   void refresh_ghost_positions();
-  bool bodies_hold(Real dt) const;
+  bool bodies_hold(Real dt, bool mine_hold) const;
   void refresh_motion();
   void refresh_gradients();
   void move_with_neighbours(Real dt);

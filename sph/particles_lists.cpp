@@ -30,8 +30,7 @@ template <int Dim>
 bool SphParticles<Dim>::must_rearrange(Real dt) const {
   const bool holds = watch_.covers(points_, smoothing_length_, dt);
   if (ranks_->alone()) return !holds;
-  const bool all_hold = bodies_hold(dt);  // collective: never left out
-  return ranks_->any(!holds) || !all_hold;
+  return !bodies_hold(dt, holds);
 }
 
 template <int Dim>

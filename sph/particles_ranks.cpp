@@ -163,12 +163,14 @@ void SphParticles<Dim>::refresh_state() {
       });
 }
 
-/// True if no particle without a copy here can have come within reach of an own one: no two
-/// particles of a body have moved against each other by more than the skin.
+/// True if the lists of all ranks hold, and no particle without a copy here can have come within
+/// reach of an own one: no two particles of a body have moved against each other by more than the
+/// skin.
 template <int Dim>
-bool SphParticles<Dim>::bodies_hold(Real dt) const {
+bool SphParticles<Dim>::bodies_hold(Real dt, bool mine_hold) const {
   constexpr std::size_t width = 2 * Dim + 1;
-  std::vector<Real> extremes(bodies_.size() * width, -kInfinity);
+  std::vector<Real> extremes(bodies_.size() * width + 1, -kInfinity);
+  if (!mine_hold) extremes.back() = 1;
   for (std::size_t i = 0; i < n_owned(); ++i) {
     const auto body = std::lower_bound(bodies_.begin(), bodies_.end(), points_.body[i]);
     Real* own = extremes.data() + static_cast<std::size_t>(body - bodies_.begin()) * width;
@@ -181,6 +183,7 @@ bool SphParticles<Dim>::bodies_hold(Real dt) const {
     own[2 * Dim] = std::max(own[2 * Dim], smoothing_length_[i] - watch_.reach()[i]);
   }
   ranks_->max(extremes);
+  if (extremes.back() > 0) return false;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Real* of = extremes.data() + b * width;
     Real approach = 0;
@@ -209,7 +212,7 @@ template void SphParticles<2>::refresh_ghost_positions();
 template void SphParticles<3>::refresh_ghost_positions();
 template void SphParticles<2>::refresh_state();
 template void SphParticles<3>::refresh_state();
-template bool SphParticles<2>::bodies_hold(Real) const;
-template bool SphParticles<3>::bodies_hold(Real) const;
+template bool SphParticles<2>::bodies_hold(Real, bool) const;
+template bool SphParticles<3>::bodies_hold(Real, bool) const;
 
 }  // namespace brunt

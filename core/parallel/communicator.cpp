@@ -105,6 +105,25 @@ std::vector<Bytes> Communicator::exchange(const std::vector<Bytes>& to) const {
   return from;
 }
 
+std::vector<Bytes> Communicator::exchange(std::span<const int> peers,
+                                          std::span<const Bytes> to) const {
+  std::vector<std::uint64_t> sizes(peers.size()), coming(peers.size());
+  std::vector<Message> messages;
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    sizes[p] = to[p].size();
+    messages.push_back({peers[p], std::as_bytes(std::span(&sizes[p], 1)),
+                        std::as_writable_bytes(std::span(&coming[p], 1))});
+  }
+  trade(messages);
+  std::vector<Bytes> from(peers.size());
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    from[p].resize(coming[p]);
+    messages[p] = {peers[p], to[p], from[p]};
+  }
+  trade(messages);
+  return from;
+}
+
 std::vector<Bytes> Communicator::all_gather(const Bytes& mine) const {
   return exchange(std::vector<Bytes>(static_cast<std::size_t>(size_), mine));
 }
@@ -118,24 +137,24 @@ std::vector<Bytes> Communicator::gather(const Bytes& mine) const {
 }
 
 /// Binomial tree to rank 0, then a broadcast: 2 log2(n) messages deep, any size of value.
-void Communicator::reduce_bytes(void* value, std::size_t size, CombineBytes combine,
-                                void* context) const {
+void Communicator::reduce_bytes(std::span<std::byte> value, const CombineBytes& combine) const {
   const Waiting waiting(traffic_.seconds);
   ++traffic_.reductions;
-  const auto count = static_cast<int>(size);
-  Bytes other(size);
+  const auto count = static_cast<int>(value.size());
+  Bytes other(value.size());
   for (int step = 1; step < size_; step *= 2) {
     if (rank_ % (2 * step) != 0) {
-      check(MPI_Send(value, count, MPI_BYTE, rank_ - step, kTag + 1, MPI_COMM_WORLD), "reduction");
+      check(MPI_Send(value.data(), count, MPI_BYTE, rank_ - step, kTag + 1, MPI_COMM_WORLD),
+            "reduction");
       break;
     }
     if (rank_ + step >= size_) continue;
     check(MPI_Recv(other.data(), count, MPI_BYTE, rank_ + step, kTag + 1, MPI_COMM_WORLD,
                    MPI_STATUS_IGNORE),
           "reduction");
-    combine(value, other.data(), context);
+    combine(value.data(), other.data());
   }
-  check(MPI_Bcast(value, count, MPI_BYTE, 0, MPI_COMM_WORLD), "reduction");
+  check(MPI_Bcast(value.data(), count, MPI_BYTE, 0, MPI_COMM_WORLD), "reduction");
 }
 
 void Communicator::max(std::span<Real> values) const {

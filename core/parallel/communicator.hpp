@@ -2,6 +2,7 @@
 /// The ranks of a run, as the rest of brunt sees them. mpi.h stays in core/parallel/*.cpp.
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -40,17 +41,24 @@ class Communicator {
   /// `combine(into, from)` must be free of order. Every rank gets the result.
   template <class T, class Combine>
   T reduce(T value, Combine combine) const {
-    static_assert(std::is_trivially_copyable_v<T>);
-    if (alone()) return value;
-    auto call = [](void* into, const void* from, void* context) {
-      T a, b;
-      std::memcpy(&a, into, sizeof(T));
-      std::memcpy(&b, from, sizeof(T));
-      (*static_cast<Combine*>(context))(a, b);
-      std::memcpy(into, &a, sizeof(T));
-    };
-    reduce_bytes(&value, sizeof(T), call, &combine);
+    reduce_all(std::span<T>(&value, 1), combine);
     return value;
+  }
+  /// The same for each of several values, in one message; all ranks pass as many.
+  template <class T, class Combine>
+  void reduce_all(std::span<T> values, Combine combine) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (alone() || values.empty()) return;
+    auto call = [&](std::byte* into, const std::byte* from) {
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        T a, b;
+        std::memcpy(&a, into + k * sizeof(T), sizeof(T));
+        std::memcpy(&b, from + k * sizeof(T), sizeof(T));
+        combine(a, b);
+        std::memcpy(into + k * sizeof(T), &a, sizeof(T));
+      }
+    };
+    reduce_bytes(std::as_writable_bytes(values), call);
   }
   bool any(bool mine) const {
     return reduce(mine, [](bool& a, bool b) { a = a || b; });
@@ -68,6 +76,9 @@ class Communicator {
 
   /// Sends to[r] to rank r; returns what each rank sent here.
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) const;
+  /// Sends to[p] to rank peers[p]; returns what each of them sent here. Collective among peers: a
+  /// rank is a peer of those that are its peers.
+  std::vector<Bytes> exchange(std::span<const int> peers, std::span<const Bytes> to) const;
   /// What every rank gave, on every rank.
   std::vector<Bytes> all_gather(const Bytes& mine) const;
   /// What every rank gave, on the root; nothing elsewhere.
@@ -79,8 +90,8 @@ class Communicator {
 
  private:
   friend class ParallelSession;
-  using CombineBytes = void (*)(void* into, const void* from, void* context);
-  void reduce_bytes(void* value, std::size_t size, CombineBytes combine, void* context) const;
+  using CombineBytes = std::function<void(std::byte* into, const std::byte* from)>;
+  void reduce_bytes(std::span<std::byte> value, const CombineBytes& combine) const;
 
   int rank_ = 0, size_ = 1;
   mutable Traffic traffic_;

@@ -49,7 +49,7 @@ for each in "${cases[@]}"; do
   done
   run "$deck" "$deck-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
   same "$deck" "$deck-1" "$deck-skin"
-  run "$deck" "$deck-dealt" --ranks 3 --threads 1 -- $shorten ranks.balance=1 ranks.balance_steps=7
+  run "$deck" "$deck-dealt" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
   same "$deck" "$deck-1" "$deck-dealt"
   grep -q '"deals": [1-9]' "$deck-dealt/summary.json" || { echo "FAILED: $deck was not dealt again"; status=1; }
   run "$deck" "$deck-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
