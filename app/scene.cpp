@@ -1,7 +1,5 @@
 #include "app/scene.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cstring>
 #include <optional>
@@ -81,13 +79,13 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
   for (std::size_t i = first; i < last; ++i) {
     auto& body = totals.bodies[points.body[i]];
     const Real m = points.mass[i];
-    std::uint64_t hash = mix(0, points.id[i]);
+    EntityHash hash(points.id[i]);
     for (int c = 0; c < Dim; ++c) {
-      hash = mix(hash, points.x[i][c]);
-      hash = mix(hash, points.v[i][c]);
-      hash = mix(hash, points.a[i][c]);
+      hash.add(points.x[i][c]);
+      hash.add(points.v[i][c]);
+      hash.add(points.a[i][c]);
     }
-    totals.state_hash += hash;
+    totals.state_hash += hash.value();
     if (m == 0) continue;
     body.mass.add(m);
     for (int c = 0; c < Dim; ++c) {
@@ -102,28 +100,11 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
 }
 
 template <int Dim>
-void add_body(BodySums<Dim>& sum, const BodySums<Dim>& part) {
-  sum.mass.add(part.mass), sum.kinetic.add(part.kinetic), sum.internal.add(part.internal);
-  sum.hourglass.add(part.hourglass), sum.heat.add(part.heat);
-  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
-    sum.mass_position[c].add(part.mass_position[c]);
-    sum.momentum[c].add(part.momentum[c]);
-  }
-}
-
-template <int Dim>
-void merge(Totals<Dim>& into, const Totals<Dim>& from) {
-  for (std::size_t c = 0; c < into.columns.size(); ++c) into.columns[c].add(from.columns[c]);
-  for (std::size_t b = 0; b < into.bodies.size(); ++b) add_body(into.bodies[b], from.bodies[b]);
-  into.state_hash += from.state_hash;
-}
-
-template <int Dim>
 void sum_over_ranks(Totals<Dim>& totals, const Communicator& ranks) {
   ranks.reduce_all(std::span<ExactSum>(totals.columns),
                    [](ExactSum& a, const ExactSum& b) { a.add(b); });
   ranks.reduce_all(std::span(totals.bodies),
-                   [](BodySums<Dim>& a, const BodySums<Dim>& b) { add_body(a, b); });
+                   [](BodySums<Dim>& a, const BodySums<Dim>& b) { a.add(b); });
   totals.state_hash = ranks.sum(totals.state_hash);
 }
 }  // namespace
@@ -135,17 +116,9 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
   for (const auto& solid : solids) {
     const auto& points = solid->points();
     const auto n = static_cast<std::size_t>(points.n_owned);
-    // Exact sums may be cut anywhere, so each thread takes a share.
-#pragma omp parallel
-    {
-      Totals<Dim> part;
-      part.bodies.resize(body_names.size());
-      const auto threads = static_cast<std::size_t>(omp_get_num_threads());
-      const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-      add_points(points, n * thread / threads, n * (thread + 1) / threads, dt, part);
-#pragma omp critical
-      merge(totals, part);
-    }
+    add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
+      add_points(points, first, last, dt, part);
+    });
     solid->add_totals(totals);
   }
   if (contact) contact->add_totals(totals);

@@ -135,15 +135,20 @@ void ContactManager<Dim>::add_forces(Real dt) {
 template <int Dim>
 void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
   const auto& nodes = implementation_->entities.nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!nodes.owned[i]) continue;
-    totals.add(Column::contact_spring, nodes.spring_energy[i]);
-    totals.add(Column::contact_damping, nodes.damping_energy[i]);
-    std::uint64_t hash = mix(mix(0, nodes.id[i]), static_cast<std::uint64_t>(nodes.surface[i]));
-    hash = mix(mix(hash, nodes.spring_energy[i]), nodes.damping_energy[i]);
-    for (int c = 0; c < Dim; ++c) hash = mix(mix(hash, nodes.spring[i][c]), nodes.damping[i][c]);
-    totals.state_hash += hash;
-  }
+  const auto add = [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!nodes.owned[i]) continue;
+      part.add(Column::contact_spring, nodes.spring_energy[i]);
+      part.add(Column::contact_damping, nodes.damping_energy[i]);
+      EntityHash hash(nodes.id[i]);
+      hash.add(static_cast<std::uint64_t>(nodes.surface[i]));
+      hash.add(nodes.spring_energy[i]);
+      hash.add(nodes.damping_energy[i]);
+      for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
+      part.state_hash += hash.value();
+    }
+  };
+  add_in_shares(nodes.size(), totals, add);
 }
 
 template <int Dim>

@@ -7,34 +7,7 @@ namespace brunt {
 
 namespace {
 constexpr int kBias = 1074;  // the least significant bit of digit 0 is 2^-1074
-constexpr std::int64_t kMask = 0xffffffffLL;
-__extension__ using Wide = unsigned __int128;
 }  // namespace
-
-void ExactSum::add(Real value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  int exponent = static_cast<int>((bits >> 52) & 0x7ff);
-  std::uint64_t mantissa = bits & 0xfffffffffffffULL;
-  if (exponent == 0x7ff) {
-    poisoned_ = true;
-    return;
-  }
-  if (exponent == 0) {
-    exponent = 1;
-  } else {
-    mantissa |= 1ULL << 52;
-  }
-  // value = mantissa 2^(exponent - 1075): its lowest bit is bit (exponent - 1) of the accumulator
-  const int shift = exponent - 1;
-  const int first = shift / 32;
-  const auto wide = static_cast<Wide>(mantissa) << (shift % 32);
-  const std::int64_t sign = bits >> 63 ? -1 : 1;
-  digit_[static_cast<std::size_t>(first)] += sign * static_cast<std::int64_t>(wide & kMask);
-  digit_[static_cast<std::size_t>(first) + 1] +=
-      sign * static_cast<std::int64_t>((wide >> 32) & kMask);
-  digit_[static_cast<std::size_t>(first) + 2] += sign * static_cast<std::int64_t>(wide >> 64);
-  if (++pending_ == 1U << 29) carry();
-}
 
 void ExactSum::add(const ExactSum& other) {
   if (pending_ + other.pending_ >= 1U << 29) carry();

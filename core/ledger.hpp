@@ -1,9 +1,12 @@
 #pragma once
+#include <omp.h>
+
 #include <array>
 #include <string_view>
 #include <vector>
 
 #include "core/exact_sum.hpp"
+#include "core/state_hash.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -36,6 +39,15 @@ template <int Dim>
 struct BodySums {
   ExactSum mass, kinetic, internal, hourglass, heat;
   std::array<ExactSum, Dim> mass_position, momentum;
+
+  void add(const BodySums& part) {
+    mass.add(part.mass), kinetic.add(part.kinetic), internal.add(part.internal);
+    hourglass.add(part.hourglass), heat.add(part.heat);
+    for (std::size_t c = 0; c < momentum.size(); ++c) {
+      mass_position[c].add(part.mass_position[c]);
+      momentum[c].add(part.momentum[c]);
+    }
+  }
 };
 
 /// Totals of one row, by order-free exact sums over the columns that entities carry.
@@ -49,13 +61,30 @@ struct Totals {
   Real value(Column column) const { return columns[static_cast<int>(column)].value(); }
 };
 
-/// Mixes the bits of one value into the hash of one entity (splitmix64 finaliser).
-inline std::uint64_t mix(std::uint64_t hash, std::uint64_t bits) {
-  hash ^= bits + 0x9e3779b97f4a7c15ULL + (hash << 6) + (hash >> 2);
-  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebULL;
-  return hash ^ (hash >> 31);
+/// Adds one exact sum to another, all columns and bodies.
+template <int Dim>
+void add_totals(const Totals<Dim>& from, Totals<Dim>& into) {
+  for (std::size_t c = 0; c < into.columns.size(); ++c) into.columns[c].add(from.columns[c]);
+  for (std::size_t b = 0; b < into.bodies.size(); ++b) into.bodies[b].add(from.bodies[b]);
+  into.state_hash += from.state_hash;
 }
-std::uint64_t mix(std::uint64_t hash, Real value);
+
+/// add(first, last, part) adds the entities first .. last to a part; exact sums may be cut
+/// anywhere, so each thread takes a share of the n entities.
+template <int Dim, class Add>
+void add_in_shares(std::size_t n, Totals<Dim>& totals, const Add& add) {
+  constexpr std::size_t kWorthThreads = 1000;
+  if (n < kWorthThreads) return add(std::size_t{0}, n, totals);
+#pragma omp parallel
+  {
+    Totals<Dim> part;
+    part.bodies.resize(totals.bodies.size());
+    const auto threads = static_cast<std::size_t>(omp_get_num_threads());
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+    add(n * thread / threads, n * (thread + 1) / threads, part);
+#pragma omp critical(brunt_totals)
+    add_totals(part, totals);
+  }
+}
 
 }  // namespace brunt

@@ -30,21 +30,22 @@ void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather
 /// Bits of the state of one element.
 template <int Dim>
 std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
-  std::uint64_t hash = mix(std::uint64_t{0}, block.id[e]);
+  EntityHash hash(block.id[e]);
   const MaterialState& state = block.state;
   for (int g = 0; g < block.gauss; ++g) {
     const std::size_t k = block.point(e, g);
-    for (const auto& component : state.deviator) hash = mix(hash, component[k]);
-    hash = mix(hash, state.pressure[k]);
+    for (const auto& component : state.deviator) hash.add(component[k]);
+    hash.add(state.pressure[k]);
     for (const auto* field : {&state.eps_p, &state.temperature, &state.energy}) {
-      if (!field->empty()) hash = mix(hash, (*field)[k]);
+      if (!field->empty()) hash.add((*field)[k]);
     }
   }
   for (std::size_t k = static_cast<std::size_t>(e); k < block.hourglass.size();
        k += static_cast<std::size_t>(block.n_padded)) {
-    hash = mix(hash, block.hourglass[k]);
+    hash.add(block.hourglass[k]);
   }
-  return mix(hash, block.viscous_pressure[e]);
+  hash.add(block.viscous_pressure[e]);
+  return hash.value();
 }
 
 /// Plastic work of one element that has become heat [J].
@@ -173,25 +174,34 @@ StepVote FiniteElements<Dim>::stable_step() const {
   return best;
 }
 
+namespace {
+template <int Dim>
+void add_element(const ElementBlock<Dim>& block, LocalIndex e, Totals<Dim>& totals) {
+  const Real heat = plastic_heat(block, e);
+  totals.add(Column::internal, block.stress_work[e]);
+  totals.add(Column::internal, -heat);
+  totals.add(Column::plastic_heat, heat);
+  totals.add(Column::hourglass, block.hourglass_work[e]);
+  totals.add(Column::viscosity, block.viscous_work[e]);
+  totals.state_hash += element_hash(block, e);
+  if (block.body[e] >= totals.bodies.size()) return;
+  BodySums<Dim>& body = totals.bodies[block.body[e]];
+  body.internal.add(block.stress_work[e]);
+  body.internal.add(-heat);
+  body.hourglass.add(block.hourglass_work[e]);
+  body.heat.add(heat);
+}
+}  // namespace
+
 template <int Dim>
 void FiniteElements<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& block : blocks_) {
-    for (LocalIndex e = 0; e < block.n; ++e) {
-      if (!block.owned[e]) continue;
-      const Real heat = plastic_heat(block, e);
-      totals.add(Column::internal, block.stress_work[e]);
-      totals.add(Column::internal, -heat);
-      totals.add(Column::plastic_heat, heat);
-      totals.add(Column::hourglass, block.hourglass_work[e]);
-      totals.add(Column::viscosity, block.viscous_work[e]);
-      totals.state_hash += element_hash(block, e);
-      if (block.body[e] >= totals.bodies.size()) continue;
-      BodySums<Dim>& body = totals.bodies[block.body[e]];
-      body.internal.add(block.stress_work[e]);
-      body.internal.add(-heat);
-      body.hourglass.add(block.hourglass_work[e]);
-      body.heat.add(heat);
-    }
+    const auto n = static_cast<std::size_t>(block.n);
+    add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
+      for (std::size_t e = first; e < last; ++e) {
+        if (block.owned[e]) add_element(block, static_cast<LocalIndex>(e), part);
+      }
+    });
   }
 }
 

@@ -116,6 +116,7 @@ class SphParticles final : public Solid<Dim> {
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
   void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
   void set_size(std::size_t i);
+  void add_slot(const ParticleBlock& block, std::size_t slot, Totals<Dim>& totals) const;
   void seed_votes();
 
   Points<Dim> points_;

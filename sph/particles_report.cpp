@@ -10,13 +10,12 @@ namespace brunt {
 namespace {
 
 /// Bits of the state of a slot.
-std::uint64_t hash_of(const MaterialState& state, std::size_t slot, std::uint64_t hash) {
-  for (const auto& component : state.deviator) hash = mix(hash, component[slot]);
+void add_state(const MaterialState& state, std::size_t slot, EntityHash& hash) {
+  for (const auto& component : state.deviator) hash.add(component[slot]);
   for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.temperature,
                             &state.heat, &state.energy}) {
-    if (!field->empty()) hash = mix(hash, (*field)[slot]);
+    if (!field->empty()) hash.add((*field)[slot]);
   }
-  return hash;
 }
 
 bool is_finite(Real value) { return value - value == 0; }
@@ -72,30 +71,37 @@ void add_material(FieldList& fields, const MaterialState& state, std::size_t slo
 }  // namespace
 
 template <int Dim>
+void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
+                                 Totals<Dim>& totals) const {
+  const auto& heat = block.state.heat;
+  const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+  const auto& state = state_[i];
+  const Real plastic = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
+  const Real internal = state.stress_work - plastic;
+  totals.add(Column::internal, internal);
+  totals.add(Column::plastic_heat, plastic);
+  totals.add(Column::viscosity, state.viscous_work);
+  totals.add(Column::artificial_stress, state.artificial_work);
+  if (points_.body[i] < totals.bodies.size()) {
+    totals.bodies[points_.body[i]].internal.add(internal);
+    totals.bodies[points_.body[i]].heat.add(plastic);
+  }
+  EntityHash hash(points_.id[i]);
+  add_state(block.state, slot, hash);
+  for (const Real value : {state.ratio, state.stress_work, state.viscous_work,
+                           state.artificial_work, state.viscous_power}) {
+    hash.add(value);
+  }
+  totals.state_hash += hash.value();
+}
+
+template <int Dim>
 void SphParticles<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& block : blocks_) {
-    const auto& heat = block.state.heat;
-    for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
-      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
-      const auto& state = state_[i];
-      const Real plastic = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
-      const Real internal = state.stress_work - plastic;
-      totals.add(Column::internal, internal);
-      totals.add(Column::plastic_heat, plastic);
-      totals.add(Column::viscosity, state.viscous_work);
-      totals.add(Column::artificial_stress, state.artificial_work);
-      if (points_.body[i] < totals.bodies.size()) {
-        totals.bodies[points_.body[i]].internal.add(internal);
-        totals.bodies[points_.body[i]].heat.add(plastic);
-      }
-      std::uint64_t hash = hash_of(block.state, slot, mix(0, points_.id[i]));
-      for (int d = 0; d < Dim; ++d) hash = mix(mix(hash, points_.x[i][d]), points_.v[i][d]);
-      for (const Real value : {state.ratio, state.stress_work, state.viscous_work,
-                               state.artificial_work, state.viscous_power}) {
-        hash = mix(hash, value);
-      }
-      totals.state_hash += hash;
-    }
+    const std::size_t n = block.set.particle.size();
+    add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
+      for (std::size_t slot = first; slot < last; ++slot) add_slot(block, slot, part);
+    });
   }
 }
 

@@ -103,13 +103,14 @@ std::vector<std::uint64_t> run(const Setting& setting, int steps, std::size_t& c
     }
     scene.step(dt);
     contacts += scene.contact->work().contacts;
-    std::uint64_t hash = scene.totals().state_hash;
+    EntityHash hash(scene.totals().state_hash);
     for (const auto& group : scene.groups) {
       for (const auto& x : group.points.x) {
-        for (int c = 0; c < Dim; ++c) hash = mix(hash, x[c]);
+        for (int c = 0; c < Dim; ++c) hash.add(x[c]);
       }
     }
-    hashes.push_back(mix(hash, dt));
+    hash.add(dt);
+    hashes.push_back(hash.value());
   }
   omp_set_num_threads(omp_get_num_procs());
   return hashes;
