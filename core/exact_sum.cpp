@@ -9,9 +9,9 @@ namespace {
 constexpr int kBias = 1074;  // the least significant bit of digit 0 is 2^-1074
 }  // namespace
 
-void ExactSum::add(const ExactSum& other) {
+void ExactSum::combine(const ExactSum& other, std::int64_t sign) {
   if (pending_ + other.pending_ >= 1U << 29) carry();
-  for (std::size_t i = 0; i < digit_.size(); ++i) digit_[i] += other.digit_[i];
+  for (std::size_t i = 0; i < digit_.size(); ++i) digit_[i] += sign * other.digit_[i];
   pending_ += other.pending_ + 1;
   poisoned_ = poisoned_ || other.poisoned_;
 }

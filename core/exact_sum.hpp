@@ -36,13 +36,15 @@ class ExactSum {
     digit_[first + 2] += sign * static_cast<std::int64_t>(wide >> 64);
     if (++pending_ == 1U << 29) carry();
   }
-  void add(const ExactSum& other);
+  void add(const ExactSum& other) { combine(other, 1); }
+  void subtract(const ExactSum& other) { combine(other, -1); }
   Real value() const;  ///< the exact sum rounded once, to nearest
 
  private:
   __extension__ using Wide = unsigned __int128;
   static constexpr int kDigits = 68;
   static constexpr std::int64_t kMask = 0xffffffffLL;
+  void combine(const ExactSum& other, std::int64_t sign);
   void carry();
   std::array<std::int64_t, kDigits> digit_{};
   std::uint32_t pending_ = 0;  ///< additions since the last carry

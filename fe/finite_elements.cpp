@@ -175,21 +175,50 @@ StepVote FiniteElements<Dim>::stable_step() const {
 }
 
 namespace {
+/// Energies [J] of elements of one body that stand one after another: each is summed once and then
+/// given to the body and to the columns.
+struct ElementSums {
+  ExactSum stress_work, heat, hourglass, viscous;
+
+  template <int Dim>
+  void add(const ElementBlock<Dim>& block, LocalIndex e) {
+    stress_work.add(block.stress_work[e]);
+    hourglass.add(block.hourglass_work[e]);
+    viscous.add(block.viscous_work[e]);
+    if (!block.state.heat.empty()) heat.add(plastic_heat(block, e));
+  }
+
+  template <int Dim>
+  void give(Label body, Totals<Dim>& totals) const {
+    const auto column = [&](Column which) -> ExactSum& {
+      return totals.columns[static_cast<std::size_t>(which)];
+    };
+    const auto add_to = [&](ExactSum& internal, ExactSum& plastic, ExactSum& of_hourglass) {
+      internal.add(stress_work), internal.subtract(heat);
+      plastic.add(heat);
+      of_hourglass.add(hourglass);
+    };
+    add_to(column(Column::internal), column(Column::plastic_heat), column(Column::hourglass));
+    column(Column::viscosity).add(viscous);
+    if (body >= totals.bodies.size()) return;
+    BodySums<Dim>& own = totals.bodies[body];
+    add_to(own.internal, own.heat, own.hourglass);
+  }
+};
+
 template <int Dim>
-void add_element(const ElementBlock<Dim>& block, LocalIndex e, Totals<Dim>& totals) {
-  const Real heat = plastic_heat(block, e);
-  totals.add(Column::internal, block.stress_work[e]);
-  totals.add(Column::internal, -heat);
-  totals.add(Column::plastic_heat, heat);
-  totals.add(Column::hourglass, block.hourglass_work[e]);
-  totals.add(Column::viscosity, block.viscous_work[e]);
-  totals.state_hash += element_hash(block, e);
-  if (block.body[e] >= totals.bodies.size()) return;
-  BodySums<Dim>& body = totals.bodies[block.body[e]];
-  body.internal.add(block.stress_work[e]);
-  body.internal.add(-heat);
-  body.hourglass.add(block.hourglass_work[e]);
-  body.heat.add(heat);
+void add_elements(const ElementBlock<Dim>& block, std::size_t first, std::size_t last,
+                  Totals<Dim>& totals) {
+  for (std::size_t e = first; e < last;) {
+    const Label body = block.body[e];
+    ElementSums sums;
+    for (; e < last && block.body[e] == body; ++e) {
+      if (!block.owned[e]) continue;
+      sums.add(block, static_cast<LocalIndex>(e));
+      totals.state_hash += element_hash(block, static_cast<LocalIndex>(e));
+    }
+    sums.give(body, totals);
+  }
 }
 }  // namespace
 
@@ -198,9 +227,7 @@ void FiniteElements<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& block : blocks_) {
     const auto n = static_cast<std::size_t>(block.n);
     add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
-      for (std::size_t e = first; e < last; ++e) {
-        if (block.owned[e]) add_element(block, static_cast<LocalIndex>(e), part);
-      }
+      add_elements(block, first, last, part);
     });
   }
 }

@@ -35,6 +35,14 @@ TEST(ExactSum, OfOneNumberIsThatNumber) {
   }
 }
 
+TEST(ExactSum, TakesAnotherSumAway) {
+  ExactSum total, part;
+  for (const Real value : {1e300, 1.5, -3e-200}) total.add(value);
+  for (const Real value : {1e300, -3e-200, 2.0}) part.add(value);
+  total.subtract(part);
+  EXPECT_EQ(total.value(), -0.5);
+}
+
 TEST(ExactSum, KeepsWhatCancellationLeaves) {
   EXPECT_EQ(sum({1e308, 1e-308, -1e308}), 1e-308);
   EXPECT_EQ(sum({1e308, 1e308, -1e308, -1e308, -5e-324}), -5e-324);
