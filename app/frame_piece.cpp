@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel/ghosts.hpp"
+#include "core/parallel/packing.hpp"
 
 namespace brunt {
 
@@ -33,6 +34,22 @@ void drop_idle_copies(BodyView& view) {
   keep_rows(view.point_owned, keep, 1);
   for (auto& field : view.point_fields) {
     keep_rows(field.values, keep, static_cast<std::size_t>(field.components));
+  }
+}
+
+/// Only cells say which fields they have: a rank without any takes those of the others, empty.
+void take_cell_fields(BodyView& view, const Communicator& ranks) {
+  const bool has_cells = !view.connectivity.empty();
+  if (!has_cells) view.cell_fields.clear();
+  Packer mine;
+  for (const auto& field : view.cell_fields) mine << field.name << field.components;
+  for (const Bytes& bytes : ranks.all_gather(mine.take())) {
+    Unpacker from(bytes);
+    if (has_cells || !view.cell_fields.empty()) break;
+    while (!from.done()) {
+      auto& field = view.cell_fields.emplace_back();
+      from >> field.name >> field.components;
+    }
   }
 }
 
@@ -69,7 +86,7 @@ Copies find_copies(const BodyView& view, const Deal& deal, const Communicator& r
 
 BodyView frame_piece(const BodyView& mine, const Deal& deal, const Communicator& ranks) {
   BodyView view = mine;
-  if (view.connectivity.empty()) view.cell_fields.clear();  // no cell says which fields there are
+  take_cell_fields(view, ranks);
   if (!view.point_owned.empty()) drop_idle_copies(view);
   const Copies copies = find_copies(view, deal, ranks);
   std::size_t width = 3;

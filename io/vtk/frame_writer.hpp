@@ -51,7 +51,8 @@ class FrameWriter {
 
 /// Writes what one rank has of frame `number`, a file a body and one of the contacts where contact
 /// is not null, into folder/frames, which is there; nothing is written of what the rank has not.
-/// The field `id` tells points, and cells, from each other. Throws MachineError with the name of
+/// The field `id` tells points, and cells, from each other. Ranks with points of a body give the
+/// same fields, VTK's reader wants all of them in each piece. Throws MachineError with the name of
 /// the file.
 std::vector<FramePiece> write_pieces(const std::filesystem::path& folder, std::size_t number,
                                      int rank, Real time, const std::vector<BodyView>& bodies,

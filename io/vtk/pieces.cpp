@@ -73,11 +73,11 @@ std::string escaped(const std::string& text) {
 
 FramePiece piece_of(vtkDataSet& data, const std::string& file, bool known) {
   FramePiece piece;
-  if (data.GetNumberOfPoints() > 0) piece.file = file;
-  if (known || data.GetNumberOfPoints() > 0) {
-    piece.point_arrays = array_lines(*data.GetPointData());
-  }
-  if (known || data.GetNumberOfCells() > 0) piece.cell_arrays = array_lines(*data.GetCellData());
+  const bool empty = data.GetNumberOfPoints() == 0;
+  if (!empty) piece.file = file;
+  if (empty && !known) return piece;
+  piece.point_arrays = array_lines(*data.GetPointData());
+  piece.cell_arrays = array_lines(*data.GetCellData());
   return piece;
 }
 

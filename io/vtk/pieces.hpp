@@ -10,12 +10,12 @@ namespace brunt {
 /// What one rank has written of one part of a frame.
 struct FramePiece {
   std::string file;          ///< in the folder of frames; empty: the rank has nothing of the part
-  std::string point_arrays;  ///< as the joining file lists them; empty: not known on this rank
+  std::string point_arrays;  ///< as the joining file lists them; empty: not known here
   std::string cell_arrays;
 };
 
-/// The piece's arrays as the joining file lists them. Those of no points or of no cells are left
-/// out where `known` is false: a view without cells does not say which fields cells have.
+/// The piece's arrays as the joining file lists them; `known`: also where there is no point in it.
+/// The view of a body without points does not say which fields there are.
 FramePiece piece_of(vtkDataSet& data, const std::string& file, bool known);
 
 /// The text of a .pvtu (type "PUnstructuredGrid") or .pvtp ("PPolyData"): the pieces that have a
