@@ -41,7 +41,6 @@ class VtkFrames final : public FrameSink {
     });
     agreed(ranks_, [&] {
       if (ranks_.is_root()) join(time, bodies, written);
-      return Bytes{};
     });
   }
 
@@ -68,8 +67,10 @@ class VtkFrames final : public FrameSink {
 
   void join(Real time, const std::vector<BodyView>& bodies, const std::vector<Bytes>& written) {
     std::vector<std::string> names;
+    names.reserve(bodies.size());
     for (const auto& body : bodies) names.push_back(body.body);
     std::vector<std::vector<FramePiece>> pieces;
+    pieces.reserve(written.size());
     for (const Bytes& bytes : written) pieces.push_back(unpacked(bytes));
     writer().join(time, names, pieces);
   }

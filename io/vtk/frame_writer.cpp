@@ -175,6 +175,7 @@ void FrameWriter::join(Real time, const std::vector<std::string>& bodies,
     const std::string name = body ? bodies[p] : kContact;
     frame.parts.push_back({name, file_name(name, next_, body ? ".pvtu" : ".pvtp")});
     std::vector<FramePiece> of_part;
+    of_part.reserve(pieces.size());
     for (const auto& rank : pieces) of_part.push_back(rank.at(p));
     write_file_atomically(folder_ / frame.parts.back().file,
                           joining_text(body ? "PUnstructuredGrid" : "PPolyData", of_part));
@@ -186,6 +187,7 @@ std::vector<FramePiece> write_pieces(const std::filesystem::path& folder, std::s
                                      int rank, Real time, const std::vector<BodyView>& bodies,
                                      const ContactView* contact) {
   std::vector<FramePiece> pieces;
+  pieces.reserve(bodies.size() + 1);
   const std::string of_rank = "." + std::to_string(rank);
   for (const auto& body : bodies) {
     pieces.push_back(write_piece<vtkXMLUnstructuredGridWriter>(
