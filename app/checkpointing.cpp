@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/parallel/packing.hpp"
+#include "app/agreed.hpp"
 
 namespace brunt {
 
@@ -96,21 +96,6 @@ bool Checkpointing<Dim>::is_due(const Scene<Dim>& scene, const Clock& clock) {
   before_end_ = clock.shortens(scene.stable_step(clock.time(), clock.dt()));
   return before_end_;
 }
-
-namespace {
-/// Runs what may fail on some ranks; then all of them throw.
-template <class Action>
-void agreed(const Communicator& ranks, const Action& action) {
-  std::string failure;
-  try {
-    action();
-  } catch (const MachineError& error) {
-    failure = error.what();
-  }
-  if (!ranks.any(!failure.empty())) return;
-  throw MachineError(failure.empty() ? "another rank could not write the checkpoint" : failure);
-}
-}  // namespace
 
 template <int Dim>
 void Checkpointing<Dim>::write(Scene<Dim>& scene, const Clock& clock) {

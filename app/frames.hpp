@@ -6,11 +6,9 @@
 
 namespace brunt {
 
-/// Writes VTK frames into a folder; null where brunt was built without VTK.
-std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& folder);
-
-/// Takes frames and drops them: for ranks that only help to gather them. Null where the root's
-/// is null.
-std::unique_ptr<FrameSink> drop_frames();
+/// Writes VTK frames into a folder: a lone rank whole ones, several ranks their pieces, which the
+/// root joins. Null where brunt was built without VTK. ranks outlives it.
+std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& folder,
+                                           const Communicator& ranks);
 
 }  // namespace brunt

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/frame_piece.hpp"
+
 namespace brunt {
 
 namespace {
@@ -104,6 +106,23 @@ void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
   }
 }
 
+/// What this rank writes of a body, with the fields that the deck names. Several ranks write `id`
+/// besides, for pieces are merged by it.
+template <int Dim>
+BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, Label body, Real time) const {
+  BodyView view = scene.own_view(body);
+  view.time = time;
+  const bool alone = scene.ranks->alone();
+  const auto& fields = deck_.output.fields;
+  const auto dropped = [&](const Field& field) {
+    if (!alone && field.name == "id") return false;
+    return !fields.empty() && std::find(fields.begin(), fields.end(), field.name) == fields.end();
+  };
+  std::erase_if(view.point_fields, dropped);
+  std::erase_if(view.cell_fields, dropped);
+  return alone ? view : frame_piece(view, *scene.deal, *scene.ranks);
+}
+
 template <int Dim>
 void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   last_frame_ = time;
@@ -112,23 +131,13 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   std::vector<BodyView> views;
   const auto& wanted = deck_.output.bodies;
   for (std::size_t b = 0; b < body_names_.size(); ++b) {
-    if (!wanted.empty() &&
-        std::find(wanted.begin(), wanted.end(), body_names_[b]) == wanted.end()) {
-      continue;
-    }
-    views.push_back(scene.view(static_cast<Label>(b)));
-    views.back().time = time;
-    const auto& fields = deck_.output.fields;
-    if (fields.empty()) continue;
-    for (auto* list : {&views.back().point_fields, &views.back().cell_fields}) {
-      std::erase_if(*list, [&](const Field& field) {
-        return std::find(fields.begin(), fields.end(), field.name) == fields.end();
-      });
-    }
+    const bool left_out =
+        !wanted.empty() && std::find(wanted.begin(), wanted.end(), body_names_[b]) == wanted.end();
+    if (!left_out) views.push_back(frame_part(scene, static_cast<Label>(b), time));
   }
   ContactView contact;
-  if (scene.contact) contact = scene.contact_view();
-  if (scene.ranks->is_root()) frames_->write(time, views, scene.contact ? &contact : nullptr);
+  if (scene.contact) contact = scene.own_contacts();
+  frames_->write(time, views, scene.contact ? &contact : nullptr);
 }
 
 template <int Dim>

@@ -18,6 +18,7 @@ namespace brunt {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
+  /// bodies, contact: what this rank has of them. Collective; all ranks throw what one throws.
   virtual void write(Real time, const std::vector<BodyView>& bodies,
                      const ContactView* contact) = 0;
   /// Which frames there are, for a checkpoint.
@@ -71,6 +72,7 @@ class Monitor final : public Observer<Dim> {
   static void visit(Row& row, AnyMonitor& monitor);
   void write_row(Scene<Dim>& scene, const Clock& clock);
   void write_frame(Scene<Dim>& scene, Real time);
+  BodyView frame_part(const Scene<Dim>& scene, Label body, Real time) const;
   void check_stops(Scene<Dim>& scene, Clock& clock);
   void take_measures(Scene<Dim>& scene, Real time, bool at_end);
   Label label(const std::string& body) const;

@@ -257,7 +257,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const auto columns = HistoryColumns<Dim>(*scene).names();
   std::optional<HistoryWriter> history;
   if (root) history.emplace(folder / "history.csv", columns);
-  const auto frames = root ? make_frame_sink(folder) : drop_frames();
+  const auto frames = make_frame_sink(folder, ranks);
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root);
   if (restart) {
     log->info("goes on from {}, t = {} s", restart->point().manifest.string(),

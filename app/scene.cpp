@@ -182,7 +182,7 @@ void Scene<Dim>::check_own(Real time) const {
 }
 
 template <int Dim>
-BodyView Scene<Dim>::view(Label body) const {
+BodyView Scene<Dim>::own_view(Label body) const {
   BodyView view;
   for (const auto& solid : solids) {
     const auto& bodies = solid->points().body;
@@ -195,17 +195,22 @@ BodyView Scene<Dim>::view(Label body) const {
     const auto c = static_cast<int>(i % 3);
     if (c < Dim) view.position[i] += origin[c];
   }
-  return gather_view(view, *ranks);
+  return view;
 }
 
 template <int Dim>
-ContactView Scene<Dim>::contact_view() const {
+BodyView Scene<Dim>::view(Label body) const {
+  return gather_view(own_view(body), *ranks);
+}
+
+template <int Dim>
+ContactView Scene<Dim>::own_contacts() const {
   ContactView view = contact->view();
   for (std::size_t i = 0; i < view.position.size(); ++i) {
     const auto c = static_cast<int>(i % 3);
     if (c < Dim) view.position[i] += origin[c];
   }
-  return gather_view(view, *ranks);
+  return view;
 }
 
 template <int Dim>

@@ -42,9 +42,11 @@ struct Scene {
   Totals<Dim> totals(Real dt) const;
   /// Throws PhysicsError where a state is no longer a number or an element is inverted.
   void check(Real time) const;
-  /// On the root, absolute positions; elsewhere empty.
+  /// The whole body on the root, absolute positions; elsewhere empty.
   BodyView view(Label body) const;
-  ContactView contact_view() const;
+  /// What this rank has of it, copies of points included; absolute positions. Not collective.
+  BodyView own_view(Label body) const;
+  ContactView own_contacts() const;
   /// Tables of all that goes on from step to step.
   void save_state(std::vector<StateTable>& tables) const;
   /// Takes the scene back to a saved state and rebuilds its lists there. Throws StateError where a

@@ -82,7 +82,9 @@ void describe(Schema& s, Output& output) {
          {"s", at_least(0)});
   s.real({"to", "frames only until this time, besides the first and the last"}, output.to,
          {"s", at_least(0)});
-  s.words({"fields", "fields in frames; default: all"}, output.fields, kFields);
+  s.words(
+      {"fields", "fields in frames; default: all. Several ranks add id, which joins their pieces"},
+      output.fields, kFields);
   s.names({"bodies", "bodies in frames; default: all"}, output.bodies, 0);
   s.flag({"pictures", "writes pictures at the end"}, output.pictures);
   s.real_or_word(

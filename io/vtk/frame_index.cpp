@@ -4,41 +4,13 @@
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
-#include <string_view>
-
 #include "core/errors.hpp"
 #include "io/file.hpp"
 #include "io/number.hpp"
 #include "io/vtk/messages.hpp"
+#include "io/vtk/pieces.hpp"
 
 namespace brunt {
-
-namespace {
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-}  // namespace
 
 std::string frame_index_text(const std::vector<FrameEntry>& frames) {
   std::string text =

@@ -16,9 +16,10 @@ namespace brunt {
 namespace {
 
 constexpr const char* kSubfolder = "frames";
+constexpr const char* kContact = "contact";
 
 /// A file name for any body name: what is no letter, digit, '-' or '_' becomes %XX.
-std::string file_name(const std::string& body, std::size_t frame, const char* extension) {
+std::string file_name(const std::string& body, std::size_t frame, const std::string& extension) {
   std::string name;
   for (const char c : body) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -50,13 +51,22 @@ std::string bytes_of(vtkDataObject* data, const std::filesystem::path& path) {
   return writer->GetOutputString();
 }
 
+bool joins(const std::filesystem::path& file) {
+  return file.extension() == ".pvtu" || file.extension() == ".pvtp";
+}
+
+/// Also true for temporaries of a run that was killed.
+bool is_frame_file(const std::filesystem::path& file) {
+  return joins(file) || file.extension() == ".vtu" || file.extension() == ".vtp" ||
+         file.extension().string().starts_with(".tmp-");
+}
+
 /// Removes the frames in a folder but those kept.
 void remove_frames(const std::filesystem::path& folder, const std::set<std::string>& kept = {}) {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const auto extension = entry.path().extension();
     if (kept.count(std::string(kSubfolder) + "/" + entry.path().filename().string())) continue;
-    if (extension == ".vtu" || extension == ".vtp") std::filesystem::remove(entry.path(), error);
+    if (is_frame_file(entry.path())) std::filesystem::remove(entry.path(), error);
     if (error) throw MachineError("cannot remove '" + entry.path().string() + "'");
   }
 }
@@ -72,6 +82,40 @@ bool bring(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (error) fs::copy_file(from, to, error);
   if (error) throw MachineError("cannot write '" + to.string() + "': " + error.message());
   return true;
+}
+
+/// Brings a part of a frame, with its pieces before what joins them; adds to `brought` what came.
+/// True if all of it did.
+bool bring_part(const std::filesystem::path& from, const std::filesystem::path& to,
+                const std::string& file, std::set<std::string>& brought) {
+  std::error_code error;
+  std::vector<std::string> files;
+  if (joins(file)) {
+    if (!std::filesystem::is_regular_file(from / file, error)) return false;
+    for (const auto& piece : joined_files(read_file(from / file), (from / file).string())) {
+      files.push_back(std::string(kSubfolder) + "/" + piece);
+    }
+  }
+  files.push_back(file);
+  bool whole = true;
+  for (const auto& each : files) whole = whole && bring(from / each, to / each);
+  if (whole) brought.insert(files.begin(), files.end());
+  return whole;
+}
+
+template <class Writer>
+void write_data(vtkDataObject* data, const std::filesystem::path& path) {
+  write_file_atomically(path, bytes_of<Writer>(data, path));
+}
+
+/// Writes a piece, unless there is nothing in it.
+template <class Writer>
+FramePiece write_piece(vtkDataSet* data, const std::filesystem::path& folder,
+                       const std::string& file, bool known) {
+  const std::filesystem::path path = folder / file;
+  FramePiece piece = piece_of(*data, path.filename().string(), known);
+  if (!piece.file.empty()) write_data<Writer>(data, path);
+  return piece;
 }
 
 }  // namespace
@@ -90,14 +134,22 @@ FrameWriter::FrameWriter(std::filesystem::path folder, const std::string& index,
   for (auto& frame : parse_frame_index(index, "frames of the checkpoint")) {
     ++next_;
     bool whole = true;
-    for (const auto& part : frame.parts)
-      whole = bring(from / part.file, folder_ / part.file) && whole;
+    std::set<std::string> brought;
+    for (const auto& part : frame.parts) {
+      whole = bring_part(from, folder_, part.file, brought) && whole;
+    }
     if (!whole) continue;
-    for (const auto& part : frame.parts) kept.insert(part.file);
+    kept.merge(brought);
     frames_.push_back(std::move(frame));
   }
   write_frame_index(folder_, frames_);
   remove_frames(folder_ / kSubfolder, kept);
+}
+
+void FrameWriter::add(FrameEntry frame) {
+  frames_.push_back(std::move(frame));
+  ++next_;
+  write_frame_index(folder_, frames_);
 }
 
 void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
@@ -105,17 +157,48 @@ void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
   FrameEntry frame{time, {}};
   for (const auto& body : bodies) {
     frame.parts.push_back({body.body, file_name(body.body, next_, ".vtu")});
-    const auto path = folder_ / frame.parts.back().file;
-    write_file_atomically(path, bytes_of<vtkXMLUnstructuredGridWriter>(to_grid(body), path));
+    write_data<vtkXMLUnstructuredGridWriter>(to_grid(body), folder_ / frame.parts.back().file);
   }
   if (contact != nullptr) {
-    frame.parts.push_back({"contact", file_name("contact", next_, ".vtp")});
-    const auto path = folder_ / frame.parts.back().file;
-    write_file_atomically(path, bytes_of<vtkXMLPolyDataWriter>(to_contacts(*contact, time), path));
+    frame.parts.push_back({kContact, file_name(kContact, next_, ".vtp")});
+    write_data<vtkXMLPolyDataWriter>(to_contacts(*contact, time),
+                                     folder_ / frame.parts.back().file);
   }
-  frames_.push_back(std::move(frame));
-  ++next_;
-  write_frame_index(folder_, frames_);
+  add(std::move(frame));
+}
+
+void FrameWriter::join(Real time, const std::vector<std::string>& bodies,
+                       const std::vector<std::vector<FramePiece>>& pieces) {
+  FrameEntry frame{time, {}};
+  for (std::size_t p = 0; p < pieces.front().size(); ++p) {
+    const bool body = p < bodies.size();
+    const std::string name = body ? bodies[p] : kContact;
+    frame.parts.push_back({name, file_name(name, next_, body ? ".pvtu" : ".pvtp")});
+    std::vector<FramePiece> of_part;
+    of_part.reserve(pieces.size());
+    for (const auto& rank : pieces) of_part.push_back(rank.at(p));
+    write_file_atomically(folder_ / frame.parts.back().file,
+                          joining_text(body ? "PUnstructuredGrid" : "PPolyData", of_part));
+  }
+  add(std::move(frame));
+}
+
+std::vector<FramePiece> write_pieces(const std::filesystem::path& folder, std::size_t number,
+                                     int rank, Real time, const std::vector<BodyView>& bodies,
+                                     const ContactView* contact) {
+  std::vector<FramePiece> pieces;
+  pieces.reserve(bodies.size() + 1);
+  const std::string of_rank = "." + std::to_string(rank);
+  for (const auto& body : bodies) {
+    pieces.push_back(write_piece<vtkXMLUnstructuredGridWriter>(
+        to_grid_piece(body), folder, file_name(body.body, number, of_rank + ".vtu"), false));
+  }
+  if (contact != nullptr) {
+    pieces.push_back(
+        write_piece<vtkXMLPolyDataWriter>(to_contacts_piece(*contact, time), folder,
+                                          file_name(kContact, number, of_rank + ".vtp"), true));
+  }
+  return pieces;
 }
 
 }  // namespace brunt

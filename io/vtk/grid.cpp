@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 namespace brunt {
@@ -133,6 +134,16 @@ std::vector<Field> to_fields(vtkFieldData& data) {
   return fields;
 }
 
+/// Takes a field out of a list; nothing where it is not there.
+std::optional<Field> take_field(std::vector<Field>& fields, const char* name) {
+  const auto at = std::find_if(fields.begin(), fields.end(),
+                               [name](const Field& field) { return field.name == name; });
+  if (at == fields.end()) return std::nullopt;
+  std::optional<Field> field = std::move(*at);
+  fields.erase(at);
+  return field;
+}
+
 int corners_of(vtkUnstructuredGrid& grid) {
   vtkIdType most = 0;
   for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
@@ -145,7 +156,17 @@ int corners_of(vtkUnstructuredGrid& grid) {
   return most == 1 ? 0 : static_cast<int>(most);
 }
 
-/// Cell data of a polydata stand in the order vertices, lines, polygons.
+/// Contacts in the order of the cell data of a polydata: vertices, lines (planes in 2D), polygons.
+std::vector<std::size_t> polydata_order(const ContactView& view) {
+  std::array<std::vector<std::size_t>, 3> orders;
+  for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
+    orders[static_cast<std::size_t>(std::clamp(view.polygon_size[i], 1, 3) - 1)].push_back(i);
+  }
+  std::vector<std::size_t> order;
+  for (const auto& part : orders) order.insert(order.end(), part.begin(), part.end());
+  return order;
+}
+
 Field reordered(const std::string& name, int components, const std::vector<Real>& values,
                 const std::vector<std::size_t>& order) {
   const auto n = static_cast<std::size_t>(components);
@@ -193,7 +214,6 @@ vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time) {
   auto vertices = vtkSmartPointer<vtkCellArray>::New();
   auto lines = vtkSmartPointer<vtkCellArray>::New();
   auto polygons = vtkSmartPointer<vtkCellArray>::New();
-  std::array<std::vector<std::size_t>, 3> orders;  // vertices, lines (planes in 2D), polygons
   vtkIdType first = 0;
   for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
     const int n = view.polygon_size[i];
@@ -201,14 +221,12 @@ vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time) {
     auto& cells = n == 1 ? vertices : (n == 2 ? lines : polygons);
     cells->InsertNextCell(n);
     for (int c = 0; c < n; ++c) cells->InsertCellPoint(first++);
-    orders[static_cast<std::size_t>(std::min(n, 3) - 1)].push_back(i);
   }
   if (first != data->GetNumberOfPoints()) misfit("polygon_size");
   data->SetVerts(vertices);
   data->SetLines(lines);
   data->SetPolys(polygons);
-  std::vector<std::size_t> order;
-  for (const auto& part : orders) order.insert(order.end(), part.begin(), part.end());
+  const auto order = polydata_order(view);
   for (const Field& field :
        {reordered("normal", 3, view.normal, order), reordered("pressure", 1, view.pressure, order),
         reordered("penetration", 1, view.penetration, order),
@@ -221,6 +239,36 @@ vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time) {
   return data;
 }
 
+vtkSmartPointer<vtkUnstructuredGrid> to_grid_piece(const BodyView& view) {
+  auto grid = to_grid(view);
+  if (view.point_owned.empty()) return grid;
+  if (static_cast<vtkIdType>(view.point_owned.size()) != grid->GetNumberOfPoints()) {
+    misfit("point_owned");
+  }
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (const char owned : view.point_owned) {
+    ghosts->InsertNextValue(owned ? 0 : vtkDataSetAttributes::DUPLICATEPOINT);
+  }
+  grid->GetPointData()->AddArray(ghosts);
+  return grid;
+}
+
+vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real time) {
+  auto data = to_contacts(view, time);
+  if (view.key.size() != view.polygon_size.size()) misfit("key");
+  auto keys = vtkSmartPointer<vtkIdTypeArray>::New();
+  keys->SetName("key");
+  keys->SetNumberOfComponents(4);
+  for (const std::size_t i : polydata_order(view)) {
+    for (const GlobalId number : view.key[i]) {
+      keys->InsertNextValue(static_cast<vtkIdType>(number));
+    }
+  }
+  data->GetCellData()->AddArray(keys);
+  return data;
+}
+
 BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body) {
   BodyView view;
   view.body = body;
@@ -229,11 +277,11 @@ BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body) {
   view.corners = corners_of(grid);
   view.point_fields = to_fields(*grid.GetPointData());
   view.cell_fields = to_fields(*grid.GetCellData());
-  const auto radius = std::find_if(view.point_fields.begin(), view.point_fields.end(),
-                                   [](const Field& field) { return field.name == "radius"; });
-  if (radius != view.point_fields.end()) {
+  if (const auto ghosts = take_field(view.point_fields, vtkDataSetAttributes::GhostArrayName())) {
+    for (const Real type : ghosts->values) view.point_owned.push_back(type == 0);
+  }
+  if (auto radius = take_field(view.point_fields, "radius")) {
     view.point_radius = std::move(radius->values);
-    view.point_fields.erase(radius);
   }
   if (view.corners == 0) return view;
   for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {

@@ -19,8 +19,14 @@ vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view);
 /// not fit.
 vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time);
 
-/// The view that to_grid made the grid of: masses and volumes are not in it. Throws
-/// std::invalid_argument where the grid holds other cells than to_grid makes.
+/// The same of a rank's piece of a body or of the contacts, with what it takes to merge pieces: the
+/// point array vtkGhostType, which says which points are copies, where the view tells; and the cell
+/// array "key" of contacts.
+vtkSmartPointer<vtkUnstructuredGrid> to_grid_piece(const BodyView& view);
+vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real time);
+
+/// The view that to_grid or to_grid_piece made the grid of: masses and volumes are not in it.
+/// Throws std::invalid_argument where the grid holds other cells than to_grid makes.
 BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body);
 
 }  // namespace brunt

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# The same history, byte for byte, state hashes and all, on any number of ranks and threads: every
-# shipped deck, shortened; with another skin; dealt out again every few steps; and split in two by a
-# restart on other ranks.
-#   ranks.sh PROGRAM SOURCE RANKS...
+# The same history, byte for byte, state hashes and all, and the same frames, bit for bit, on any
+# number of ranks and threads: every shipped deck, shortened; with another skin; dealt out again
+# every few steps; and split in two by a restart on other ranks.
+#   ranks.sh PROGRAM SOURCE COMPARE RANKS...
+# COMPARE: the program of tests/support/compare_frames.cpp, or true where there are no frames.
 set -euo pipefail
 brunt=$1
 decks=$2/decks
-shift 2
+compare=$3
+shift 3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -31,7 +33,7 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
 }
 same() {  # same DECK A B
-  diff -rq "$2/frames" "$3/frames" >frames.txt || { echo "FAILED: $1: $3: frames"; head -3 frames.txt; status=1; }
+  "$compare" "$2" "$3" >frames.txt || { echo "FAILED: $1: frames differ"; cat frames.txt; status=1; }
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
   diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4

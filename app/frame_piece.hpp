@@ -1,0 +1,13 @@
+#pragma once
+#include "core/parallel/deal.hpp"
+#include "core/view.hpp"
+
+namespace brunt {
+
+/// What a rank writes of a body: its own points and cells, and of other ranks' points those that
+/// its cells touch, with the values of their owners (forces on copies are not whole). All ranks
+/// with points of it get the same cell fields. The view needs the point field `id` where it has
+/// points. Collective.
+BodyView frame_piece(const BodyView& mine, const Deal& deal, const Communicator& ranks);
+
+}  // namespace brunt
