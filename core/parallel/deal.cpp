@@ -58,6 +58,13 @@ struct Destroy {
   void operator()(Zoltan_Struct* zoltan) const { Zoltan_Destroy(&zoltan); }
 };
 
+/// Zoltan needs MPI even where one process deals out for many; the session ends it.
+void start_mpi() {
+  int started = 0;
+  MPI_Initialized(&started);
+  if (!started) MPI_Init(nullptr, nullptr);
+}
+
 void require(int status, const char* what) {
   if (status != ZOLTAN_OK && status != ZOLTAN_WARN) {
     throw MachineError(std::string("Zoltan: ") + what + " failed");
@@ -66,11 +73,13 @@ void require(int status, const char* what) {
 }  // namespace
 
 template <int Dim>
-Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x,
-              std::span<const Real> weight) {
+Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x, std::span<const Real> weight,
+              int parts) {
   Deal deal;
   deal.owner.assign(x.size(), 0);
-  if (ranks.alone() || x.empty()) return deal;
+  if (parts == 0) parts = ranks.size();
+  if (parts == 1 || x.empty()) return deal;
+  start_mpi();
   float version = 0;
   require(Zoltan_Initialize(0, nullptr, &version), "start");
   const std::unique_ptr<Zoltan_Struct, Destroy> zoltan(Zoltan_Create(MPI_COMM_WORLD));
@@ -78,9 +87,10 @@ Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x,
   const auto n = static_cast<std::size_t>(ranks.size());
   const auto r = static_cast<std::size_t>(ranks.rank());
   Slice<Dim> slice{x, weight, x.size() * r / n, x.size() * (r + 1) / n};
+  const std::string n_parts = std::to_string(parts);
   for (const auto& [key, value] : {std::pair("DEBUG_LEVEL", "0"),
                                    {"LB_METHOD", "RCB"},
-
+                                   {"NUM_GLOBAL_PARTS", n_parts.c_str()},
                                    {"NUM_GID_ENTRIES", "1"},
                                    {"NUM_LID_ENTRIES", "0"},
                                    {"OBJ_WEIGHT_DIM", "1"},
@@ -114,7 +124,7 @@ Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x,
   return deal;
 }
 
-template Deal deal_out<2>(const Communicator&, std::span<const Vec<2>>, std::span<const Real>);
-template Deal deal_out<3>(const Communicator&, std::span<const Vec<3>>, std::span<const Real>);
+template Deal deal_out<2>(const Communicator&, std::span<const Vec<2>>, std::span<const Real>, int);
+template Deal deal_out<3>(const Communicator&, std::span<const Vec<3>>, std::span<const Real>, int);
 
 }  // namespace brunt
