@@ -43,6 +43,7 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks, std::unique_ptr<co
 
 template <int Dim>
 void distribute(Scene<Dim>& scene, const Communicator& ranks) {
+  if (ranks.alone()) return distribute(scene, ranks, nullptr);
   const auto points = weighed_points(scene);
   distribute(scene, ranks,
              std::make_unique<const Deal>(deal_out<Dim>(ranks, points.x, points.weight)));
