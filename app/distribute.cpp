@@ -11,8 +11,9 @@ WeighedPoints<Dim> weighed_points(const Scene<Dim>& scene) {
   WeighedPoints<Dim> all{std::vector<Vec<Dim>>(n, Vec<Dim>::Zero()), std::vector<Real>(n, 0.0)};
   for (const auto& solid : scene.solids) {
     const auto& points = solid->points();
-    // A particle costs as much as some five hexes; points of rigid surfaces next to nothing.
-    const Real cost = solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.01);
+    // A particle costs as much as some five hexes; points of rigid surfaces next to nothing, and a
+    // wall that is wider than what hits it would turn the cuts along it.
+    const Real cost = solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.0);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       all.x[points.id[i]] = points.x[i];
       all.weight[points.id[i]] = cost;
