@@ -188,9 +188,12 @@ void Counter<Dim>::count_contact() {
   for (const auto& face : reaches.faces) {
     owner.push_back(face.rigid ? 0 : element_owner_.at(face.id >> 3));
     loads_[at(owner.back())].candidates += face.candidates;
+    loads_[at(owner.back())].surface += face.rigid ? 0 : 1;
   }
   for (const auto& one : reaches.particles) {
-    loads_[at(deal_.of(one.node[0].point))].candidates += one.candidates;
+    auto& load = loads_[at(deal_.of(one.node[0].point))];
+    load.candidates += one.candidates;
+    ++load.surface;
   }
   add_imports(reaches, owner);
   add_letters(reaches, owner);

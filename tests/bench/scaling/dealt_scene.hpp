@@ -19,6 +19,7 @@ struct RankLoad {
   std::size_t elements = 0;    ///< counted here
   std::size_t computed = 0;    ///< elements that touch an owned point
   std::size_t particles = 0;   ///< owned
+  std::size_t surface = 0;     ///< faces and particles that contact looks at, owned
   std::size_t candidates = 0;  ///< of contact, evaluated here
   Real weight = 0;             ///< by which points were dealt out
   Sent step;                   ///< in every step

@@ -4,6 +4,7 @@
 //   scaling DECK [--set KEY=VALUE]... [--steps N] [--ranks N,...] [--csv]
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <numeric>
 
 #include "app/build/scene_builder.hpp"
 #include "app/distribute.hpp"
@@ -20,9 +21,9 @@ struct Arguments {
   std::vector<std::string> overrides;
   std::vector<int> ranks = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
   std::int64_t steps = 50;
-  bool csv = false;
-  Real latency = 1.5, bandwidth = 10;                      // [us], [GB/s]
-  Real ns_element = 0, ns_particle = 0, ns_candidate = 0;  // [ns]; 0: as measured
+  bool csv = false, again = false;
+  Real latency = 1.5, bandwidth = 10;                                   // [us], [GB/s]
+  Real ns_element = 0, ns_particle = 0, ns_candidate = 0, ns_face = 0;  // [ns]; 0: as measured
 };
 
 /// Stops after so many steps.
@@ -81,6 +82,7 @@ void measure(const Deck& deck, const Arguments& arguments, Scene<Dim>& scene, Ma
   StopAfter<Dim> observer(arguments.steps);
   const auto searches_before = searches(scene);
   const auto builds_before = scene.contact ? scene.contact->work().builds : 0;
+  if (arguments.ns_candidate > 0) machine.candidate = 1e-9 * arguments.ns_candidate;
   run_time_loop(scene, clock, 0, observer);
   const auto steps = static_cast<Real>(clock.step());
   const Real dt = steps > 0 ? clock.dt() : deck.time.safety * scene.stable_step(0, 0).step;
@@ -93,8 +95,10 @@ void measure(const Deck& deck, const Arguments& arguments, Scene<Dim>& scene, Ma
     if (scene.contact) {
       rates.contact_lists = per_step(builds_before, scene.contact->work().builds);
       const auto listed = static_cast<Real>(scene.contact->work().candidates);
-      const Real seconds = scene.phases.seconds[static_cast<std::size_t>(Phase::contact)];
-      if (listed > 0) machine.candidate = seconds / listed / steps;
+      const auto reaches = scene.contact->reaches();
+      const auto surface = static_cast<Real>(reaches.faces.size() + reaches.particles.size());
+      const Real seconds = scene.phases.work(Phase::contact) / steps;
+      machine.surface = std::max(0.0, seconds - listed * machine.candidate) / surface;
     }
   }
   count_meetings(deck, scene, dt, rates);
@@ -105,7 +109,7 @@ void measure(const Deck& deck, const Arguments& arguments, Scene<Dim>& scene, Ma
   }
   if (arguments.ns_element > 0) machine.element = 1e-9 * arguments.ns_element;
   if (arguments.ns_particle > 0) machine.particle = 1e-9 * arguments.ns_particle;
-  if (arguments.ns_candidate > 0) machine.candidate = 1e-9 * arguments.ns_candidate;
+  if (arguments.ns_face > 0) machine.surface = 1e-9 * arguments.ns_face;
   machine.latency = 1e-6 * arguments.latency;
   machine.bandwidth = 1e9 * arguments.bandwidth;
 }
@@ -191,17 +195,46 @@ void print_ranks(const std::vector<RankLoad>& loads, const Machine& machine, con
       1e6 * slowest.neighbours, 1e6 * slowest.lists, 1e6 * slowest.all_ranks, efficiency);
 }
 
+/// The points where they are now, weighed by the work that was measured: what Balance deals by.
+template <int Dim>
+WeighedPoints<Dim> measured_points(const Scene<Dim>& scene, const Machine& machine) {
+  auto all = weighed_points(scene);
+  const auto add = [&](const Points<Dim>& points, const std::vector<Real>& shares, Real seconds) {
+    const Real sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    for (std::size_t i = 0; i < shares.size() && sum > 0; ++i) {
+      all.weight[points.id[i]] += seconds * shares[i] / sum;
+    }
+  };
+  std::fill(all.weight.begin(), all.weight.end(), 0.0);
+  for (const auto& solid : scene.solids) {
+    add(solid->points(), solid->point_work(),
+        static_cast<Real>(solid->n_elements()) * machine.element +
+            static_cast<Real>(solid->n_particles()) * machine.particle);
+  }
+  if (!scene.contact) return all;
+  const auto shares = scene.contact->point_work();
+  Real sum = 0;
+  for (const auto& of : shares) sum = std::accumulate(of.begin(), of.end(), sum);
+  const auto listed = static_cast<Real>(scene.contact->work().candidates);
+  for (std::size_t s = 0; s < shares.size() && sum > 0; ++s) {
+    const Real part = std::accumulate(shares[s].begin(), shares[s].end(), 0.0) / sum;
+    add(scene.solids[s]->points(), shares[s], part * listed * machine.candidate);
+  }
+  return all;
+}
+
 template <int Dim>
 void tell(const LoadedDeck& loaded, const Arguments& arguments) {
   const auto scene = build_scene<Dim>(loaded);
-  const auto points = weighed_points(*scene);
+  auto points = weighed_points(*scene);
+  Machine machine;
+  Rates rates;
+  measure(loaded.deck, arguments, *scene, machine, rates);
+  if (arguments.again) points = measured_points(*scene, machine);
   std::vector<Deal> deals;
   for (const int n : arguments.ranks) {
     deals.push_back(deal_out<Dim>(lone_rank(), points.x, points.weight, n));
   }
-  Machine machine;
-  Rates rates;
-  measure(loaded.deck, arguments, *scene, machine, rates);
   const auto whole = deal_out<Dim>(lone_rank(), points.x, points.weight);
   const auto alone = rank_loads<Dim>(*scene, whole, points.weight, 1);
   if (!arguments.csv) {
@@ -209,10 +242,11 @@ void tell(const LoadedDeck& loaded, const Arguments& arguments) {
                 scene->n_points(), scene->n_elements(), scene->n_particles(),
                 alone.front().candidates);
     std::printf(
-        "an element %.0f ns, a particle %.0f ns, a candidate %.0f ns, a message %.2f us, "
+        "an element %.0f ns, a particle %.0f ns, a candidate %.0f ns, a face %.0f ns; a message "
+        "%.2f us, "
         "%.3g GB/s\n",
         1e9 * machine.element, 1e9 * machine.particle, 1e9 * machine.candidate,
-        1e6 * machine.latency, 1e-9 * machine.bandwidth);
+        1e9 * machine.surface, 1e6 * machine.latency, 1e-9 * machine.bandwidth);
     std::printf(
         "a step: %.3f lists of particles, %.3f of contact, %.2f rows, %.2f reductions, "
         "%.2f exchanges of sizes\n",
@@ -237,8 +271,10 @@ int run(int argc, char** argv) {
   app.add_option("--ns-element", arguments.ns_element);
   app.add_option("--ns-particle", arguments.ns_particle);
   app.add_option("--ns-candidate", arguments.ns_candidate);
+  app.add_option("--ns-face", arguments.ns_face, "of a face or particle of contact");
   app.add_option("--latency", arguments.latency, "of a message [us]");
   app.add_option("--bandwidth", arguments.bandwidth, "of a rank [GB/s]");
+  app.add_flag("--again", arguments.again, "deals out again by the work after the steps");
   app.add_flag("--csv", arguments.csv, "sums over the ranks, for programs");
   CLI11_PARSE(app, argc, argv);
   const ParallelSession session(argc, argv);

@@ -12,6 +12,7 @@ struct Machine {
   Real element = 330e-9;    ///< [s] an element-step
   Real particle = 1440e-9;  ///< [s] a particle-step
   Real candidate = 900e-9;  ///< [s] a candidate of contact
+  Real surface = 0;         ///< [s] a face or particle of contact, whatever it may touch
   Real latency = 1.5e-6;    ///< [s] a message
   Real bandwidth = 10e9;    ///< [byte/s] of a rank
 };
@@ -34,7 +35,8 @@ struct StepCost {
 inline Real work_of(const RankLoad& load, const Machine& machine) {
   return static_cast<Real>(load.computed) * machine.element +
          static_cast<Real>(load.particles) * machine.particle +
-         static_cast<Real>(load.candidates) * machine.candidate;
+         static_cast<Real>(load.candidates) * machine.candidate +
+         static_cast<Real>(load.surface) * machine.surface;
 }
 
 /// A message costs latency + bytes / bandwidth where it is sent; a reduction goes up and down a
