@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/parallel/boxes.hpp"
 #include "fe/finite_elements.hpp"
@@ -59,6 +60,7 @@ class Counter {
   void count(const SphParticles<Dim>& particles);
   void count_contact();
   void add_imports(const ContactReaches<Dim>& reaches, const std::vector<int>& owner);
+  void add_sizes(const ContactReaches<Dim>& reaches);
   void add_letters(const ContactReaches<Dim>& reaches, const std::vector<int>& owner);
   /// Every rank to every other, `bytes` each.
   void add_to_all(Sent& sent, Real bytes) const {
@@ -76,6 +78,7 @@ class Counter {
   int parts_;
   std::vector<RankLoad> loads_;
   std::vector<Copy> nodes_;                          // copies of nodes of elements, sorted
+  std::vector<std::pair<int, int>> imported_;        // to whom faces go that have nodes of whom
   std::unordered_map<GlobalId, int> element_owner_;  // by element id
 };
 
@@ -196,6 +199,7 @@ void Counter<Dim>::count_contact() {
     ++load.surface;
   }
   add_imports(reaches, owner);
+  add_sizes(reaches);
   add_letters(reaches, owner);
 }
 
@@ -222,6 +226,7 @@ void Counter<Dim>::add_imports(const ContactReaches<Dim>& reaches, const std::ve
     pairs.emplace_back(from, to);
     for (int c = 0; c < one.n_nodes; ++c) {
       const Copy copy{to, deal_.of(one.node[at(c)].point), one.node[at(c)].point};
+      imported_.emplace_back(to, copy.owner);
       if (copy.owner == to || std::binary_search(nodes_.begin(), nodes_.end(), copy)) continue;
       copies.push_back(copy);
     }
@@ -234,6 +239,32 @@ void Counter<Dim>::add_imports(const ContactReaches<Dim>& reaches, const std::ve
   for (auto& load : loads_) {
     for (std::size_t s = 0; s < scene_.solids.size(); ++s) add_to_all(load.contact_lists, 8);
     if (load.particles > 0) add_to_all(load.contact_lists, 12);
+  }
+}
+
+/// In every step ranks tell each other how many forces come, where one has nodes of the other in
+/// its tables: of faces on both, of faces that were sent, and of rigid faces, which all ranks have.
+template <int Dim>
+void Counter<Dim>::add_sizes(const ContactReaches<Dim>& reaches) {
+  auto& pairs = imported_;
+  std::unordered_set<GlobalId> outer;
+  for (const auto& face : reaches.faces) {
+    for (int c = 0; c < face.n_nodes; ++c) {
+      const GlobalId point = face.node[at(c)].point;
+      if (!outer.insert(point).second || !face.rigid) continue;
+      for (int r = 0; r < parts_; ++r) pairs.emplace_back(r, deal_.of(point));
+    }
+  }
+  for (const Copy& copy : nodes_) {
+    if (outer.count(copy.point) != 0) pairs.emplace_back(copy.rank, copy.owner);
+  }
+  for (std::size_t i = pairs.size(); i-- > 0;) pairs.emplace_back(pairs[i].second, pairs[i].first);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const auto& [from, to] : pairs) {
+    if (from == to) continue;
+    loads_[at(from)].step.messages += 1;
+    loads_[at(from)].step.bytes += 8;
   }
 }
 

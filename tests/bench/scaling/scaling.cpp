@@ -57,19 +57,19 @@ template <int Dim>
 void count_meetings(const Deck& deck, const Scene<Dim>& scene, Real dt, Rates& rates) {
   const Real every = deck.output.history.value_or(deck.time.end / 2000);
   rates.rows = std::min(1.0, dt / every) + 0.01 * std::max(0.0, 1 - dt / every);
-  Real row = kColumns + static_cast<Real>(scene.body_names.size()) + 1 +
-             static_cast<Real>(scene.supports.constraints().size());
+  // Columns, bodies, hash; what supports take.
+  Real row = 3 + static_cast<Real>(scene.supports.constraints().size());
   rates.reductions = 2.01;  // whose step, requests, and checks
   if (deck.stop.at_rest) rates.reductions += 1;
   if (deck.stop.beyond) rates.reductions += 2;
   if (scene.n_particles() > 0) {
-    rates.reductions += 4 + rates.particle_lists;
+    rates.reductions += 2 + rates.particle_lists;
     rates.exchanges += 2 * rates.particle_lists;
   }
   if (scene.contact) {
-    row += static_cast<Real>(scene.contact->reports().size());
+    row += 1;
     rates.reductions += 2 + 5 * rates.contact_lists;
-    rates.exchanges += 1 + (3 + static_cast<Real>(scene.solids.size())) * rates.contact_lists;
+    rates.exchanges += (4 + static_cast<Real>(scene.solids.size())) * rates.contact_lists;
   }
   rates.reductions += rates.rows * row;
 }
