@@ -56,6 +56,7 @@ class Broken final : public Solid<3> {
   BodyView view(Label body) const override { return solid_->view(body); }
   std::size_t n_elements() const override { return solid_->n_elements(); }
   std::size_t n_particles() const override { return solid_->n_particles(); }
+  std::vector<Real> point_work() const override { return solid_->point_work(); }
 
  private:
   std::unique_ptr<Solid<3>> solid_;
