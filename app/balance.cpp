@@ -110,19 +110,22 @@ std::vector<Real> Balance<Dim>::weights(const Scene<Dim>& scene) const {
   const auto spent = [&](Phase phase) {
     return std::max(0.0, scene.phases.work(phase) - last_.work(phase));
   };
-  std::vector<Real> all, contact;
+  std::vector<Real> all, contact, even;
   bool any_particles = false;
   for (const auto& solid : scene.solids) {
     const auto shares = solid->point_work();
     const std::size_t first = all.size();
     all.resize(first + shares.size(), 0.0);
+    // Points of a rigid wall weigh nothing, or the wall would turn the cuts (deal_out).
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      even.push_back(solid->points().mass[i] > 0 ? 1 : 0);
+    }
     const bool particles = solid->n_particles() > 0;
     any_particles = any_particles || particles;
     spread(shares,
            particles ? spent(Phase::particles) + spent(Phase::search) : spent(Phase::elements),
            std::span(all).subspan(first));
   }
-  const std::vector<Real> even(all.size(), 1.0);
   spread(even, spent(Phase::points) + spent(Phase::step_bound), all);
   if (!scene.contact) return all;
   for (const auto& shares : scene.contact->point_work()) {

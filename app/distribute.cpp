@@ -4,26 +4,23 @@
 
 namespace brunt {
 
-namespace {
-/// Positions and weights of all points of the scene, by id.
 template <int Dim>
-Deal first_deal(const Scene<Dim>& scene, const Communicator& ranks) {
+WeighedPoints<Dim> weighed_points(const Scene<Dim>& scene) {
   std::size_t n = 0;
   for (const auto& solid : scene.solids) n += solid->points().x.size();
-  std::vector<Vec<Dim>> x(n, Vec<Dim>::Zero());
-  std::vector<Real> weight(n, 0.0);
+  WeighedPoints<Dim> all{std::vector<Vec<Dim>>(n, Vec<Dim>::Zero()), std::vector<Real>(n, 0.0)};
   for (const auto& solid : scene.solids) {
     const auto& points = solid->points();
-    // A particle costs as much as some five hexes; points of rigid surfaces next to nothing.
-    const Real cost = solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.01);
+    // A particle costs as much as some five hexes; points of rigid surfaces next to nothing, and a
+    // wall that is wider than what hits it would turn the cuts along it.
+    const Real cost = solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.0);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
-      x[points.id[i]] = points.x[i];
-      weight[points.id[i]] = cost;
+      all.x[points.id[i]] = points.x[i];
+      all.weight[points.id[i]] = cost;
     }
   }
-  return deal_out<Dim>(ranks, x, weight);
+  return all;
 }
-}  // namespace
 
 template <int Dim>
 void distribute(Scene<Dim>& scene, const Communicator& ranks, std::unique_ptr<const Deal> deal) {
@@ -47,10 +44,14 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks, std::unique_ptr<co
 
 template <int Dim>
 void distribute(Scene<Dim>& scene, const Communicator& ranks) {
-  auto deal = ranks.alone() ? nullptr : std::make_unique<const Deal>(first_deal(scene, ranks));
-  distribute(scene, ranks, std::move(deal));
+  if (ranks.alone()) return distribute(scene, ranks, nullptr);
+  const auto points = weighed_points(scene);
+  distribute(scene, ranks,
+             std::make_unique<const Deal>(deal_out<Dim>(ranks, points.x, points.weight)));
 }
 
+template WeighedPoints<2> weighed_points(const Scene<2>&);
+template WeighedPoints<3> weighed_points(const Scene<3>&);
 template void distribute<2>(Scene<2>&, const Communicator&);
 template void distribute<3>(Scene<3>&, const Communicator&);
 template void distribute<2>(Scene<2>&, const Communicator&, std::unique_ptr<const Deal>);

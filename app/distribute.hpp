@@ -3,6 +3,15 @@
 
 namespace brunt {
 
+/// All points of a whole scene at time 0, by id, with the work that hangs on each.
+template <int Dim>
+struct WeighedPoints {
+  std::vector<Vec<Dim>> x;   ///< [m]
+  std::vector<Real> weight;  ///< [hexes], about
+};
+template <int Dim>
+WeighedPoints<Dim> weighed_points(const Scene<Dim>& scene);
+
 /// Turns a whole scene at time 0, which every rank has built, into the part that this rank
 /// computes; supports and loads keep what is owned here. Collective; nothing on a lone rank.
 template <int Dim>

@@ -170,7 +170,6 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
   ++builds_;
 }
 
-/// Where a face may touch another before the lists are renewed.
 template <int Dim>
 SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::size_t face) const {
   const auto& plane = entities.planes[face];
@@ -178,7 +177,6 @@ SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::
   return finite(box_of(plane, 0.5 * depth + kReachPerWarp * plane.warp + 0.5 * skin_));
 }
 
-/// Where a particle may touch a face, or vote for its speed, before the lists are renewed.
 template <int Dim>
 SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
                                                 std::size_t particle) const {

@@ -49,13 +49,15 @@ class Candidates {
   std::span<const std::size_t> particle_starts() const { return starts_; }
   Real skin() const { return skin_; }
   std::size_t builds() const { return builds_; }
+  /// Where a face may touch another before the lists are renewed [m].
+  SearchBox<Dim> box_of_face(const Entities<Dim>& entities, std::size_t face) const;
+  /// Where a particle may touch a face, or vote for its speed, before the lists are renewed [m].
+  SearchBox<Dim> box_of_particle(const Entities<Dim>& entities, std::size_t particle) const;
 
  private:
   void find_faces(const Entities<Dim>& entities, const PairTable& pairs);
   void find_particles(const Entities<Dim>& entities, const PairTable& pairs);
   void choose_skin(const Entities<Dim>& entities);
-  SearchBox<Dim> box_of_face(const Entities<Dim>& entities, std::size_t face) const;
-  SearchBox<Dim> box_of_particle(const Entities<Dim>& entities, std::size_t particle) const;
 
   SearchMode mode_;
   std::optional<Real> given_skin_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/options.hpp"
+#include "contact/reach.hpp"
 #include "core/ledger.hpp"
 #include "core/parallel/deal.hpp"
 #include "core/solid.hpp"
@@ -70,6 +71,9 @@ class ContactManager {
   ContactWork work() const;
   /// How dear each owned point of each surface is to compute here, in nanoseconds or so.
   std::vector<std::vector<Real>> point_work() const;
+  /// Where each face and particle may touch, and what touches: what dealing out would have to
+  /// carry.
+  ContactReaches<Dim> reaches() const;
 
  private:
   struct Implementation;

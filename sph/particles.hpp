@@ -100,6 +100,8 @@ class SphParticles final : public Solid<Dim> {
   void set_search(SearchMode mode) { search_ = mode; }
   std::span<ParticleBlock> blocks() { return blocks_; }
   std::span<const ParticleState<Dim>> states() const { return state_; }
+  std::span<const Real> smoothing_lengths() const { return smoothing_length_; }  ///< [m] h
+  Real skin() const { return watch_.skin(); }  ///< [m] of the lists
   std::int64_t n_searches() const { return n_searches_; }
 
  private:

@@ -26,7 +26,8 @@ bool overlap(const SearchBox<Dim>& a, const SearchBox<Dim>& b) {
   return true;
 }
 
-/// Bounds of about kRuns equal runs of the boxes.
+}  // namespace
+
 template <int Dim>
 std::vector<SearchBox<Dim>> runs_of(std::span<const SearchBox<Dim>> boxes) {
   std::vector<SearchBox<Dim>> runs;
@@ -38,7 +39,23 @@ std::vector<SearchBox<Dim>> runs_of(std::span<const SearchBox<Dim>> boxes) {
   }
   return runs;
 }
-}  // namespace
+
+template <int Dim>
+std::vector<LocalIndex> meeting(std::span<const SearchBox<Dim>> boxes,
+                                std::span<const SearchBox<Dim>> runs) {
+  std::vector<LocalIndex> list;
+  if (runs.empty()) return list;
+  SearchBox<Dim> all = runs.front();
+  for (const auto& run : runs) enclose<Dim>(all, run);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!overlap<Dim>(boxes[i], all)) continue;
+    const bool near = std::any_of(runs.begin(), runs.end(), [&](const SearchBox<Dim>& run) {
+      return overlap<Dim>(boxes[i], run);
+    });
+    if (near) list.push_back(static_cast<LocalIndex>(i));
+  }
+  return list;
+}
 
 template <int Dim>
 std::vector<std::vector<LocalIndex>> who_wants(const Communicator& ranks,
@@ -49,20 +66,17 @@ std::vector<std::vector<LocalIndex>> who_wants(const Communicator& ranks,
   for (std::size_t r = 0; r < lists.size(); ++r) {
     std::vector<SearchBox<Dim>> runs;
     Unpacker(shown[r]) >> runs;
-    if (static_cast<int>(r) == ranks.rank() || runs.empty()) continue;
-    SearchBox<Dim> all = runs.front();
-    for (const auto& run : runs) enclose<Dim>(all, run);
-    for (std::size_t i = 0; i < offered.size(); ++i) {
-      if (!overlap<Dim>(offered[i], all)) continue;
-      const bool near = std::any_of(runs.begin(), runs.end(), [&](const SearchBox<Dim>& run) {
-        return overlap<Dim>(offered[i], run);
-      });
-      if (near) lists[r].push_back(static_cast<LocalIndex>(i));
-    }
+    if (static_cast<int>(r) != ranks.rank()) lists[r] = meeting<Dim>(offered, runs);
   }
   return lists;
 }
 
+template std::vector<SearchBox<2>> runs_of<2>(std::span<const SearchBox<2>>);
+template std::vector<SearchBox<3>> runs_of<3>(std::span<const SearchBox<3>>);
+template std::vector<LocalIndex> meeting<2>(std::span<const SearchBox<2>>,
+                                            std::span<const SearchBox<2>>);
+template std::vector<LocalIndex> meeting<3>(std::span<const SearchBox<3>>,
+                                            std::span<const SearchBox<3>>);
 template std::vector<std::vector<LocalIndex>> who_wants<2>(const Communicator&,
                                                            std::span<const SearchBox<2>>,
                                                            std::span<const SearchBox<2>>);

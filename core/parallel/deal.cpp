@@ -3,6 +3,7 @@
 #include <mpi.h>
 #include <zoltan.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -12,28 +13,27 @@
 namespace brunt {
 
 namespace {
-/// The slice of all points that this rank shows to Zoltan.
+/// The part of all points that this rank shows to Zoltan.
 template <int Dim>
 struct Slice {
   std::span<const Vec<Dim>> x;
   std::span<const Real> weight;
-  std::size_t first, last;
+  std::vector<std::size_t> shown;
 };
 
 template <int Dim>
 int count_points(void* data, int* error) {
-  const auto& slice = *static_cast<const Slice<Dim>*>(data);
   *error = ZOLTAN_OK;
-  return static_cast<int>(slice.last - slice.first);
+  return static_cast<int>(static_cast<const Slice<Dim>*>(data)->shown.size());
 }
 
 template <int Dim>
 void list_points(void* data, int, int, ZOLTAN_ID_PTR ids, ZOLTAN_ID_PTR, int, float* weights,
                  int* error) {
   const auto& slice = *static_cast<const Slice<Dim>*>(data);
-  for (std::size_t i = slice.first; i < slice.last; ++i) {
-    ids[i - slice.first] = static_cast<ZOLTAN_ID_TYPE>(i);
-    weights[i - slice.first] = static_cast<float>(slice.weight[i]);
+  for (std::size_t k = 0; k < slice.shown.size(); ++k) {
+    ids[k] = static_cast<ZOLTAN_ID_TYPE>(slice.shown[k]);
+    weights[k] = static_cast<float>(slice.weight[slice.shown[k]]);
   }
   *error = ZOLTAN_OK;
 }
@@ -58,32 +58,56 @@ struct Destroy {
   void operator()(Zoltan_Struct* zoltan) const { Zoltan_Destroy(&zoltan); }
 };
 
+/// Zoltan needs MPI even where one process deals out for many; the session ends it.
+void start_mpi() {
+  int started = 0;
+  MPI_Initialized(&started);
+  if (!started) MPI_Init(nullptr, nullptr);
+}
+
 void require(int status, const char* what) {
   if (status != ZOLTAN_OK && status != ZOLTAN_WARN) {
     throw MachineError(std::string("Zoltan: ") + what + " failed");
   }
 }
+
+/// In whose region of space a point lies.
+template <int Dim>
+int part_around(Zoltan_Struct* zoltan, Vec<Dim> x) {
+  int process = 0, part = 0;
+  require(Zoltan_LB_Point_PP_Assign(zoltan, x.data(), &process, &part), "place of a point");
+  return part;
+}
 }  // namespace
 
 template <int Dim>
-Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x,
-              std::span<const Real> weight) {
+Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x, std::span<const Real> weight,
+              int parts) {
   Deal deal;
   deal.owner.assign(x.size(), 0);
-  if (ranks.alone() || x.empty()) return deal;
+  if (parts == 0) parts = ranks.size();
+  const bool any = std::any_of(weight.begin(), weight.end(), [](Real one) { return one > 0; });
+  if (parts == 1 || !any) return deal;
+  start_mpi();
   float version = 0;
   require(Zoltan_Initialize(0, nullptr, &version), "start");
   const std::unique_ptr<Zoltan_Struct, Destroy> zoltan(Zoltan_Create(MPI_COMM_WORLD));
   if (!zoltan) throw MachineError("Zoltan: no memory");
   const auto n = static_cast<std::size_t>(ranks.size());
   const auto r = static_cast<std::size_t>(ranks.rank());
-  Slice<Dim> slice{x, weight, x.size() * r / n, x.size() * (r + 1) / n};
+  const std::size_t first = x.size() * r / n, last = x.size() * (r + 1) / n;
+  Slice<Dim> slice{x, weight, {}};
+  for (std::size_t i = first; i < last; ++i) {
+    if (weight[i] > 0) slice.shown.push_back(i);
+  }
+  const std::string n_parts = std::to_string(parts);
   for (const auto& [key, value] : {std::pair("DEBUG_LEVEL", "0"),
                                    {"LB_METHOD", "RCB"},
-
+                                   {"NUM_GLOBAL_PARTS", n_parts.c_str()},
                                    {"NUM_GID_ENTRIES", "1"},
                                    {"NUM_LID_ENTRIES", "0"},
                                    {"OBJ_WEIGHT_DIM", "1"},
+                                   {"KEEP_CUTS", "1"},
                                    {"RETURN_LISTS", "PARTS"},
                                    {"IMBALANCE_TOL", "1.01"}}) {
     require(Zoltan_Set_Param(zoltan.get(), key, value), key);
@@ -101,8 +125,11 @@ Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x,
                               &import_lid, &import_rank, &import_part, &n_export, &export_gid,
                               &export_lid, &export_rank, &export_part),
           "recursive bisection");
-  std::vector<std::int32_t> part(slice.last - slice.first, ranks.rank());
-  for (int k = 0; k < n_export; ++k) part[export_gid[k] - slice.first] = export_part[k];
+  std::vector<std::int32_t> part(last - first, ranks.rank());
+  for (int k = 0; k < n_export; ++k) part[export_gid[k] - first] = export_part[k];
+  for (std::size_t i = first; i < last; ++i) {
+    if (!(weight[i] > 0)) part[i - first] = part_around<Dim>(zoltan.get(), x[i]);
+  }
   Zoltan_LB_Free_Part(&import_gid, &import_lid, &import_rank, &import_part);
   Zoltan_LB_Free_Part(&export_gid, &export_lid, &export_rank, &export_part);
   std::size_t at = 0;
@@ -114,7 +141,7 @@ Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x,
   return deal;
 }
 
-template Deal deal_out<2>(const Communicator&, std::span<const Vec<2>>, std::span<const Real>);
-template Deal deal_out<3>(const Communicator&, std::span<const Vec<3>>, std::span<const Real>);
+template Deal deal_out<2>(const Communicator&, std::span<const Vec<2>>, std::span<const Real>, int);
+template Deal deal_out<3>(const Communicator&, std::span<const Vec<3>>, std::span<const Real>, int);
 
 }  // namespace brunt

@@ -2,13 +2,14 @@
 # The same history, byte for byte, state hashes and all, and the same frames, bit for bit, on any
 # number of ranks and threads: every shipped deck, shortened; with another skin; dealt out again
 # every few steps; and split in two by a restart on other ranks.
-#   ranks.sh PROGRAM SOURCE COMPARE RANKS...
+#   ranks.sh PROGRAM SOURCE COMPARE STATE_DIFFERENCE RANKS...
 # COMPARE: the program of tests/support/compare_frames.cpp, or true where there are no frames.
 set -euo pipefail
 brunt=$1
 decks=$2/decks
 compare=$3
-shift 3
+first_difference=("$2/tests/parallel/first_difference.sh" "$1" "$4")
+shift 4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -29,6 +30,7 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
   while [ "$1" != -- ]; do options+=("$1"); shift; done
   shift
   for each in "$@"; do overrides+=(--set "${each//_/ }"); done
+  printf '%q ' "$decks/$deck/$deck.yaml" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
   "$brunt" run "$decks/$deck/$deck.yaml" --quiet --out "$out" --oversubscribe \
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
 }
@@ -37,6 +39,7 @@ same() {  # same DECK A B
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
   diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4
+  "${first_difference[@]}" "$2.args" "$3.args" || true
   status=1
 }
 for each in "${cases[@]}"; do

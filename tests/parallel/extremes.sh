@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# Ranks at the extremes: more of them than elements, a particle 1e9 m away, started by mpirun itself,
+# and errors that only one rank meets: all end, in time, with one message and the right status.
+#   extremes.sh PROGRAM SOURCE SHIM   SHIM: the library of tests/cli/disk_full.c
+set -euo pipefail
+brunt=$1 decks=$2/decks shim=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+export OMP_NUM_THREADS=1
+failed=0
+fail() { echo "FAILED: $*"; failed=1; }
+limit=60  # [s] after which a run hangs
+
+run() {  # run OUT DECK RANKS OPTIONS...
+  local out=$1 deck=$2 n=$3
+  shift 3
+  timeout $limit "$brunt" run "$deck" --quiet --out "$out" --ranks "$n" --oversubscribe "$@" 2>"$out.err" ||
+    { cat "$out.err"; fail "$out: status $?"; }
+}
+same() { cmp -s "$1/history.csv" "$2/history.csv" || fail "$2 is not $1"; }
+# One status on all ways out, and one message: a line that begins with brunt:, or a deck's place.
+ends() {  # ends STATUS MESSAGE COMMAND...
+  local status=0 wanted=$1 message=$2
+  shift 2
+  timeout $limit "$@" >out.txt 2>err.txt || status=$?
+  local said
+  said=$(grep -cE "$message" err.txt || true)
+  [ "$status" = "$wanted" ] || { cat err.txt; fail "status $status instead of $wanted: $*"; }
+  [ "$said" = 1 ] || { cat err.txt; fail "said $said times instead of once: $message"; }
+}
+
+# Two elements on three ranks, which meet: one rank is empty, or nearly.
+cat >two.yaml <<'Y'
+title: Two elements
+geometry: 3d
+time: {end: 20 us}
+materials:
+  steel: {density: 7800 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}
+bodies:
+  a: {method: fe, material: steel, shape: {box: {min: [0, 0, 0], max: [1 mm, 1 mm, 1 mm]}}, size: 1 mm, velocity: [10 m/s, 0, 0]}
+  b: {method: fe, material: steel, shape: {box: {min: [1.05 mm, 0, 0], max: [2.05 mm, 1 mm, 1 mm]}}, size: 1 mm}
+output: {every: 5 us, history: 0.1 us}
+Y
+for n in 1 2 3 20; do run two-$n two.yaml $n; done
+same two-1 two-2
+same two-1 two-3
+same two-1 two-20  # 16 points: ranks without any
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "contact.a-b.planes") c = i }
+  $c > 0 { met = 1 } END { exit !met }' two-1/history.csv || fail "the two elements do not meet"
+
+# A particle that is 1e9 m away from the others at the end, in memory that grows with nothing.
+cat >stray.yaml <<'Y'
+title: A block of particles on a plate, and a particle that flies away
+geometry: 3d
+time: {end: 4 us, max_step: 0.1 us}
+materials:
+  copper: {density: 8960 kg/m^3, elastic: {E: 124 GPa, nu: 0.34}}
+bodies:
+  block: {method: sph, material: copper, shape: {box: {min: [0, 0, 0], max: [6 mm, 6 mm, 6 mm]}}, size: 1 mm, velocity: [0, 0, -20 m/s]}
+  stray: {method: sph, material: copper, shape: {box: {min: [0, 0, 50 mm], max: [1 mm, 1 mm, 51 mm]}}, size: 1 mm, velocity: [2.5e14 m/s, 0, 0]}
+  plate: {method: fe, material: copper, shape: {box: {min: [-2 mm, -2 mm, -2 mm], max: [8 mm, 8 mm, 0]}}, size: 2 mm}
+contact: {pairs: {apart: {between: [stray, any], ignore: true}}}
+output: {every: 2 us, history: 0.1 us}
+Y
+for n in 1 2 3; do (ulimit -v 4000000; run stray-$n stray.yaml $n); done
+same stray-1 stray-2
+same stray-1 stray-3
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "body.stray.position.x") c = i }
+  END { exit !($c > 0.9e9) }' stray-1/history.csv || fail "the stray particle is not far away"
+
+# mpirun by hand is what --ranks does.
+if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
+mpi=(mpirun --oversubscribe --mca mpi_yield_when_idle 1)
+timeout $limit "${mpi[@]}" -n 2 "$brunt" run two.yaml --quiet --out by-hand 2>err.txt || { cat err.txt; fail "mpirun by hand"; }
+same two-2 by-hand
+grep -q '"ranks": 2' by-hand/summary.json || fail "mpirun by hand was not two ranks"
+
+# An element inside out, on the rank that owns that end of the bar.
+cat >crush.yaml <<'Y'
+title: A bar whose last element is crushed
+geometry: 3d
+time: {end: 100 us, safety: 0.5}
+materials:
+  steel: {density: 7800 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}
+bodies:
+  bar: {method: fe, material: steel, shape: {box: {min: [0, 0, 0], max: [20 mm, 1 mm, 1 mm]}}, size: 1 mm}
+boundaries:
+  foot: {body: bar, where: {side: min-x}, fix: [x]}
+  end: {body: bar, where: {side: max-x}, velocity: [-4000 m/s, free, free]}
+output: {every: 5 us, history: 0.1 us}
+Y
+ends 3 '^brunt: ' "$brunt" run crush.yaml --quiet --out crush-1
+cp err.txt alone.txt
+for n in 2 3; do
+  ends 3 '^brunt: ' "$brunt" run crush.yaml --quiet --out crush-$n --ranks $n --oversubscribe
+  diff <(grep '^brunt' alone.txt) <(grep '^brunt' err.txt) || fail "$n ranks say something else"
+done
+
+# An output folder that cannot be: only the root tries.
+touch taken
+ends 4 '^brunt: ' "$brunt" run two.yaml --quiet --out taken/out --ranks 2 --oversubscribe
+
+# Rank 1 alone finds no checkpoint, or its disk full.
+run first two.yaml 2 --until '5 us'
+cat >one-is-odd.sh <<S
+#!/usr/bin/env bash
+if [ "\$OMPI_COMM_WORLD_RANK" = 1 ]; then
+  case \$1 in
+    restart) exec "$brunt" run two.yaml --quiet --out odd --restart nowhere ;;
+    disk) export LD_PRELOAD="$shim" BRUNT_FULL_AT=1 ;;
+  esac
+fi
+case \$1 in
+  restart) exec "$brunt" run two.yaml --quiet --out odd --restart first ;;
+  disk) exec "$brunt" run two.yaml --quiet --out full --set output.checkpoint_steps=5 ;;
+esac
+S
+chmod +x one-is-odd.sh
+ends 2 'nowhere' "${mpi[@]}" -n 2 ./one-is-odd.sh restart
+ends 4 '^brunt: .*checkpoint' "${mpi[@]}" -n 2 ./one-is-odd.sh disk
+exit $failed
