@@ -55,9 +55,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
-}  // namespace
-
-void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
+void replace(const std::filesystem::path& path, std::string_view bytes, bool lasting) {
   TemporaryFile temporary;
   std::string name = path.string() + ".tmp-XXXXXX";
   temporary.descriptor = ::mkostemp(name.data(), O_CLOEXEC);
@@ -67,11 +65,21 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
   ::umask(mask);
   if (::fchmod(temporary.descriptor, 0666 & ~mask) != 0) fail("write", path, errno);
   if (write_all(temporary.descriptor, bytes) != bytes.size()) fail("write", path, errno);
-  if (::fsync(temporary.descriptor) != 0) fail("write", path, errno);
+  if (lasting && ::fsync(temporary.descriptor) != 0) fail("write", path, errno);
   if (::close(std::exchange(temporary.descriptor, -1)) != 0) fail("write", path, errno);
   if (::rename(name.c_str(), path.c_str()) != 0) fail("write", path, errno);
   temporary.name.clear();
-  sync_folder(folder_of(path));
+  if (lasting) sync_folder(folder_of(path));
+}
+
+}  // namespace
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  replace(path, bytes, true);
+}
+
+void replace_file(const std::filesystem::path& path, std::string_view bytes) {
+  replace(path, bytes, false);
 }
 
 std::string read_file(const std::filesystem::path& path) {

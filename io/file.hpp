@@ -12,6 +12,11 @@ namespace brunt {
 /// Throws MachineError with the name of the file and the reason.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same without fsync: whole or not there after a crash of the program, not after one of the
+/// machine. For what a run writes often and can do without: waiting for the disk at every frame
+/// costs more than the frame.
+void replace_file(const std::filesystem::path& path, std::string_view bytes);
+
 /// All bytes of a file. Throws MachineError where it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 

@@ -31,7 +31,7 @@ std::string frame_index_text(const std::vector<FrameEntry>& frames) {
 }
 
 void write_frame_index(const std::filesystem::path& folder, const std::vector<FrameEntry>& frames) {
-  write_file_atomically(folder / "frames.pvd", frame_index_text(frames));
+  replace_file(folder / "frames.pvd", frame_index_text(frames));
 }
 
 std::vector<FrameEntry> read_frame_index(const std::filesystem::path& folder) {

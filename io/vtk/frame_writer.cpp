@@ -105,7 +105,7 @@ bool bring_part(const std::filesystem::path& from, const std::filesystem::path& 
 
 template <class Writer>
 void write_data(vtkDataObject* data, const std::filesystem::path& path) {
-  write_file_atomically(path, bytes_of<Writer>(data, path));
+  replace_file(path, bytes_of<Writer>(data, path));
 }
 
 /// Writes a piece, unless there is nothing in it.
@@ -177,8 +177,8 @@ void FrameWriter::join(Real time, const std::vector<std::string>& bodies,
     std::vector<FramePiece> of_part;
     of_part.reserve(pieces.size());
     for (const auto& rank : pieces) of_part.push_back(rank.at(p));
-    write_file_atomically(folder_ / frame.parts.back().file,
-                          joining_text(body ? "PUnstructuredGrid" : "PPolyData", of_part));
+    replace_file(folder_ / frame.parts.back().file,
+                 joining_text(body ? "PUnstructuredGrid" : "PPolyData", of_part));
   }
   add(std::move(frame));
 }

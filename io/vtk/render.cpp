@@ -146,7 +146,7 @@ std::vector<std::filesystem::path> render_frames(const FrameSource& source,
     create_folder(out);
     for (const std::size_t frame : frames) {
       paths.push_back(picture_path(out, style.colouring, frame));
-      write_file_atomically(paths.back(), painter.paint(source.bodies(frame), source.times[frame]));
+      replace_file(paths.back(), painter.paint(source.bodies(frame), source.times[frame]));
     }
   } catch (const std::invalid_argument& error) {
     fail(options.field, error.what());
