@@ -108,7 +108,7 @@ cat >one-is-odd.sh <<S
 if [ "\$OMPI_COMM_WORLD_RANK" = 1 ]; then
   case \$1 in
     restart) exec "$brunt" run two.yaml --quiet --out odd --restart nowhere ;;
-    disk) export LD_PRELOAD="$shim" BRUNT_FULL_AT=1 ;;
+    disk) export LD_PRELOAD="$shim" BRUNT_FULL_NAME=checkpoint BRUNT_FULL_AT=1 ;;
   esac
 fi
 case \$1 in
