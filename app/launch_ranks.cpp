@@ -26,12 +26,31 @@ std::vector<std::string> own_arguments(int argc, char** argv) {
   }
   return kept;
 }
+
+/// True where something else than this machine says how many processes there may be.
+bool has_resource_manager() {
+  for (const char* job : {"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID"}) {
+    if (std::getenv(job) != nullptr) return true;
+  }
+  return false;
+}
 }  // namespace
 
 int launch_ranks(const RunArguments& arguments, int argc, char** argv) {
   const std::string ranks = std::to_string(arguments.ranks);
   // Open MPI binds each rank to a core by default, all of its threads with it.
   std::vector<std::string> command = {"mpirun", "-n", ranks, "--bind-to", "none"};
+  if (!has_resource_manager()) {
+    if (!arguments.oversubscribe && arguments.ranks > omp_get_num_procs()) {
+      std::fprintf(stderr,
+                   "brunt: --ranks %d is more than the %d processors of this machine; "
+                   "--oversubscribe runs them all the same, slower\n",
+                   arguments.ranks, omp_get_num_procs());
+      return kDeckWrong;
+    }
+    // brunt says itself what went wrong; mpirun would add how it ended the others.
+    command.insert(command.end(), {"--quiet", "--use-hwthread-cpus"});
+  }
   if (arguments.oversubscribe) {
     command.insert(command.end(), {"--oversubscribe", "--mca", "mpi_yield_when_idle", "1"});
   }

@@ -79,16 +79,6 @@ SearchBox<Dim> finite(SearchBox<Dim> box) {
 }
 
 template <int Dim>
-SearchBox<Dim> box_about(const Vec<Dim>& x, Real reach) {
-  SearchBox<Dim> box;
-  for (int c = 0; c < Dim; ++c) {
-    box.lo[static_cast<std::size_t>(c)] = x[c] - reach;
-    box.hi[static_cast<std::size_t>(c)] = x[c] + reach;
-  }
-  return box;
-}
-
-template <int Dim>
 bool share_a_node(const ContactFace<Dim>& a, const ContactFace<Dim>& b) {
   if (a.surface != b.surface) return false;
   for (int i = 0; i < a.n_nodes; ++i) {
@@ -107,20 +97,11 @@ std::vector<LocalIndex> particles_near(std::size_t n, BoxOf box_of,
                                        std::span<const SearchBox<Dim>> faces,
                                        std::vector<SearchBox<Dim>>& boxes) {
   SearchBox<Dim> all = faces[0];
-  for (const auto& box : faces) {
-    for (std::size_t c = 0; c < Dim; ++c) {
-      all.lo[c] = std::min(all.lo[c], box.lo[c]);
-      all.hi[c] = std::max(all.hi[c], box.hi[c]);
-    }
-  }
+  for (const auto& box : faces) all.enclose(box);
   std::vector<LocalIndex> near;
   for (std::size_t p = 0; p < n; ++p) {
     const SearchBox<Dim> box = box_of(p);
-    bool apart = false;
-    for (std::size_t c = 0; c < Dim; ++c) {
-      apart = apart || all.hi[c] < box.lo[c] || box.hi[c] < all.lo[c];
-    }
-    if (apart) continue;
+    if (!box.meets(all)) continue;
     near.push_back(static_cast<LocalIndex>(p));
     boxes.push_back(box);
   }
@@ -183,7 +164,7 @@ SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
   const auto& one = entities.particles[particle];
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
   const Real reach = std::max(kDepthRadii * one.radius, one.radius + speed_reach_);
-  return finite(box_about<Dim>(x, reach + 0.5 * skin_));
+  return finite(SearchBox<Dim>::about(x, reach + 0.5 * skin_));
 }
 
 template <int Dim>

@@ -5,14 +5,6 @@
 namespace brunt {
 
 namespace {
-template <int Dim>
-bool overlap(const SearchBox<Dim>& a, const SearchBox<Dim>& b) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
-    if (a.hi[c] < b.lo[c] || b.hi[c] < a.lo[c]) return false;
-  }
-  return true;
-}
-
 /// Names the corners that share the force and returns their mean velocity [m/s].
 template <int Dim>
 Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& face,
@@ -55,7 +47,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
   for (const auto& candidate : candidates) {
     const auto lower = static_cast<std::size_t>(candidate.lower);
     const auto upper = static_cast<std::size_t>(candidate.upper);
-    if (!overlap<Dim>(entities.reaches[lower], entities.reaches[upper])) continue;
+    if (!entities.reaches[lower].meets(entities.reaches[upper])) continue;
     const int n =
         common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes);
     for (int i = 0; i < n; ++i) {

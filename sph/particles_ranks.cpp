@@ -17,15 +17,6 @@ struct Visitor {
   Real x[Dim], v[Dim];   // [m], [m/s]
 };
 
-template <int Dim>
-SearchBox<Dim> box_about(const Vec<Dim>& x, Real reach) {
-  SearchBox<Dim> box;
-  for (int c = 0; c < Dim; ++c) {
-    box.lo[static_cast<std::size_t>(c)] = x[c] - reach;
-    box.hi[static_cast<std::size_t>(c)] = x[c] + reach;
-  }
-  return box;
-}
 }  // namespace
 
 template <int Dim>
@@ -72,7 +63,7 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
   const std::size_t n = n_owned();
   std::vector<SearchBox<Dim>> boxes;
   for (std::size_t i = 0; i < n; ++i) {
-    boxes.push_back(box_about<Dim>(points_.x[i], smoothing_length_[i] + 0.5 * skin));
+    boxes.push_back(SearchBox<Dim>::about(points_.x[i], smoothing_length_[i] + 0.5 * skin));
   }
   auto send = who_wants<Dim>(*ranks_, boxes, boxes);
   std::vector<Bytes> to;

@@ -9,23 +9,6 @@ namespace brunt {
 namespace {
 /// Runs that a rank shows: 48 bytes each, and so many tests a box that is near.
 constexpr std::size_t kRuns = 128;
-
-template <int Dim>
-void enclose(SearchBox<Dim>& box, const SearchBox<Dim>& other) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
-    box.lo[c] = std::min(box.lo[c], other.lo[c]);
-    box.hi[c] = std::max(box.hi[c], other.hi[c]);
-  }
-}
-
-template <int Dim>
-bool overlap(const SearchBox<Dim>& a, const SearchBox<Dim>& b) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
-    if (a.hi[c] < b.lo[c] || b.hi[c] < a.lo[c]) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -35,7 +18,7 @@ std::vector<SearchBox<Dim>> runs_of(std::span<const SearchBox<Dim>> boxes) {
   for (std::size_t r = 0; r < count; ++r) {
     const std::size_t first = n * r / count, last = n * (r + 1) / count;
     runs.push_back(boxes[first]);
-    for (std::size_t i = first + 1; i < last; ++i) enclose<Dim>(runs.back(), boxes[i]);
+    for (std::size_t i = first + 1; i < last; ++i) runs.back().enclose(boxes[i]);
   }
   return runs;
 }
@@ -46,12 +29,11 @@ std::vector<LocalIndex> meeting(std::span<const SearchBox<Dim>> boxes,
   std::vector<LocalIndex> list;
   if (runs.empty()) return list;
   SearchBox<Dim> all = runs.front();
-  for (const auto& run : runs) enclose<Dim>(all, run);
+  for (const auto& run : runs) all.enclose(run);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!overlap<Dim>(boxes[i], all)) continue;
-    const bool near = std::any_of(runs.begin(), runs.end(), [&](const SearchBox<Dim>& run) {
-      return overlap<Dim>(boxes[i], run);
-    });
+    if (!boxes[i].meets(all)) continue;
+    const bool near = std::any_of(runs.begin(), runs.end(),
+                                  [&](const SearchBox<Dim>& run) { return boxes[i].meets(run); });
     if (near) list.push_back(static_cast<LocalIndex>(i));
   }
   return list;

@@ -9,21 +9,13 @@ namespace brunt {
 namespace {
 
 template <int Dim>
-bool overlap(const SearchBox<Dim>& a, const SearchBox<Dim>& b) {
-  for (int c = 0; c < Dim; ++c) {
-    if (!(a.lo[c] <= b.hi[c] && b.lo[c] <= a.hi[c])) return false;
-  }
-  return true;
-}
-
-template <int Dim>
 struct PairQuery {
   std::span<const SearchBox<Dim>> boxes;
   const std::function<bool(LocalIndex, LocalIndex)>& admits;
 
   void append_if_met(LocalIndex i, LocalIndex j, std::vector<IndexPair>& out) const {
     const auto [a, b] = std::minmax(i, j);
-    if (admits(a, b) && overlap<Dim>(boxes[a], boxes[b])) out.emplace_back(a, b);
+    if (admits(a, b) && boxes[a].meets(boxes[b])) out.emplace_back(a, b);
   }
 };
 

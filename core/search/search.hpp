@@ -1,6 +1,7 @@
 #pragma once
 /// The one broad phase, for SPH neighbour lists and for contact (contact.md 2.2, 2.3): hashed cells
 /// by size class, no cell array, cost independent of the domain; brute force beside it to compare.
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <span>
@@ -16,6 +17,28 @@ enum class SearchMode : int { grid, brute };
 template <int Dim>
 struct SearchBox {
   std::array<Real, Dim> lo, hi;  ///< [m]
+
+  static SearchBox about(const Vec<Dim>& x, Real reach) {
+    SearchBox box;
+    for (std::size_t c = 0; c < Dim; ++c) {
+      box.lo[c] = x[static_cast<int>(c)] - reach;
+      box.hi[c] = x[static_cast<int>(c)] + reach;
+    }
+    return box;
+  }
+  /// Closed boxes that touch meet; one that is not a number meets nothing.
+  bool meets(const SearchBox& other) const {
+    for (std::size_t c = 0; c < Dim; ++c) {
+      if (!(lo[c] <= other.hi[c] && other.lo[c] <= hi[c])) return false;
+    }
+    return true;
+  }
+  void enclose(const SearchBox& other) {
+    for (std::size_t c = 0; c < Dim; ++c) {
+      lo[c] = std::min(lo[c], other.lo[c]);
+      hi[c] = std::max(hi[c], other.hi[c]);
+    }
+  }
 };
 
 using IndexPair = std::pair<LocalIndex, LocalIndex>;

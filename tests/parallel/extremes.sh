@@ -27,8 +27,12 @@ ends() {  # ends STATUS MESSAGE COMMAND...
   local said
   said=$(grep -cE "$message" err.txt || true)
   [ "$status" = "$wanted" ] || { cat err.txt; fail "status $status instead of $wanted: $*"; }
+  [ "$1" != "$brunt" ] || ! grep -q MPI_ABORT err.txt || fail "Open MPI talks too: $*"
   [ "$said" = 1 ] || { cat err.txt; fail "said $said times instead of once: $message"; }
 }
+
+ends 2 "^--set" "$brunt" run "$decks/bars/bars.yaml" --out wrong --ranks 2 --oversubscribe --set time.ende=3
+ends 2 "^brunt: --ranks 999" "$brunt" run "$decks/bars/bars.yaml" --out many --ranks 999
 
 # Two elements on three ranks, which meet: one rank is empty, or nearly.
 cat >two.yaml <<'Y'
