@@ -53,6 +53,35 @@ TEST(ContactManager, SheetsThatAreOpenOrTouchPushNothing) {
   }
 }
 
+// What the skin lets into the lists is beyond contact and may add nothing, not even zero times it:
+// a sheet and a particle near by, with velocities that are no numbers, change no bit of a force.
+TEST(ContactManager, EntriesOfTheSkinAddNothing) {
+  const auto forces = [](Real velocity) {
+    ContactScene<3> scene;
+    scene.options.skin = 3;
+    add_sheet(scene, 4, 0, 1, 0.1, true, kStiffness, 1);
+    add_sheet(scene, 5, 0, 1, 0, false, kStiffness, 1);
+    add_sheet(scene, 3, 0, 1, 0.8, false, kStiffness, 1);
+    auto& group = scene.add_group();
+    scene.add_particle(group, Vec3(0.5, 0.5, 0.6), 0.1, kStiffness, 1);
+    for (std::size_t far : {2u, 3u}) {
+      for (auto& v : scene.groups[far].points.v) v.setConstant(velocity);
+    }
+    scene.start();
+    scene.evaluate();
+    EXPECT_GT(scene.contact->work().candidates, 16u * 25u);
+    EXPECT_EQ(scene.contact->work().contacts, 64u);
+    std::vector<Vec3> all;
+    for (const auto& near : {0u, 1u}) {
+      const auto& f = scene.groups[near].points.f;
+      all.insert(all.end(), f.begin(), f.end());
+    }
+    return all;
+  };
+  const auto healthy = forces(0), poisoned = forces(std::nan(""));
+  for (std::size_t i = 0; i < healthy.size(); ++i) EXPECT_EQ(healthy[i], poisoned[i]);
+}
+
 TEST(ContactManager, EdgesInTwoDimensions) {
   ContactScene<2> scene;
   scene.depth = 0.25;

@@ -53,6 +53,49 @@ TEST(SphParticles, GradientOfALinearFieldIsExact) {
   expect_linear_field_exact<3>();
 }
 
+// What the skin lets into the lists lies beyond the kernel and may add nothing, not even zero times
+// it: a layer 2.2 h off, whose velocities and stresses are no numbers, changes no bit of a force.
+template <int Dim>
+void expect_skin_adds_nothing() {
+  const auto material = elastic_material(kDensity, 200e9, 0.3);
+  const SphOptions options;  // viscosity and artificial stress on
+  const Real h = options.smoothing * kDp;
+  std::array<int, Dim> n;
+  n.fill(6);
+  const auto forces = [&](Real velocity) {
+    auto points = lattice<Dim>(n, kDp, kDensity * std::pow(kDp, Dim));
+    std::vector<std::size_t> near, far;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      const bool last = points.x[i][0] > 5 * kDp;
+      (last ? far : near).push_back(i);
+      if (last) points.x[i][0] += 2.2 * h - kDp;
+      points.v[i].setConstant(10 * std::sin(2000 * points.x[i].sum()));
+    }
+    std::vector<Real> reach(points.x.size(), h);
+    const std::vector<Label> label(points.x.size(), 0);
+    const auto lists = neighbours_within<Dim>(points.x, reach, label, 0.35 * h, SearchMode::brute);
+    const auto last_of_row = static_cast<std::size_t>(lists.offset[near.back() + 1] - 1);
+    EXPECT_EQ(static_cast<std::size_t>(lists.neighbour[last_of_row]), far.back());
+    auto solid = particles<Dim>(std::move(points), kDp, *material, options);
+    for (const std::size_t i : far) solid->points().v[i].setConstant(velocity);
+    for (auto& f : solid->points().f) f.setZero();
+    solid->update_state(1e-8);
+    solid->add_internal_forces(1e-8);
+    std::vector<Vec<Dim>> all;
+    for (const std::size_t i : near) all.push_back(solid->points().f[i]);
+    return all;
+  };
+  const auto healthy = forces(0), poisoned = forces(std::nan(""));
+  for (std::size_t i = 0; i < healthy.size(); ++i) {
+    EXPECT_GT(healthy[i].norm(), 0);
+    EXPECT_EQ(healthy[i], poisoned[i]);
+  }
+}
+TEST(SphParticles, EntriesOfTheSkinAddNothing) {
+  expect_skin_adds_nothing<2>();
+  expect_skin_adds_nothing<3>();
+}
+
 // B1.18: a prescribed rigid rotation turns the stress and does not change it: ten turns at 360
 // steps a turn, | |sigma| - |sigma_0| | <= 1e-8 |sigma_0| at every particle. The pressure takes
 // part through the density.
