@@ -46,7 +46,8 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
     for (const auto& pair : scene.contact->reports()) {
       const std::string head = "contact." + pair.name + ".";
       for (int c = 0; c < Dim; ++c) names_.push_back(head + "force." + kAxes[c]);
-      for (const char* name : {"area", "max_penetration", "planes"}) names_.push_back(head + name);
+      for (const char* name : {"area", "friction_heat", "max_penetration", "planes"})
+        names_.push_back(head + name);
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {
@@ -103,8 +104,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   if (scene.contact) {
     for (const auto& pair : scene.contact->reports()) {
       for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
-      values.insert(values.end(),
-                    {pair.area, pair.max_penetration, static_cast<Real>(pair.planes)});
+      values.insert(values.end(), {pair.area, pair.friction_heat, pair.max_penetration,
+                                   static_cast<Real>(pair.planes)});
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {

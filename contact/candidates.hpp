@@ -11,9 +11,10 @@ namespace brunt {
 /// Two faces that may touch before the list is rebuilt, lower index first, with their law.
 struct FaceCandidate {
   LocalIndex lower = 0, upper = 0;
-  Real stiffness = 0;  ///< [Pa/m]
-  Real damping = 0;    ///< [Pa s/m]
-  Real limit = 0;      ///< [m] penetration at which they let go: the smaller depth
+  Real stiffness = 0;                 ///< [Pa/m]
+  Real damping = 0;                   ///< [Pa s/m]
+  Real limit = 0;                     ///< [m] penetration at which they let go: the smaller depth
+  const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
 };
 
 struct ParticleCandidate {
@@ -21,7 +22,8 @@ struct ParticleCandidate {
   Real stiffness = 0;  ///< [N/m] per breadth
   Real own = 0;        ///< [N/m] phi times the particle's own spring, per breadth
   Real zeta = 0;
-  Real limit = 0;  ///< [m] how far behind the face the particle is held
+  Real limit = 0;                     ///< [m] how far behind the face the particle is held
+  const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
 };
 
 /// The lists of what may touch, complete for as long as a bound on all motion holds
@@ -31,8 +33,9 @@ class Candidates {
  public:
   Candidates(SearchMode mode, std::optional<Real> skin) : mode_(mode), given_skin_(skin) {}
 
-  /// Lists at nodes.x; longest [s] is the step whose speed votes they must serve. With other ranks
-  /// it first brings in their faces that may touch what is evaluated here. Collective.
+  /// Lists at nodes.x; pairs outlive them; longest [s] is the step whose speed votes they must
+  /// serve. With other ranks it first brings in their faces that may touch what is evaluated here.
+  /// Collective.
   void build(Entities<Dim>& entities, const PairTable& pairs, Real longest,
              ContactImports<Dim>& imports);
   /// True if they hold every contact and speed vote at nodes.x, nodes.v, planes; the same on all

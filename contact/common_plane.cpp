@@ -198,6 +198,7 @@ int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Sec
   for (std::size_t i = 0; i < below.count; ++i) {
     for (std::size_t j = 0; j < above.count; ++j) {
       if (!one_plane(below[i], above[j], section, plane[n])) continue;
+      plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
       below.spread(i, plane[n].lower_weight);
       above.spread(j, plane[n].upper_weight);
       ++n;
@@ -246,6 +247,7 @@ int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, cons
   if constexpr (Dim == 3) {
     if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, plane);
   }
+  plane[0].ordinal = 0;
   return one_plane(lower, upper, section, plane[0]) ? 1 : 0;
 }
 

@@ -24,12 +24,13 @@ struct Section {
 template <int Dim>
 struct CommonPlane {
   static constexpr int kCorners = Facet<Dim>::kNodes;
-  Vec<Dim> normal;       ///< unit, from the lower to the upper face
-  Vec<Dim> point;        ///< [m] centre of pressure, on the common plane
-  Real ramp = 0;         ///< 0 .. 1: fades where the faces stop opposing each other
-  Real area = 0;         ///< [m^2] under pressure
-  Real volume = 0;       ///< [m^3] integral of the penetration, times ramp
-  Real penetration = 0;  ///< [m] at `point`
+  Vec<Dim> normal;            ///< unit, from the lower to the upper face
+  Vec<Dim> point;             ///< [m] centre of pressure, on the common plane
+  Real ramp = 0;              ///< 0 .. 1: fades where the faces stop opposing each other
+  Real area = 0;              ///< [m^2] under pressure
+  Real volume = 0;            ///< [m^3] integral of the penetration, times ramp
+  Real penetration = 0;       ///< [m] at `point`
+  std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
   Polygon polygon;  ///< 3D: the area under pressure, about origin, along axis_1 and axis_2
   Vec<Dim> origin;  ///< [m]

@@ -178,6 +178,10 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   }
   spring_energy.push_back(0);
   damping_energy.push_back(0);
+  if (rubs) {
+    friction.push_back(Vec<Dim>::Zero());
+    for (auto* field : {&friction_heat, &friction_stored, &pair_energy}) field->push_back(0);
+  }
   return static_cast<LocalIndex>(size()) - 1;
 }
 
@@ -211,12 +215,16 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     spring[i] = old.spring[*it], damping[i] = old.damping[*it];
     spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
     spring_energy[i] = old.spring_energy[*it], damping_energy[i] = old.damping_energy[*it];
+    if (!rubs) continue;
+    friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];
+    friction_stored[i] = old.friction_stored[*it], pair_energy[i] = old.pair_energy[*it];
   }
 }
 
 template <int Dim>
 Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
                         const Section& section, const ContactRanks& ranks) {
+  nodes.rubs = pairs.rubs();
   std::vector<Real> sizes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const auto& surface = *surfaces[s];
@@ -269,6 +277,38 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   face_velocity.resize(faces.size());
   boxes.resize(faces.size());
   reaches.resize(faces.size());
+  if (nodes.rubs) tractions.assign(faces.size(), {});
+}
+
+namespace {
+template <class Table>
+std::size_t place_of(const Table& table, GlobalId id) {
+  const auto at =
+      std::lower_bound(table.begin(), table.end(), id,
+                       [](const auto& one, GlobalId wanted) { return one.id < wanted; });
+  return static_cast<std::size_t>(at - table.begin());
+}
+}  // namespace
+
+template <int Dim>
+std::size_t Entities<Dim>::face_with(GlobalId id) const {
+  return place_of(faces, id);
+}
+
+template <int Dim>
+std::size_t Entities<Dim>::particle_with(GlobalId id) const {
+  return place_of(particles, id);
+}
+
+template <int Dim>
+void Entities<Dim>::inherit_tractions(const Entities& old) {
+  if (!nodes.rubs) return;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::size_t before = old.face_with(faces[f].id);
+    if (before < old.faces.size() && old.faces[before].id == faces[f].id) {
+      tractions[f] = old.tractions[before];
+    }
+  }
 }
 
 template <int Dim>

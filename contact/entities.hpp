@@ -23,6 +23,9 @@ struct ContactNodes {
   std::vector<Vec<Dim>> spring, damping;            ///< [N] forces of this evaluation
   std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
   std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
+  bool rubs = false;               ///< some pair has friction; else the fields below are empty
+  std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
+  std::vector<Real> friction_heat, friction_stored, pair_energy;  ///< [J] booked since time 0
 
   std::size_t size() const { return point.size(); }
   LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
@@ -56,6 +59,13 @@ struct ContactFace {
   bool rigid() const { return stiffness == 0; }
 };
 
+/// The friction that a face carried at the last evaluation, which a new contact beside inherits.
+template <int Dim>
+struct FaceTraction {
+  Real area = 0;                      ///< [m^2] that carries it
+  Vec<Dim> force = Vec<Dim>::Zero();  ///< [N] on this face
+};
+
 struct ContactParticle {
   LocalIndex node = 0;
   LocalIndex surface = 0;
@@ -81,20 +91,26 @@ struct Entities {
   ContactNodes<Dim> nodes;
   std::vector<ContactFace<Dim>> faces;
   std::vector<ContactParticle> particles;
-  std::vector<FacePlane<Dim>> planes;   ///< of each face, at nodes.x
-  std::vector<Vec<Dim>> face_velocity;  ///< [m/s] mean over the corners
-  std::vector<SearchBox<Dim>> boxes;    ///< of planes
-  std::vector<SearchBox<Dim>> reaches;  ///< boxes wide enough for any face-on-face contact
-  StepVote particle_vote;               ///< bound from the particles' own springs
-  Real deepest = 0;                     ///< [m] largest depth of a face of any rank
-  Real size = 0;                        ///< [m] median size of faces and particles, of all ranks
-  bool any_particles = false;           ///< on any rank
+  std::vector<FacePlane<Dim>> planes;        ///< of each face, at nodes.x
+  std::vector<Vec<Dim>> face_velocity;       ///< [m/s] mean over the corners
+  std::vector<SearchBox<Dim>> boxes;         ///< of planes
+  std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
+  std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
+  StepVote particle_vote;                    ///< bound from the particles' own springs
+  Real deepest = 0;                          ///< [m] largest depth of a face of any rank
+  Real size = 0;               ///< [m] median size of faces and particles, of all ranks
+  bool any_particles = false;  ///< on any rank
 
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
            const Section& section, const ContactRanks& ranks);
   /// Takes in faces of other ranks, their nodes already among `nodes`, and sorts again.
   void add_faces(const std::vector<ContactFace<Dim>>& imported);
+  /// Place of the face or particle with an id; it is there.
+  std::size_t face_with(GlobalId id) const;
+  std::size_t particle_with(GlobalId id) const;
+  /// Takes over what the same faces remember in an older table.
+  void inherit_tractions(const Entities& old);
   /// Planes, velocities and boxes of all faces at nodes.x, nodes.v.
   void refresh_planes();
   /// Bound from the faces' own springs, before anything touches (physics.md A5).

@@ -38,11 +38,45 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   record.damping = std::max(candidate.damping * plane.ramp * plane.area * closing, -record.spring);
   return record;
 }
+/// What a new contact takes over from those that its faces had, on the upper side [Pa].
+template <int Dim>
+Vec<Dim> inherited(const FaceTraction<Dim>& lower, const FaceTraction<Dim>& upper) {
+  const Real area = lower.area + upper.area;
+  if (!(area > 0)) return Vec<Dim>::Zero();
+  return (upper.force - lower.force) / area;
+}
+
+template <int Dim>
+void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                  const CommonPlane<Dim>& plane, const Section& section, Real dt,
+                  FrictionHistory<Dim>& history, typename Records<Dim>::Part& part) {
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  auto& record = part.face_on_face.back();
+  const int n_lower = entities.faces[l].n_nodes;
+  const bool torques = section.geometry != Geometry::axisymmetric;
+  FrictionStep<Dim> step;
+  step.options = candidate.rubs;
+  step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
+  step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
+  step.point = plane.point;
+  step.area = plane.ramp * plane.area;
+  step.pressed = plane.area;
+  step.stiffness = candidate.stiffness;
+  step.dt = dt;
+  step.before = history.of_faces(key_of(record));
+  if (step.before == nullptr) {
+    step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
+  }
+  record.friction = static_cast<std::int32_t>(part.frictions.size());
+  part.frictions.push_back(friction_of(entities.nodes, record, step));
+}
 }  // namespace
 
 template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
-                    const Section& section, std::vector<ContactRecord<Dim>>& records) {
+                    const Section& section, const EvaluationStep& step,
+                    FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
   std::array<CommonPlane<Dim>, 4> planes;
   for (const auto& candidate : candidates) {
     const auto lower = static_cast<std::size_t>(candidate.lower);
@@ -53,15 +87,17 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
       if (plane.penetration > candidate.limit) continue;
-      records.push_back(record_of(entities, candidate, plane));
-      records.back().ordinal = static_cast<std::uint32_t>(i);
+      part.face_on_face.push_back(record_of(entities, candidate, plane));
+      part.face_on_face.back().ordinal = plane.ordinal;
+      if (candidate.rubs == nullptr || history == nullptr) continue;
+      add_friction(entities, candidate, plane, section, step.dt, *history, part);
     }
   }
 }
 
 template void evaluate_faces<2>(const Entities<2>&, std::span<const FaceCandidate>, const Section&,
-                                std::vector<ContactRecord<2>>&);
+                                const EvaluationStep&, FrictionHistory<2>*, Records<2>::Part&);
 template void evaluate_faces<3>(const Entities<3>&, std::span<const FaceCandidate>, const Section&,
-                                std::vector<ContactRecord<3>>&);
+                                const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
 
 }  // namespace brunt

@@ -94,9 +94,31 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& 
 }
 
 template <int Dim>
+void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
+                  const ParticleCandidate& candidate, const ParticleHit<Dim>& hit,
+                  const Section& section, Real dt, FrictionHistory<Dim>& history,
+                  typename Records<Dim>::Part& part) {
+  const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
+  auto& record = part.particle_on_face.back();
+  FrictionStep<Dim> step;
+  step.options = candidate.rubs;
+  step.upper = {0, 1, false};
+  step.lower = {1, record.n_nodes, section.geometry != Geometry::axisymmetric && !face.rigid()};
+  step.point = now.x;
+  step.area = hit.share;
+  step.pressed = hit.share * record.area;
+  step.stiffness = candidate.stiffness * now.breadth;
+  step.dt = dt;
+  step.before = history.of_particle(record.first, face.body, face.piece, face.id, record.normal);
+  record.friction = static_cast<std::int32_t>(part.frictions.size());
+  auto& friction = part.frictions.emplace_back(friction_of(entities.nodes, record, step));
+  friction.body = face.body, friction.piece = face.piece;
+}
+
+template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
-                 std::span<const ParticleCandidate> candidates, Real dt,
-                 typename Records<Dim>::Part& part) {
+                 std::span<const ParticleCandidate> candidates, const Section& section, Real dt,
+                 FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   Real squared_frequency = 0, zeta = 0;
   for (const auto& hit : part.hits) {
@@ -104,6 +126,9 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
     const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
     part.particle_on_face.push_back(
         record_of(entities, now, candidate, hit, dt, squared_frequency));
+    if (candidate.rubs != nullptr && history != nullptr) {
+      add_friction(entities, now, candidate, hit, section, dt, *history, part);
+    }
     zeta = std::max(zeta, candidate.zeta);
   }
   if (squared_frequency > 0) {
@@ -117,7 +142,8 @@ template <int Dim>
 void evaluate_particles(const Entities<Dim>& entities,
                         std::span<const ParticleCandidate> candidates,
                         std::span<const std::size_t> starts, const Section& section,
-                        const EvaluationStep& step, typename Records<Dim>::Part& part) {
+                        const EvaluationStep& step, FrictionHistory<Dim>* history,
+                        typename Records<Dim>::Part& part) {
   for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
     const auto& particle =
         entities.particles[static_cast<std::size_t>(candidates[starts[s]].particle)];
@@ -140,15 +166,16 @@ void evaluate_particles(const Entities<Dim>& entities,
       hit.candidate = static_cast<LocalIndex>(i);
       hit.nearest = nearest_point<Dim>(plane, x);
     }
-    if (!part.hits.empty()) record_hits(entities, now, candidates, step.dt, part);
+    if (part.hits.empty()) continue;
+    record_hits(entities, now, candidates, section, step.dt, history, part);
   }
 }
 
 template void evaluate_particles<2>(const Entities<2>&, std::span<const ParticleCandidate>,
                                     std::span<const std::size_t>, const Section&,
-                                    const EvaluationStep&, Records<2>::Part&);
+                                    const EvaluationStep&, FrictionHistory<2>*, Records<2>::Part&);
 template void evaluate_particles<3>(const Entities<3>&, std::span<const ParticleCandidate>,
                                     std::span<const std::size_t>, const Section&,
-                                    const EvaluationStep&, Records<3>::Part&);
+                                    const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
 
 }  // namespace brunt

@@ -26,8 +26,24 @@ struct ContactManager<Dim>::Implementation {
   /// Tables and lists anew at the present positions; what is booked stays with the points' ids.
   /// with_motion: velocities are those of the step under way, else of the last evaluation.
   void renew(Real ahead, bool with_motion);
-  /// Records and votes of the lists at the present motion.
-  void evaluate(Real dt, const StepVote& longest, Real ahead);
+  /// Records and votes of the lists at the present motion; friction goes on from `history`, or is
+  /// left out where there is none.
+  void evaluate(Real dt, const StepVote& longest, Real ahead, FrictionHistory<Dim>* history);
+  /// Makes the records of the last step the past of this one, and books their work at nodes.v.
+  void begin_friction(Real dt);
+  /// Books what friction did in this step, and what the faces carry from now on. Collective.
+  void end_friction();
+  /// Finds the nodes of all records in new tables at the same positions.
+  void name_nodes();
+  /// Tables of what contacts remember: one for each place of a contact among those of its lower
+  /// face, or of its particle.
+  void save_friction(std::vector<StateTable>& tables) const;
+  /// Gives the records of an evaluation without friction what they remembered. Collective.
+  void load_friction(const StateTables& tables);
+  /// Mixed bits of what all contacts remember, in any order.
+  std::uint64_t friction_hash() const;
+  /// What each face carries, from the records of all ranks. Collective.
+  void sum_tractions();
 
   ContactOptions options;
   Section section;
@@ -38,6 +54,7 @@ struct ContactManager<Dim>::Implementation {
   ContactImports<Dim> imports;
   Candidates<Dim> candidates;
   Records<Dim> records;
+  FrictionHistory<Dim> history;
   StepVote vote;
   Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation

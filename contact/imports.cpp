@@ -81,6 +81,7 @@ void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
   entities.refresh_planes();
   plan(entities.nodes);
   find_peers(entities.nodes);
+  if (entities.nodes.rubs) plan_tractions(entities);
 }
 
 template <int Dim>
@@ -198,17 +199,18 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
   std::vector<Contribution<Dim>> received;
   if (ranks().alone()) return received;
   std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
-  records.visit([&](const ContactRecord<Dim>& record) {
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     for (int i = 0; i < record.n_nodes; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const auto at = static_cast<std::size_t>(record.node[k]);
       if (nodes.owned[at]) continue;
       const Vec<Dim> spring = record.weight[k] * record.spring * record.normal;
       const Vec<Dim> damping = record.weight[k] * record.damping * record.normal;
-      Letter<Dim> letter{{key_of(record), 0, {}, {}}, nodes.surface[at], nodes.id[at]};
+      Letter<Dim> letter{{key_of(record), 0, {}, {}, {}}, nodes.surface[at], nodes.id[at]};
       for (int c = 0; c < Dim; ++c) {
         letter.what.spring[c] = spring[c];
         letter.what.damping[c] = damping[c];
+        if (friction != nullptr) letter.what.friction[c] = friction->force[k][c];
       }
       to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
     }
@@ -223,6 +225,81 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
       unpacker >> letter;
       letter.what.node = place_.at({letter.surface, letter.point});
       received.push_back(letter.what);
+    }
+  }
+  std::sort(received.begin(), received.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  return received;
+}
+
+/// A face belongs to the owner of its first corner.
+template <int Dim>
+int ContactImports<Dim>::owner_of(const Entities<Dim>& entities,
+                                  const ContactFace<Dim>& face) const {
+  return ranks_.owner_of(entities.nodes.id[static_cast<std::size_t>(face.node[0])]);
+}
+
+template <int Dim>
+void ContactImports<Dim>::plan_tractions(const Entities<Dim>& entities) {
+  std::vector<GlobalId> ids, owned;
+  std::vector<LocalIndex> places;
+  std::vector<int> owners;
+  sent_from_.clear();
+  for (std::size_t f = 0; f < entities.faces.size(); ++f) {
+    const auto& face = entities.faces[f];
+    if (face.rigid()) continue;  // stands on every rank, and carries nothing on
+    if (face.owned) {
+      owned.push_back(face.id);
+      sent_from_.push_back(static_cast<LocalIndex>(f));
+    } else {
+      ids.push_back(face.id);
+      places.push_back(static_cast<LocalIndex>(f));
+      owners.push_back(owner_of(entities, face));
+    }
+  }
+  tractions_ = plan_ghosts(ranks(), ids, places, owners, owned);
+}
+
+template <int Dim>
+void ContactImports<Dim>::refresh_tractions(Entities<Dim>& entities) const {
+  if (!entities.nodes.rubs) return;
+  refresh_ghosts(
+      ranks(), tractions_, 1 + Dim,
+      [&](std::size_t i, Real* out) {
+        const auto& from = entities.tractions[static_cast<std::size_t>(sent_from_[i])];
+        out[0] = from.area;
+        for (int c = 0; c < Dim; ++c) out[1 + c] = from.force[c];
+      },
+      [&](std::size_t i, const Real* in) {
+        entities.tractions[i].area = in[0];
+        for (int c = 0; c < Dim; ++c) entities.tractions[i].force[c] = in[1 + c];
+      });
+}
+
+template <int Dim>
+std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
+    const Records<Dim>& records, const Entities<Dim>& entities) const {
+  std::vector<TractionShare<Dim>> received;
+  if (ranks().alone()) return received;
+  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+    if (friction == nullptr || friction->key.of_particle) return;
+    const auto& upper = entities.faces[entities.face_with(friction->key.second)];
+    if (upper.owned || upper.rigid()) return;
+    TractionShare<Dim> share{friction->key, friction->area, {}};
+    const Vec<Dim> force = friction->resultant();
+    for (int c = 0; c < Dim; ++c) share.force[c] = force[c];
+    to[static_cast<std::size_t>(owner_of(entities, upper))] << share;
+  });
+  std::vector<Bytes> bytes;
+  bytes.reserve(peers_.size());
+  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
+  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
+    Unpacker unpacker(from);
+    while (!unpacker.done()) {
+      TractionShare<Dim> share;
+      unpacker >> share;
+      received.push_back(share);
     }
   }
   std::sort(received.begin(), received.end(),

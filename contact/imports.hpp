@@ -9,6 +9,14 @@
 
 namespace brunt {
 
+/// What one contact leaves on its upper face.
+template <int Dim>
+struct TractionShare {
+  ContactKey key;
+  Real area;        ///< [m^2]
+  Real force[Dim];  ///< [N]
+};
+
 /// Faces of other ranks that may touch what this rank evaluates, and the way of forces back to the
 /// owners of their nodes (contact.md 2.7). Rigid faces stand on every rank and are never imported.
 template <int Dim>
@@ -29,6 +37,12 @@ class ContactImports {
   /// sorted by key. Collective.
   std::vector<Contribution<Dim>> send_home(const Records<Dim>& records,
                                            const ContactNodes<Dim>& nodes) const;
+  /// Sends what contacts evaluated here leave on faces of other ranks to their owners; returns what
+  /// others send here, sorted by key. Collective among neighbours.
+  std::vector<TractionShare<Dim>> send_tractions(const Records<Dim>& records,
+                                                 const Entities<Dim>& entities) const;
+  /// Brings the tractions of the faces that others own up to date. Collective among neighbours.
+  void refresh_tractions(Entities<Dim>& entities) const;
 
  private:
   Bytes pack_faces(const std::vector<LocalIndex>& chosen, const Entities<Dim>& entities) const;
@@ -37,14 +51,18 @@ class ContactImports {
   LocalIndex node_of(LocalIndex surface, GlobalId id, Real mass, const Vec<Dim>& x,
                      const Vec<Dim>& v, Entities<Dim>& entities);
   void plan(const ContactNodes<Dim>& nodes);
+  void plan_tractions(const Entities<Dim>& entities);
+  int owner_of(const Entities<Dim>& entities, const ContactFace<Dim>& face) const;
   void find_peers(const ContactNodes<Dim>& nodes);
 
   using Name = std::pair<LocalIndex, GlobalId>;  // surface, point
   ContactRanks ranks_;
   std::vector<Surface<Dim>*> surfaces_;
-  std::map<Name, LocalIndex> place_;  // of every node of the entities
-  std::vector<GhostPlan> plans_;      // by surface: points of owners to nodes here
-  std::vector<int> peers_;            // ranks that own nodes here, and ranks with own ones
+  std::map<Name, LocalIndex> place_;   // of every node of the entities
+  std::vector<GhostPlan> plans_;       // by surface: points of owners to nodes here
+  std::vector<int> peers_;             // ranks that own nodes here, and ranks with own ones
+  GhostPlan tractions_;                // of faces, from their owners
+  std::vector<LocalIndex> sent_from_;  // faces that tractions_ names, by their place there
 };
 
 }  // namespace brunt

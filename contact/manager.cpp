@@ -31,20 +31,22 @@ template <int Dim>
 void ContactManager<Dim>::Implementation::renew(Real ahead, bool with_motion) {
   Entities<Dim> fresh(surfaces, pairs, section, ranks);
   if (started) fresh.nodes.inherit(entities.nodes);
-  entities = std::move(fresh);
+  std::swap(entities, fresh);
   if (with_motion) entities.nodes.read_motion(surfaces);
   entities.refresh_planes();
   candidates.build(entities, pairs, ahead, imports);
+  if (started) entities.inherit_tractions(fresh);
 }
 
 template <int Dim>
-void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& longest, Real ahead) {
+void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& longest, Real ahead,
+                                                   FrictionHistory<Dim>* past) {
   records.clear();
   const auto on_faces = candidates.faces();
   records.for_parts(on_faces.size(), kWorthThreads,
                     [&](std::size_t first, std::size_t last, auto& part) {
                       evaluate_faces<Dim>(entities, on_faces.subspan(first, last - first), section,
-                                          part.face_on_face);
+                                          {dt, ahead}, past, part);
                     });
   const auto on_particles = candidates.particles();
   const auto starts = candidates.particle_starts();
@@ -52,7 +54,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
     records.for_parts(
         starts.size() - 1, kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
           evaluate_particles<Dim>(entities, on_particles, starts.subspan(first, last - first + 1),
-                                  section, {dt, ahead}, part);
+                                  section, {dt, ahead}, past, part);
         });
   }
   vote = longest;
@@ -98,13 +100,14 @@ void ContactManager<Dim>::rearrange() {
   auto& own = *implementation_;
   if (own.started) {
     own.renew(own.ahead_last, false);
+    own.name_nodes();
     return;
   }
   own.entities.refresh_planes();
   const StepVote longest = own.longest_after(0);
   const Real ahead = own.look_ahead(0, longest);
   own.renew(ahead, false);
-  own.evaluate(0, longest, ahead);
+  own.evaluate(0, longest, ahead, nullptr);
   own.records.clear();
 }
 
@@ -118,15 +121,18 @@ void ContactManager<Dim>::add_forces(Real dt) {
     own.entities.refresh_planes();
   };
   read_motion();
+  own.begin_friction(dt);
   const StepVote longest = own.longest_after(dt);
   const Real ahead = own.look_ahead(dt, longest);
   if (!own.candidates.complete(own.entities, ahead, *own.ranks.all)) {
     own.renew(ahead, true);
     read_motion();
   }
-  own.evaluate(dt, longest, ahead);
+  own.imports.refresh_tractions(own.entities);
+  own.evaluate(dt, longest, ahead, &own.history);
   const auto elsewhere = own.imports.send_home(own.records, nodes);
   apply<Dim>(own.records, elsewhere, dt, own.surfaces, nodes);
+  own.end_friction();
   own.dt_last = dt;
   own.ahead_last = ahead;
   own.started = true;
@@ -146,9 +152,14 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       hash.add(nodes.damping_energy[i]);
       for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
       part.state_hash += hash.value();
+      if (!nodes.rubs) continue;
+      part.add(Column::contact_friction, nodes.friction_heat[i]);
+      part.add(Column::contact_spring, nodes.friction_stored[i]);
+      part.add(Column::contact_pairs, nodes.pair_energy[i]);
     }
   };
   add_in_shares(nodes.size(), totals, add);
+  if (nodes.rubs) totals.state_hash += implementation_->friction_hash();
 }
 
 template <int Dim>

@@ -19,6 +19,7 @@ struct PairReport {
   std::string name;             ///< the deck's, or "a-b"
   std::array<Real, 3> force{};  ///< [N] on the first body
   Real area = 0;             ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
+  Real friction_heat = 0;    ///< [W] over the last step
   Real max_penetration = 0;  ///< [m]
   std::int64_t planes = 0;   ///< common planes and particle contacts that carry force
 };

@@ -12,22 +12,31 @@ namespace brunt {
 /// What a pair of bodies may be given; a key not given comes from `default`.
 struct PairOptions {
   bool ignore = false;
-  Real stiffness = 0.5;  ///< phi: fraction of the springs of both sides in series
-  Real damping = 0.1;    ///< zeta: fraction of critical
+  Real stiffness = 0.5;             ///< phi: fraction of the springs of both sides in series
+  Real damping = 0.1;               ///< zeta: fraction of critical
+  std::optional<Varying> friction;  ///< coefficient, constant or over speed or pressure; none: 0
+
+  bool rubs() const { return friction && !(friction->is_constant() && friction->constant == 0); }
+  /// Coefficient of friction at a slip speed [m/s] and a pressure [Pa].
+  Real coefficient(Real speed, Real pressure) const {
+    if (!friction) return 0;
+    if (friction->is_constant()) return friction->constant;
+    return friction->at(friction->over == Varying::Over::pressure ? pressure : speed);
+  }
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
   static constexpr const char* kLater[] = {"tied",  "shear_limit", "cohesion",      "tension",
                                            "joint", "heat",        "friction_heat", "bonded"};
-  Real friction = 0;  // contact without friction is all that there is
+  static constexpr Varying::Over kFrictionOver[] = {Varying::Over::slip_speed,
+                                                    Varying::Over::pressure};
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
-  s.real({"friction", "coefficient of friction; only 0 in this version"}, friction,
-         {"1", at_least(0)});
+  s.varying({"friction", "coefficient of Coulomb friction; or a table over slip_speed or pressure"},
+            pair.friction, {"1", at_least(0), between(0, 2)}, kFrictionOver);
   s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
          {"1", positive(), between(0.01, 10)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
   s.later(kLater);
-  s.require(friction == 0, "friction", "contact slides freely in this version: friction must be 0");
 }
 
 /// Contact as the scene hands it to the manager: options resolved for each pair of body labels.

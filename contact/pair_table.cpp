@@ -52,6 +52,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       const PairOptions& pair = of(a, b);
       if (pair.ignore || !apart || !can_touch(first->second, second->second)) continue;
       pairs_.emplace_back(a, b);
+      rubs_ = rubs_ || pair.rubs();
       const auto given = options.pair_names.find({a, b});
       names_.push_back(given != options.pair_names.end() ? given->second
                                                          : body_names[a] + "-" + body_names[b]);
@@ -72,7 +73,7 @@ const PairOptions& PairTable::of(Label a, Label b) const {
 
 PairOptions PairTable::strongest(Label body) const {
   const auto it = strongest_.find(body);
-  return it == strongest_.end() ? PairOptions{true, 0, 0} : it->second;
+  return it == strongest_.end() ? PairOptions{true, 0, 0, {}} : it->second;
 }
 
 template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<2>*>&,

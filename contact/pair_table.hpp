@@ -20,6 +20,8 @@ class PairTable {
   const PairOptions& of(Label a, Label b) const;
   /// The largest stiffness and damping with which anything may touch this body; 0: nothing may.
   PairOptions strongest(Label body) const;
+  /// True if any of these pairs has friction.
+  bool rubs() const { return rubs_; }
   /// Pairs of bodies that may touch, first <= second, with the names that history.csv uses.
   const std::vector<std::pair<Label, Label>>& pairs() const { return pairs_; }
   const std::vector<std::string>& names() const { return names_; }
@@ -30,6 +32,7 @@ class PairTable {
   std::map<Label, PairOptions> strongest_;
   std::vector<std::pair<Label, Label>> pairs_;
   std::vector<std::string> names_;
+  bool rubs_ = false;
 };
 
 }  // namespace brunt

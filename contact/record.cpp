@@ -14,11 +14,12 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
       for (int c = 0; c < Dim; ++c) {
         nodes.spring[at][c] += next->spring[c];
         nodes.damping[at][c] += next->damping[c];
+        if (nodes.rubs) nodes.friction[at][c] += next->friction[c];
       }
     }
     ++next;
   };
-  records.visit([&](const ContactRecord<Dim>& record) {
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     while (next != elsewhere.end() && next->key < key_of(record)) add_next();
     for (int i = 0; i < record.n_nodes; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -27,6 +28,7 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
       const auto at = static_cast<std::size_t>(node);
       nodes.spring[at] += record.weight[k] * record.spring * record.normal;
       nodes.damping[at] += record.weight[k] * record.damping * record.normal;
+      if (friction != nullptr) nodes.friction[at] += friction->force[k];
     }
   });
   while (next != elsewhere.end()) add_next();
@@ -40,7 +42,9 @@ void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
   nodes.spring_energy[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
   nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
   auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
-  points.f[static_cast<std::size_t>(nodes.point[i])] += nodes.spring[i] + nodes.damping[i];
+  auto& f = points.f[static_cast<std::size_t>(nodes.point[i])];
+  f += nodes.spring[i] + nodes.damping[i];
+  if (nodes.rubs) f += nodes.friction[i];
 }
 }  // namespace
 
@@ -49,6 +53,7 @@ void Records<Dim>::clear() {
   for (auto& part : parts_) {
     part.face_on_face.clear();
     part.particle_on_face.clear();
+    part.frictions.clear();
     part.vote = StepVote{};
   }
 }
@@ -82,6 +87,7 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     for (std::size_t i = first; i < last; ++i) {
       nodes.spring[i].setZero();
       nodes.damping[i].setZero();
+      if (nodes.rubs) nodes.friction[i].setZero();
     }
     gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
            nodes);

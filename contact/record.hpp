@@ -1,10 +1,9 @@
 #pragma once
 #include <omp.h>
 
-#include <tuple>
 #include <vector>
 
-#include "contact/entities.hpp"
+#include "contact/friction.hpp"
 #include "contact/particle_face.hpp"
 #include "core/step_vote.hpp"
 
@@ -21,11 +20,12 @@ struct ContactRecord {
   std::uint32_t ordinal = 0;  ///< of the planes between two faces
   Label lower_body = 0, upper_body = 0;
   Vec<Dim> normal;
-  Vec<Dim> point;        ///< [m]
-  Real spring = 0;       ///< [N] along normal on the upper side
-  Real damping = 0;      ///< [N]
-  Real area = 0;         ///< [m^2]
-  Real penetration = 0;  ///< [m]
+  Vec<Dim> point;              ///< [m]
+  Real spring = 0;             ///< [N] along normal on the upper side
+  Real damping = 0;            ///< [N]
+  Real area = 0;               ///< [m^2]
+  Real penetration = 0;        ///< [m]
+  std::int32_t friction = -1;  ///< its place among those of the same part; -1: it slides freely
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
   std::array<Real, kNodes> weight{};
@@ -43,6 +43,7 @@ class Records {
  public:
   struct Part {
     std::vector<ContactRecord<Dim>> face_on_face, particle_on_face;
+    std::vector<Friction<Dim>> frictions;
     std::vector<ParticleHit<Dim>> hits;  ///< room to work
     StepVote vote;
   };
@@ -52,28 +53,43 @@ class Records {
   void for_parts(std::size_t n, std::size_t worth_threads, const Work& work);
   template <class Visit>
   void visit(const Visit& visit) const {
-    for (const auto& part : parts_) {
-      for (const auto& record : part.face_on_face) visit(record);
-    }
-    for (const auto& part : parts_) {
-      for (const auto& record : part.particle_on_face) visit(record);
+    visit_with_friction(
+        [&](const ContactRecord<Dim>& record, const Friction<Dim>*) { visit(record); });
+  }
+  /// visit(record, friction): a contact that slides freely has none.
+  template <class Visit>
+  void visit_with_friction(const Visit& visit) const {
+    const auto show = [&](const Part& part, const std::vector<ContactRecord<Dim>>& records) {
+      for (const auto& record : records) {
+        visit(record, record.friction < 0
+                          ? nullptr
+                          : &part.frictions[static_cast<std::size_t>(record.friction)]);
+      }
+    };
+    for (const auto& part : parts_) show(part, part.face_on_face);
+    for (const auto& part : parts_) show(part, part.particle_on_face);
+  }
+  /// nodes_of(record) names the nodes of each contact anew.
+  template <class NodesOf>
+  void name_nodes(const NodesOf& nodes_of) {
+    for (auto& part : parts_) {
+      for (auto* records : {&part.face_on_face, &part.particle_on_face}) {
+        for (auto& record : *records) {
+          record.node = nodes_of(record);
+          if (record.friction < 0) continue;
+          part.frictions[static_cast<std::size_t>(record.friction)].node = record.node;
+        }
+      }
     }
   }
+  /// Gives every contact whose friction find(key) knows that friction, as it stands.
+  template <class Find>
+  void attach(const Find& find);
   std::size_t size() const;
   StepVote vote() const;
 
  private:
   std::vector<Part> parts_;
-};
-
-/// The place of a contact in every sum.
-struct ContactKey {
-  std::uint32_t of_particle, ordinal;
-  GlobalId first, second;
-  bool operator<(const ContactKey& other) const {
-    return std::tie(of_particle, first, second, ordinal) <
-           std::tie(other.of_particle, other.first, other.second, other.ordinal);
-  }
 };
 
 template <int Dim>
@@ -86,15 +102,31 @@ template <int Dim>
 struct Contribution {
   ContactKey key;
   LocalIndex node;
-  Real spring[Dim], damping[Dim];  ///< [N]
+  Real spring[Dim], damping[Dim], friction[Dim];  ///< [N]
 };
 
 /// Sums the forces of all records, and of contributions from elsewhere (sorted by key), at each
 /// owned node in key order, books -1/2 (f(n) + f(n+1)) . dt v of the spring and the damper to the
-/// node, and adds the forces to the points of the groups.
+/// node, and adds the forces, friction too, to the points of the groups.
 template <int Dim>
 void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes);
+
+template <int Dim>
+template <class Find>
+void Records<Dim>::attach(const Find& find) {
+  for (auto& part : parts_) {
+    for (auto* records : {&part.face_on_face, &part.particle_on_face}) {
+      for (auto& record : *records) {
+        const Friction<Dim>* friction = find(key_of(record));
+        if (friction == nullptr) continue;
+        record.friction = static_cast<std::int32_t>(part.frictions.size());
+        part.frictions.push_back(*friction);
+        part.frictions.back().node = record.node;
+      }
+    }
+  }
+}
 
 template <int Dim>
 template <class Work>

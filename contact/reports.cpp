@@ -12,6 +12,7 @@ namespace {
 struct PairSums {
   std::array<ExactSum, 3> force;  // [N]
   ExactSum area;                  // [m^2]
+  ExactSum heat;                  // [W]
   Real max_penetration = 0;       // [m]
   std::int64_t planes = 0;
 };
@@ -19,6 +20,7 @@ struct PairSums {
 void merge(PairSums& into, const PairSums& from) {
   for (std::size_t c = 0; c < 3; ++c) into.force[c].add(from.force[c]);
   into.area.add(from.area);
+  into.heat.add(from.heat);
   into.max_penetration = std::max(into.max_penetration, from.max_penetration);
   into.planes += from.planes;
 }
@@ -28,19 +30,19 @@ void append(std::vector<Real>& values, const Vec<Dim>& v) {
   for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? v[c] : 0.0);
 }
 
+/// What a contact does to its upper side [N].
 template <int Dim>
-std::size_t face_with(const Entities<Dim>& entities, GlobalId id) {
-  const auto it = std::lower_bound(
-      entities.faces.begin(), entities.faces.end(), id,
-      [](const ContactFace<Dim>& face, GlobalId wanted) { return face.id < wanted; });
-  return static_cast<std::size_t>(it - entities.faces.begin());
+Vec<Dim> force_of(const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+  Vec<Dim> force = (record.spring + record.damping) * record.normal;
+  if (friction != nullptr) force += friction->resultant();
+  return force;
 }
 
 /// Corners of the polygon under a record: of the one common plane of its faces with its point.
 template <int Dim>
 void append_polygon(const Entities<Dim>& entities, const Section& section,
                     const ContactRecord<Dim>& record, ContactView& view) {
-  const auto lower = face_with(entities, record.first), upper = face_with(entities, record.second);
+  const auto lower = entities.face_with(record.first), upper = entities.face_with(record.second);
   std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes);
   for (int i = 0; i < n; ++i) {
@@ -65,22 +67,22 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
   std::map<std::pair<Label, Label>, std::size_t> place;
   for (std::size_t p = 0; p < pairs.size(); ++p) place[pairs[p]] = p;
   std::vector<PairSums> sums(pairs.size());
-  own.records.visit([&](const ContactRecord<Dim>& record) {
-    const Label first = std::min(record.lower_body, record.upper_body);
-    const Label second = std::max(record.lower_body, record.upper_body);
-    const auto known = place.find({first, second});
-    if (known == place.end()) return;
-    auto& sum = sums[known->second];
-    // A body exerts no force on itself as a whole.
-    const Real sign = first == second ? 0.0 : (record.upper_body == first ? 1.0 : -1.0);
-    for (int c = 0; c < Dim; ++c) {
-      sum.force[static_cast<std::size_t>(c)].add(sign * (record.spring + record.damping) *
-                                                 record.normal[c]);
-    }
-    sum.area.add(record.area);
-    sum.max_penetration = std::max(sum.max_penetration, record.penetration);
-    ++sum.planes;
-  });
+  own.records.visit_with_friction(
+      [&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+        const Label first = std::min(record.lower_body, record.upper_body);
+        const Label second = std::max(record.lower_body, record.upper_body);
+        const auto known = place.find({first, second});
+        if (known == place.end()) return;
+        auto& sum = sums[known->second];
+        // A body exerts no force on itself as a whole.
+        const Real sign = first == second ? 0.0 : (record.upper_body == first ? 1.0 : -1.0);
+        const Vec<Dim> force = force_of(record, friction);
+        for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
+        if (friction != nullptr && own.dt_last > 0) sum.heat.add(friction->heat / own.dt_last);
+        sum.area.add(record.area);
+        sum.max_penetration = std::max(sum.max_penetration, record.penetration);
+        ++sum.planes;
+      });
   own.ranks.all->reduce_all(std::span(sums), merge);
   std::vector<PairReport> reports;
   for (std::size_t p = 0; p < sums.size(); ++p) {
@@ -88,6 +90,7 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
     report.name = own.pairs.names()[p];
     for (std::size_t c = 0; c < 3; ++c) report.force[c] = sums[p].force[c].value();
     report.area = sums[p].area.value();
+    report.friction_heat = sums[p].heat.value();
     report.max_penetration = sums[p].max_penetration;
     report.planes = sums[p].planes;
   }
@@ -98,17 +101,17 @@ template <int Dim>
 ContactView ContactManager<Dim>::view() const {
   const auto& own = *implementation_;
   ContactView view;
-  own.records.visit([&](const ContactRecord<Dim>& record) {
+  own.records.visit_with_friction([&](const ContactRecord<Dim>& record,
+                                      const Friction<Dim>* friction) {
     if (record.of_particle) {
       append<Dim>(view.position, record.point);
       view.polygon_size.push_back(1);
     } else {
       append_polygon(own.entities, own.section, record, view);
     }
-    const Real force = record.spring + record.damping;
     append<Dim>(view.normal, record.normal);
-    append<Dim>(view.force, force * record.normal);
-    view.pressure.push_back(force / record.area);
+    append<Dim>(view.force, force_of(record, friction));
+    view.pressure.push_back((record.spring + record.damping) / record.area);
     view.penetration.push_back(record.penetration);
     view.body_a.push_back(record.lower_body);
     view.body_b.push_back(record.upper_body);

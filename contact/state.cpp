@@ -11,6 +11,11 @@ void visit_node(Row& row, Nodes& nodes, std::size_t i) {
   row(nodes.damping[i]);
   row(nodes.spring_energy[i]);
   row(nodes.damping_energy[i]);
+  if (!nodes.rubs) return;
+  row(nodes.friction[i]);
+  row(nodes.friction_heat[i]);
+  row(nodes.friction_stored[i]);
+  row(nodes.pair_energy[i]);
 }
 
 /// Nodes of one surface that are points here: the owned ones, or copies too.
@@ -54,6 +59,7 @@ void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
         table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
+  if (nodes.rubs) own.save_friction(tables);
 }
 
 template <int Dim>
@@ -76,7 +82,8 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   const StepVote longest = own.longest_after(own.dt_last);
   own.ahead_last = own.look_ahead(own.dt_last, longest);
   own.renew(own.ahead_last, false);
-  own.evaluate(own.dt_last, longest, own.ahead_last);
+  own.evaluate(own.dt_last, longest, own.ahead_last, nullptr);
+  if (nodes.rubs) own.load_friction(tables);
 }
 
 template void ContactManager<2>::save_state(std::vector<StateTable>&) const;

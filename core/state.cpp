@@ -50,6 +50,13 @@ std::span<const Real> StateRows::row(GlobalId id, std::size_t width) const {
   return {found->values, width};
 }
 
+bool StateRows::has(GlobalId id) const {
+  const auto found =
+      std::lower_bound(place_.begin(), place_.end(), id,
+                       [](const Place& a, GlobalId wanted) { return a.id < wanted; });
+  return found != place_.end() && found->id == id;
+}
+
 StateTables::StateTables(std::vector<StateTable> tables) : tables_(std::move(tables)) {
   std::map<std::string, std::vector<const StateTable*>> parts;
   for (const auto& table : tables_) parts[table.name].push_back(&table);

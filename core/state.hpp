@@ -40,6 +40,7 @@ class StateRows {
   /// Values of an entity. Throws StateError naming table and id where there are none, or not
   /// `width` of them.
   std::span<const Real> row(GlobalId id, std::size_t width) const;
+  bool has(GlobalId id) const;
   int width() const { return width_; }
   std::size_t size() const { return place_.size(); }
 

@@ -57,25 +57,21 @@ std::vector<LocalIndex> points_of(const std::vector<ElementSet<Dim>>& sets,
   return kept;
 }
 
-/// The facets of the kept elements.
+/// The facets of the kept elements; the owner of its first corner evaluates a facet.
 template <int Dim>
 std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
                                   const std::vector<ElementSet<Dim>>& sets,
-                                  const std::vector<LocalIndex>& place) {
-  std::vector<std::pair<GlobalId, char>> elements;  // id, owned
-  for (const auto& set : sets) {
-    for (std::size_t e = 0; e < set.id.size(); ++e) elements.emplace_back(set.id[e], set.owned[e]);
-  }
+                                  const std::vector<LocalIndex>& place, LocalIndex n_owned) {
+  std::vector<GlobalId> elements;
+  for (const auto& set : sets) elements.insert(elements.end(), set.id.begin(), set.id.end());
   std::sort(elements.begin(), elements.end());
   std::vector<Facet<Dim>> facets;
   for (Facet<Dim> facet : whole) {
-    const std::pair<GlobalId, char> wanted{facet.id >> 3, 0};
-    const auto at = std::lower_bound(elements.begin(), elements.end(), wanted);
-    if (at == elements.end() || at->first != wanted.first) continue;
+    if (!std::binary_search(elements.begin(), elements.end(), facet.id >> 3)) continue;
     for (auto& node : facet.node) {
       if (node >= 0) node = place[static_cast<std::size_t>(node)];
     }
-    facet.owned = at->second != 0;
+    facet.owned = facet.node[0] < n_owned;  // so that anybody knows whose it is
     facets.push_back(facet);
   }
   return facets;
@@ -96,7 +92,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& dea
   for (std::size_t k = 0; k < kept.size(); ++k) {
     place[static_cast<std::size_t>(kept[k])] = static_cast<LocalIndex>(k);
   }
-  surface_.facets = facets_of(whole.surface_.facets, sets, place);
+  surface_.facets = facets_of(whole.surface_.facets, sets, place, n_owned);
   for (auto& set : sets) {
     for (auto& corners : set.corners) {
       for (auto& node : corners) node = place[static_cast<std::size_t>(node)];

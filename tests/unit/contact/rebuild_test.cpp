@@ -35,6 +35,8 @@ std::vector<Vec<Dim>> loose_face(std::mt19937_64& random, const Vec<Dim>& center
 template <int Dim>
 ContactScene<Dim> cloud() {
   ContactScene<Dim> scene;
+  Varying& friction = scene.options.fallback.friction.emplace();
+  friction.constant = 0.3;
   std::mt19937_64 random(11);
   std::uniform_real_distribution<Real> place(0, Dim == 2 ? 4 : 3);
   const auto anywhere = [&] {

@@ -1,0 +1,195 @@
+#include "contact/friction.hpp"
+
+#include "contact/record.hpp"
+#include "contact/slide.hpp"
+
+namespace brunt {
+
+namespace {
+/// The corners of one side about their mean, with the weights of the point of contact.
+template <int Dim>
+struct Corners {
+  int n = 0;
+  std::array<Vec<Dim>, Facet<Dim>::kNodes> arm;  // [m] from the mean
+  std::array<Vec<Dim>, Facet<Dim>::kNodes> v;    // [m/s] relative to the mean
+  std::array<Real, Facet<Dim>::kNodes> weight{};
+  Vec<Dim> point = Vec<Dim>::Zero();     // [m] of contact, on the face
+  Vec<Dim> velocity = Vec<Dim>::Zero();  // [m/s] there
+
+  Corners(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+          const ContactSide& side) {
+    Vec<Dim> mean = Vec<Dim>::Zero(), mean_v = Vec<Dim>::Zero();
+    for (int i = side.first; i < side.last; ++i, ++n) {
+      const auto node = static_cast<std::size_t>(record.node[static_cast<std::size_t>(i)]);
+      const auto k = static_cast<std::size_t>(n);
+      weight[k] = std::fabs(record.weight[static_cast<std::size_t>(i)]);
+      arm[k] = nodes.x[node], v[k] = nodes.v[node];
+      mean += arm[k], mean_v += v[k];
+      point += weight[k] * arm[k], velocity += weight[k] * v[k];
+    }
+    mean /= n, mean_v /= n;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) arm[k] -= mean, v[k] -= mean_v;
+  }
+};
+
+/// Turns the torque about a face into its turn, J^-1 torque with J = sum |r|^2 I - r r^T [m^2].
+Real turn_of(const Corners<2>& side, Real torque) {
+  const Real inertia = side.arm[0].squaredNorm() + side.arm[1].squaredNorm();
+  return inertia > 0 ? torque / inertia : 0.0;
+}
+Vec3 turn_of(const Corners<3>& side, const Vec3& torque) {
+  Mat3 inertia = Mat3::Zero();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    const Vec3& r = side.arm[k];
+    inertia += r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+  }
+  // A face as thin as a line cannot carry a torque about it.
+  const Real size = inertia.trace();
+  if (!(inertia.determinant() > 1e-12 * size * size * size)) return Vec3::Zero();
+  return inertia.inverse() * torque;
+}
+
+/// Shares a force at `at` among the corners of a side, with its couple where the side turns.
+template <int Dim>
+void share(const Corners<Dim>& side, const ContactSide& which, const Vec<Dim>& at,
+           const Vec<Dim>& force, Friction<Dim>& friction) {
+  using brunt::cross, brunt::turn;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    friction.force[static_cast<std::size_t>(which.first) + k] = side.weight[k] * force;
+  }
+  if (!which.turns) return;
+  const auto couple = turn_of(side, cross(Vec<Dim>(at - side.point), force));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    friction.force[static_cast<std::size_t>(which.first) + k] += turn(couple, side.arm[k]);
+  }
+}
+
+/// Adds the spin of a face about the new normal, as a unit vector of its cosine and sine.
+void add_spin(const Corners<3>& side, const PlaneTurn<3>& turn, const Vec3& normal, Real dt,
+              Real& cosine, Real& sine) {
+  Real c = 0, s = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    const Vec3 before = turn.tilted(side.arm[k] - dt * side.v[k]);
+    c += before.dot(side.arm[k]) - normal.dot(before) * normal.dot(side.arm[k]);
+    s += normal.dot(before.cross(side.arm[k]));
+  }
+  const Real size = std::sqrt(c * c + s * s);
+  if (!(size > 0)) return;
+  cosine += c / size, sine += s / size;
+}
+
+void find_spin(const Corners<3>& lower, const Corners<3>& upper, const Vec3& normal, Real dt,
+               PlaneTurn<3>& turn) {
+  Real cosine = 0, sine = 0;
+  for (const auto* side : {&lower, &upper}) {
+    if (side->n > 1) add_spin(*side, turn, normal, dt, cosine, sine);
+  }
+  turn.spin(cosine, sine);
+}
+void find_spin(const Corners<2>&, const Corners<2>&, const Vec<2>&, Real, PlaneTurn<2>&) {}
+
+template <int Dim>
+Vec<Dim> in_plane(const Vec<Dim>& v, const Vec<Dim>& normal) {
+  return v - normal.dot(v) * normal;
+}
+
+/// [J] half of what forces take from the motion of a step of dt.
+template <int Dim>
+Real half_taken(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes, Real dt) {
+  Real power = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(friction.n_nodes); ++k) {
+    power += friction.force[k].dot(nodes.v[static_cast<std::size_t>(friction.node[k])]);
+  }
+  return -0.5 * dt * power;
+}
+}  // namespace
+
+template <int Dim>
+void FrictionHistory<Dim>::take_work(const ContactNodes<Dim>& nodes, Real dt) {
+  for (auto& friction : past_) friction.taken = half_taken(friction, nodes, dt);
+}
+
+template <int Dim>
+const Friction<Dim>* FrictionHistory<Dim>::of_faces(const ContactKey& key) {
+  const auto at = std::lower_bound(
+      past_.begin(), past_.end(), key,
+      [](const Friction<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
+  if (at == past_.end() || !(at->key == key)) return nullptr;
+  used_[static_cast<std::size_t>(at - past_.begin())] = 1;
+  return &*at;
+}
+
+template <int Dim>
+const Friction<Dim>* FrictionHistory<Dim>::of_particle(GlobalId particle, Label body, Label piece,
+                                                       GlobalId face, const Vec<Dim>& normal) {
+  const ContactKey first{1, 0, particle, 0};
+  auto at = std::lower_bound(
+      past_.begin(), past_.end(), first,
+      [](const Friction<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
+  const Friction<Dim>* found = nullptr;
+  Real nearest = 0;  // only normals less than a right angle apart are the same surface
+  for (; at != past_.end() && at->key.of_particle && at->key.first == particle; ++at) {
+    const auto i = static_cast<std::size_t>(at - past_.begin());
+    if (used_[i] || at->body != body || at->piece != piece) continue;
+    const Real along = at->normal.dot(normal);
+    if (at->key.second == face ? along > 0 : along > nearest) {
+      found = &*at;
+      nearest = at->key.second == face ? 2.0 : along;
+    }
+  }
+  if (found != nullptr) used_[static_cast<std::size_t>(found - past_.data())] = 1;
+  return found;
+}
+
+template <int Dim>
+Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                          const FrictionStep<Dim>& step) {
+  Friction<Dim> friction;
+  friction.key = key_of(record);
+  friction.normal = record.normal;
+  friction.n_nodes = record.n_nodes;
+  friction.node = record.node;
+  friction.area = step.area;
+  friction.stiffness = step.stiffness;
+  const Corners<Dim> lower(nodes, record, step.lower), upper(nodes, record, step.upper);
+  const Vec<Dim>& n = record.normal;
+
+  const Vec<Dim> velocity = upper.velocity - lower.velocity;
+  Vec<Dim> slip = step.dt * velocity;
+  Vec<Dim> traction = in_plane<Dim>(step.inherited, n);
+  Real taken_before = 0, energy_before = 0;
+  if (const auto* before = step.before) {
+    taken_before = before->taken;
+    energy_before = before->energy();
+    PlaneTurn<Dim> turn(before->normal, n);
+    traction.setZero();
+    if (turn.cosine() > 0) {  // else it is another contact between the same faces
+      find_spin(lower, upper, n, step.dt, turn);
+      const Vec<Dim> distance = upper.point - lower.point;
+      slip = distance - turn(distance - step.dt * velocity);
+      traction = in_plane<Dim>(turn(before->traction), n);
+    }
+  }
+  slip = in_plane<Dim>(slip, n);
+  const Real speed = in_plane<Dim>(velocity, n).norm();
+  const Real normal_force = std::max(record.spring + record.damping, 0.0);
+  const Real limit = step.options->coefficient(speed, normal_force / step.pressed) * normal_force;
+  const auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  friction.traction = slid.traction;
+  share(upper, step.upper, step.point, friction.resultant(), friction);
+  share<Dim>(lower, step.lower, step.point, -friction.resultant(), friction);
+  friction.heat = step.area * slid.heat;
+  friction.stored = friction.energy() - energy_before;
+  friction.pairs =
+      taken_before + half_taken(friction, nodes, step.dt) - friction.heat - friction.stored;
+  return friction;
+}
+
+template class FrictionHistory<2>;
+template class FrictionHistory<3>;
+template Friction<2> friction_of<2>(const ContactNodes<2>&, const ContactRecord<2>&,
+                                    const FrictionStep<2>&);
+template Friction<3> friction_of<3>(const ContactNodes<3>&, const ContactRecord<3>&,
+                                    const FrictionStep<3>&);
+
+}  // namespace brunt

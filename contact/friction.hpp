@@ -1,0 +1,107 @@
+#pragma once
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "contact/entities.hpp"
+#include "contact/options.hpp"
+
+namespace brunt {
+
+/// The place of a contact in every sum.
+struct ContactKey {
+  std::uint32_t of_particle = 0, ordinal = 0;
+  GlobalId first = 0, second = 0;  ///< lower and upper face, or particle and face
+  bool operator<(const ContactKey& other) const {
+    return std::tie(of_particle, first, second, ordinal) <
+           std::tie(other.of_particle, other.first, other.second, other.ordinal);
+  }
+  bool operator==(const ContactKey&) const = default;
+};
+
+/// The friction of one contact: what its spring-slider remembers, and what it does to the nodes.
+/// A particle counts its forces instead of tractions: its area is its share [1].
+template <int Dim>
+struct Friction {
+  static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
+  ContactKey key;
+  Label body = 0, piece = 0;  ///< the surface on which a particle slides
+  Vec<Dim> normal = Vec<Dim>::Zero();
+  Vec<Dim> traction = Vec<Dim>::Zero();  ///< [Pa] on the upper side, in the plane
+  Real area = 0;                         ///< [m^2] that carries it
+  Real stiffness = 0;                    ///< [Pa/m]
+  int n_nodes = 0;
+  std::array<LocalIndex, kNodes> node{};
+  std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
+  Real heat = 0;                       ///< [J] of the last step
+  Real stored = 0;                     ///< [J] gained by the spring in the last step
+  Real pairs = 0;                      ///< [J] what changes of the contact itself took from motion
+  Real taken = 0;  ///< [J] half of what `force` takes from the motion of the step under way
+
+  Vec<Dim> resultant() const { return area * traction; }  ///< [N] on the upper side
+  Real energy() const {                                   ///< [J] in the spring
+    return stiffness > 0 ? area * traction.squaredNorm() / (2 * stiffness) : 0.0;
+  }
+};
+
+/// What contacts remember from the step before, in the order of keys.
+template <int Dim>
+class FrictionHistory {
+ public:
+  void clear() { past_.clear(), used_.clear(); }
+  void add(const Friction<Dim>& friction) { past_.push_back(friction), used_.push_back(0); }
+  /// Books -dt/2 f . v of every contact's old forces; nodes are still those of their step.
+  void take_work(const ContactNodes<Dim>& nodes, Real dt);
+  /// The past of two faces; none: nullptr. It counts as continued.
+  const Friction<Dim>* of_faces(const ContactKey& key);
+  /// The past of a particle on a surface: on the same face, else on the one whose normal was
+  /// nearest and which no other contact of the particle continues.
+  const Friction<Dim>* of_particle(GlobalId particle, Label body, Label piece, GlobalId face,
+                                   const Vec<Dim>& normal);
+  /// ended(friction) sees what was not continued, in the order of keys.
+  template <class Ended>
+  void visit_ended(const Ended& ended) const {
+    for (std::size_t i = 0; i < past_.size(); ++i) {
+      if (!used_[i]) ended(past_[i]);
+    }
+  }
+  std::span<Friction<Dim>> past() { return past_; }
+
+ private:
+  std::vector<Friction<Dim>> past_;
+  std::vector<char> used_;
+};
+
+/// One side of a contact: its nodes first .. last in the record. A side that turns shares the
+/// couple of friction among its nodes, and its spin moves the point of contact.
+struct ContactSide {
+  int first = 0, last = 0;
+  bool turns = false;
+};
+
+template <int Dim>
+struct ContactRecord;
+
+/// What friction needs to know of a contact besides its record.
+template <int Dim>
+struct FrictionStep {
+  const PairOptions* options = nullptr;
+  ContactSide lower, upper;
+  Vec<Dim> point = Vec<Dim>::Zero();  ///< [m] where the force acts
+  Real area = 0;                      ///< [m^2] that carries traction; of a particle its share [1]
+  Real pressed = 0;                   ///< [m^2] area under pressure
+  Real stiffness = 0;                 ///< [Pa/m] of the tangential spring; of a particle [N/m]
+  Real dt = 0;                        ///< [s]
+  const Friction<Dim>* before = nullptr;
+  Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past
+};
+
+/// The friction of a contact at the end of a step. The slip is that of the two points of contact
+/// less what the turn of the plane makes of their distance; forces of each side have the couple of
+/// a force at `point`, shared as f_a = w_a F + (J^-1 (arm x F)) x r_a (contact.md 2.5), so that the
+/// moment of both sides is zero to round-off.
+template <int Dim>
+Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                          const FrictionStep<Dim>& step);
+
+}  // namespace brunt

@@ -1,0 +1,189 @@
+/// How friction goes on from step to step: its past, its books, and what faces carry.
+#include <algorithm>
+
+#include "contact/implementation.hpp"
+#include "core/state_hash.hpp"
+
+namespace brunt {
+
+namespace {
+/// The node to which the energies of a contact are booked; its evaluator owns it.
+template <int Dim>
+std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
+  const LocalIndex node = key.of_particle
+                              ? entities.particles[entities.particle_with(key.first)].node
+                              : entities.faces[entities.face_with(key.first)].node[0];
+  return static_cast<std::size_t>(node);
+}
+
+template <class Row, class AnyFriction>
+void visit_friction(Row& row, AnyFriction& friction) {
+  row(friction.key.second);
+  row(friction.key.ordinal);
+  row(friction.body);
+  row(friction.piece);
+  row(friction.normal);
+  row(friction.traction);
+  row(friction.area);
+  row(friction.stiffness);
+  row(friction.n_nodes);
+  for (auto& force : friction.force) row(force);
+  row(friction.heat);
+}
+
+std::string table_of(bool of_particle, std::size_t place) {
+  return (of_particle ? "contact.friction.particle." : "contact.friction.face.") +
+         std::to_string(place);
+}
+}  // namespace
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>& tables) const {
+  std::vector<std::vector<const Friction<Dim>*>> by_place[2];
+  const Friction<Dim>* last = nullptr;
+  std::size_t place = 0;
+  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+    if (friction == nullptr) return;
+    const auto& key = friction->key;
+    const bool same =
+        last != nullptr && last->key.first == key.first && last->key.of_particle == key.of_particle;
+    place = same ? place + 1 : 0;
+    last = friction;
+    auto& places = by_place[key.of_particle];
+    if (places.size() <= place) places.resize(place + 1);
+    places[place].push_back(friction);
+  });
+  for (const bool of_particle : {false, true}) {
+    const auto& places = by_place[of_particle ? 1 : 0];
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const auto& chosen = places[p];
+      save_rows(
+          table_of(of_particle, p), chosen.size(),
+          [&](std::size_t k) { return chosen[k]->key.first; },
+          [&](auto& row, std::size_t k) { visit_friction(row, *chosen[k]); }, tables);
+    }
+  }
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::load_friction(const StateTables& tables) {
+  std::vector<Friction<Dim>> known;
+  const auto load = [&](bool of_particle, GlobalId first) {
+    for (std::size_t place = 0; tables.has(table_of(of_particle, place)); ++place) {
+      const auto& rows = tables.rows(table_of(of_particle, place));
+      if (!rows.has(first)) return;
+      auto& friction = known.emplace_back();
+      friction.key.of_particle = of_particle ? 1 : 0;
+      friction.key.first = first;
+      StateCounter counter;
+      visit_friction(counter, friction);
+      StateReader row(rows.row(first, counter.count));
+      visit_friction(row, friction);
+    }
+  };
+  for (const auto& face : entities.faces) {
+    if (face.owned) load(false, face.id);
+  }
+  for (const auto& particle : entities.particles) load(true, particle.id);
+  records.attach([&](const ContactKey& key) -> const Friction<Dim>* {
+    const auto at = std::lower_bound(
+        known.begin(), known.end(), key,
+        [](const Friction<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
+    return at == known.end() || !(at->key == key) ? nullptr : &*at;
+  });
+  sum_tractions();
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::begin_friction(Real dt) {
+  if (!entities.nodes.rubs) return;
+  history.clear();
+  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+    if (friction != nullptr) history.add(*friction);
+  });
+  history.take_work(entities.nodes, dt);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::end_friction() {
+  auto& nodes = entities.nodes;
+  if (!nodes.rubs) return;
+  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+    if (friction == nullptr) return;
+    const std::size_t at = book_of(entities, friction->key);
+    nodes.friction_heat[at] += friction->heat;
+    nodes.friction_stored[at] += friction->stored;
+    nodes.pair_energy[at] += friction->pairs;
+  });
+  // What ended gave its spring's energy away, and its forces acted for the first half of the step.
+  history.visit_ended([&](const Friction<Dim>& friction) {
+    const std::size_t at = book_of(entities, friction.key);
+    nodes.friction_stored[at] -= friction.energy();
+    nodes.pair_energy[at] += friction.taken + friction.energy();
+  });
+  sum_tractions();
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::sum_tractions() {
+  auto& tractions = entities.tractions;
+  std::fill(tractions.begin(), tractions.end(), FaceTraction<Dim>{});
+  const auto elsewhere = imports.send_tractions(records, entities);
+  auto next = elsewhere.begin();
+  const auto add = [&](GlobalId face, Real area, const Vec<Dim>& force) {
+    const std::size_t at = entities.face_with(face);
+    if (entities.faces[at].rigid()) return;  // on several ranks nobody has all of its contacts
+    auto& traction = tractions[at];
+    traction.area += area;
+    traction.force += force;
+  };
+  const auto add_next = [&] {
+    add(next->key.second, next->area, Vec<Dim>(next->force));
+    ++next;
+  };
+  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+    if (friction == nullptr || friction->key.of_particle) return;
+    while (next != elsewhere.end() && next->key < friction->key) add_next();
+    add(friction->key.first, friction->area, -friction->resultant());
+    add(friction->key.second, friction->area, friction->resultant());
+  });
+  while (next != elsewhere.end()) add_next();
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::name_nodes() {
+  records.name_nodes([&](const ContactRecord<Dim>& record) {
+    auto node = record.node;
+    std::size_t n = 0;
+    const auto add_face = [&](GlobalId id) {
+      const auto& face = entities.faces[entities.face_with(id)];
+      for (int c = 0; c < face.n_nodes; ++c) node[n++] = face.node[static_cast<std::size_t>(c)];
+    };
+    if (record.of_particle) {
+      node[n++] = entities.particles[entities.particle_with(record.first)].node;
+    } else {
+      add_face(record.first);
+    }
+    add_face(record.second);
+    return node;
+  });
+}
+
+template <int Dim>
+std::uint64_t ContactManager<Dim>::Implementation::friction_hash() const {
+  std::uint64_t sum = 0;
+  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+    if (friction == nullptr) return;
+    EntityHash hash(friction->key.first);
+    hash.add(friction->key.second);
+    hash.add(friction->area);
+    for (int c = 0; c < Dim; ++c) hash.add(friction->traction[c]);
+    sum += hash.value();
+  });
+  return sum;
+}
+
+template struct ContactManager<2>::Implementation;
+template struct ContactManager<3>::Implementation;
+
+}  // namespace brunt

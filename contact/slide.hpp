@@ -1,0 +1,90 @@
+#pragma once
+/// The spring-slider of Coulomb friction, and how its plane turns (contact.md 2.6).
+#include <algorithm>
+#include <cmath>
+
+#include "core/types.hpp"
+
+namespace brunt {
+
+/// A step of a spring-slider: elastic up to `limit`, then sliding along itself.
+template <int Dim>
+struct Slide {
+  Vec<Dim> traction;  ///< [Pa] at the end
+  Real heat = 0;      ///< [J/m^2] dissipated: mean traction times slip
+  bool slips = false;
+};
+
+/// Traction that resists after a relative displacement, by return mapping.
+///   t* = t - k du;  |t*| <= limit: t* sticks, else t = limit t*/|t*| and the rest of du is slip
+/// The work -(t_old + t_new)/2 . du is exactly what the spring stores, |t|^2/2k, plus the heat.
+/// before [Pa] in the present plane;  stiffness [Pa/m], > 0;  du [m];  limit [Pa], >= 0
+template <int Dim>
+Slide<Dim> slide(const Vec<Dim>& before, Real stiffness, const Vec<Dim>& du, Real limit) {
+  Slide<Dim> step;
+  const Vec<Dim> trial = before - stiffness * du;
+  const Real size = trial.norm();
+  step.slips = size > limit;
+  step.traction = step.slips ? Vec<Dim>(limit / size * trial) : trial;
+  if (step.slips) {
+    const Vec<Dim> slip = (step.traction - trial) / stiffness;  // along -t: what the slider gave
+    step.heat = -0.5 * (before + step.traction).dot(slip);
+  }
+  return step;
+}
+
+/// The turn of a contact's plane from one step to the next: the shortest that takes the old normal
+/// to the new one, then a spin about the new normal. Exact where both bodies turn as one.
+template <int Dim>
+class PlaneTurn;
+
+template <>
+class PlaneTurn<2> {
+ public:
+  PlaneTurn(const Vec<2>& from, const Vec<2>& to)
+      : cosine_(from.dot(to)), sine_(from[0] * to[1] - from[1] * to[0]) {}
+  Real cosine() const { return cosine_; }
+  Vec<2> tilted(const Vec<2>& v) const {
+    return Vec<2>(cosine_ * v[0] - sine_ * v[1], sine_ * v[0] + cosine_ * v[1]);
+  }
+  Vec<2> operator()(const Vec<2>& v) const { return tilted(v); }
+
+ private:
+  Real cosine_, sine_;
+};
+
+template <>
+class PlaneTurn<3> {
+ public:
+  PlaneTurn(const Vec3& from, const Vec3& to)
+      : normal_(to), axis_(from.cross(to)), cosine_(from.dot(to)) {}
+  Real cosine() const { return cosine_; }
+  /// Rodrigues' formula for the shortest turn; cosine() > -1.
+  Vec3 tilted(const Vec3& v) const {
+    const Vec3 once = axis_.cross(v);
+    return v + once + axis_.cross(once) / (1 + cosine_);
+  }
+  /// The spin that follows, by any positive multiples of its cosine and sine; none if both are 0.
+  void spin(Real cosine, Real sine) {
+    const Real size = std::sqrt(cosine * cosine + sine * sine);
+    if (!(size > 0)) return;
+    spin_cosine_ = cosine / size, spin_sine_ = sine / size;
+  }
+  Vec3 operator()(const Vec3& v) const {
+    const Vec3 t = tilted(v);
+    const Vec3 along = normal_.dot(t) * normal_;
+    return along + spin_cosine_ * (t - along) + spin_sine_ * normal_.cross(t);
+  }
+
+ private:
+  Vec3 normal_, axis_;
+  Real cosine_, spin_cosine_ = 1, spin_sine_ = 0;
+};
+
+/// Torque of a force f at an arm r, and what a turn w does to an arm: a number in 2D.
+inline Real cross(const Vec<2>& r, const Vec<2>& f) { return r[0] * f[1] - r[1] * f[0]; }
+inline Vec3 cross(const Vec3& r, const Vec3& f) { return r.cross(f); }
+inline Vec<2> turn(Real w, const Vec<2>& r) { return Vec<2>(-w * r[1], w * r[0]); }
+inline Vec3 turn(const Vec3& w, const Vec3& r) { return w.cross(r); }
+
+}  // namespace brunt
