@@ -180,7 +180,8 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   damping_energy.push_back(0);
   if (rubs) {
     friction.push_back(Vec<Dim>::Zero());
-    for (auto* field : {&friction_heat, &friction_stored, &pair_energy}) field->push_back(0);
+    for (auto* field : {&friction_heat, &friction_stored, &friction_damped, &pair_energy})
+      field->push_back(0);
   }
   return static_cast<LocalIndex>(size()) - 1;
 }
@@ -218,6 +219,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     if (!rubs) continue;
     friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];
     friction_stored[i] = old.friction_stored[*it], pair_energy[i] = old.pair_energy[*it];
+    friction_damped[i] = old.friction_damped[*it];
   }
 }
 

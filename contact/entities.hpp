@@ -25,7 +25,8 @@ struct ContactNodes {
   std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
   bool rubs = false;               ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
-  std::vector<Real> friction_heat, friction_stored, pair_energy;  ///< [J] booked since time 0
+  std::vector<Real> friction_heat, friction_stored, friction_damped,
+      pair_energy;  ///< [J] booked since time 0
 
   std::size_t size() const { return point.size(); }
   LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);

@@ -63,6 +63,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.area = plane.ramp * plane.area;
   step.pressed = plane.area;
   step.stiffness = candidate.stiffness;
+  step.damping = candidate.damping;
   step.dt = dt;
   step.before = history.of_faces(key_of(record));
   if (step.before == nullptr) {

@@ -55,8 +55,8 @@ void take_speed_vote(const Present<Dim>& now, const FacePlane<Dim>& plane,
 /// Record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
 ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& now,
-                             const ParticleCandidate& candidate, const ParticleHit<Dim>& hit,
-                             Real dt, Real& squared_frequency) {
+                             const ParticleCandidate& candidate, ParticleHit<Dim>& hit, Real dt,
+                             Real& squared_frequency) {
   const auto& nodes = entities.nodes;
   const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
   ContactRecord<Dim> record;
@@ -83,9 +83,9 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& 
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
   const ParticleSpring spring{candidate.stiffness * now.breadth,
                               kBarrier * candidate.own * now.breadth, now.particle.radius};
-  const Real damping = damping_coefficient(candidate.zeta, spring.linear, mass);
+  hit.damping = damping_coefficient(candidate.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
-  record.damping = std::max(hit.share * damping * closing, -record.spring);
+  record.damping = std::max(hit.share * hit.damping * closing, -record.spring);
   if (mass > 0) {
     const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
     squared_frequency += hit.share * spring.tangent(coming) / mass;
@@ -108,6 +108,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
   step.area = hit.share;
   step.pressed = hit.share * record.area;
   step.stiffness = candidate.stiffness * now.breadth;
+  step.damping = hit.damping;
   step.dt = dt;
   step.before = history.of_particle(record.first, face.body, face.piece, face.id, record.normal);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
@@ -121,7 +122,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
                  FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   Real squared_frequency = 0, zeta = 0;
-  for (const auto& hit : part.hits) {
+  for (auto& hit : part.hits) {
     if (!hit.kept) continue;
     const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
     part.particle_on_face.push_back(

@@ -157,6 +157,7 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   const Vec<Dim> velocity = upper.velocity - lower.velocity;
   Vec<Dim> slip = step.dt * velocity;
   Vec<Dim> traction = in_plane<Dim>(step.inherited, n);
+  Vec<Dim> slider_before = Vec<Dim>::Zero(), drag_before = Vec<Dim>::Zero();
   Real taken_before = 0, energy_before = 0;
   if (const auto* before = step.before) {
     taken_before = before->taken;
@@ -168,6 +169,8 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
       const Vec<Dim> distance = upper.point - lower.point;
       slip = distance - turn(distance - step.dt * velocity);
       traction = in_plane<Dim>(turn(before->traction), n);
+      slider_before = before->area * traction;
+      drag_before = before->area * turn(before->drag);
     }
   }
   slip = in_plane<Dim>(slip, n);
@@ -176,12 +179,18 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   const Real limit = step.options->coefficient(speed, normal_force / step.pressed) * normal_force;
   const auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   friction.traction = slid.traction;
+  friction.slips = slid.slips;
+  if (!slid.slips && step.dt > 0) {
+    const Vec<Dim> drag = -step.damping / step.dt * slip;
+    friction.drag = within_limit<Dim>(slid.traction, drag, limit / step.area);
+  }
   share(upper, step.upper, step.point, friction.resultant(), friction);
   share<Dim>(lower, step.lower, step.point, -friction.resultant(), friction);
-  friction.heat = step.area * slid.heat;
+  friction.heat = -0.5 * (slider_before + friction.slider()).dot(slid.slip);
+  friction.damped = -0.5 * (drag_before + step.area * friction.drag).dot(slip);
   friction.stored = friction.energy() - energy_before;
-  friction.pairs =
-      taken_before + half_taken(friction, nodes, step.dt) - friction.heat - friction.stored;
+  friction.pairs = taken_before + half_taken(friction, nodes, step.dt) - friction.heat -
+                   friction.stored - friction.damped;
   return friction;
 }
 

@@ -28,18 +28,22 @@ struct Friction {
   Label body = 0, piece = 0;  ///< the surface on which a particle slides
   Vec<Dim> normal = Vec<Dim>::Zero();
   Vec<Dim> traction = Vec<Dim>::Zero();  ///< [Pa] on the upper side, in the plane
+  Vec<Dim> drag = Vec<Dim>::Zero();      ///< [Pa] of the damper that acts where it sticks
   Real area = 0;                         ///< [m^2] that carries it
   Real stiffness = 0;                    ///< [Pa/m]
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
   std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
-  Real heat = 0;                       ///< [J] of the last step
+  bool slips = false;                  ///< in the last step
+  Real heat = 0;                       ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
+  Real damped = 0;                     ///< [J] by the drag in the last step
   Real stored = 0;                     ///< [J] gained by the spring in the last step
   Real pairs = 0;                      ///< [J] what changes of the contact itself took from motion
   Real taken = 0;  ///< [J] half of what `force` takes from the motion of the step under way
 
-  Vec<Dim> resultant() const { return area * traction; }  ///< [N] on the upper side
-  Real energy() const {                                   ///< [J] in the spring
+  Vec<Dim> slider() const { return area * traction; }              ///< [N] on the upper side
+  Vec<Dim> resultant() const { return area * (traction + drag); }  ///< [N]
+  Real energy() const {                                            ///< [J] in the spring
     return stiffness > 0 ? area * traction.squaredNorm() / (2 * stiffness) : 0.0;
   }
 };
@@ -91,6 +95,7 @@ struct FrictionStep {
   Real area = 0;                      ///< [m^2] that carries traction; of a particle its share [1]
   Real pressed = 0;                   ///< [m^2] area under pressure
   Real stiffness = 0;                 ///< [Pa/m] of the tangential spring; of a particle [N/m]
+  Real damping = 0;                   ///< [Pa s/m] where it sticks; of a particle [N s/m]
   Real dt = 0;                        ///< [s]
   const Friction<Dim>* before = nullptr;
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past

@@ -287,7 +287,7 @@ std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
     const auto& upper = entities.faces[entities.face_with(friction->key.second)];
     if (upper.owned || upper.rigid()) return;
     TractionShare<Dim> share{friction->key, friction->area, {}};
-    const Vec<Dim> force = friction->resultant();
+    const Vec<Dim> force = friction->slider();
     for (int c = 0; c < Dim; ++c) share.force[c] = force[c];
     to[static_cast<std::size_t>(owner_of(entities, upper))] << share;
   });

@@ -155,6 +155,7 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       if (!nodes.rubs) continue;
       part.add(Column::contact_friction, nodes.friction_heat[i]);
       part.add(Column::contact_spring, nodes.friction_stored[i]);
+      part.add(Column::contact_damping, nodes.friction_damped[i]);
       part.add(Column::contact_pairs, nodes.pair_energy[i]);
     }
   };

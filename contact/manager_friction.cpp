@@ -24,10 +24,12 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.piece);
   row(friction.normal);
   row(friction.traction);
+  row(friction.drag);
   row(friction.area);
   row(friction.stiffness);
   row(friction.n_nodes);
   for (auto& force : friction.force) row(force);
+  row(friction.slips);
   row(friction.heat);
 }
 
@@ -113,13 +115,16 @@ void ContactManager<Dim>::Implementation::end_friction() {
     const std::size_t at = book_of(entities, friction->key);
     nodes.friction_heat[at] += friction->heat;
     nodes.friction_stored[at] += friction->stored;
+    nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;
   });
-  // What ended gave its spring's energy away, and its forces acted for the first half of the step.
+  // What ended gives its spring's energy away; its forces acted for the first half of the step,
+  // which is heat where it was slipping.
   history.visit_ended([&](const Friction<Dim>& friction) {
     const std::size_t at = book_of(entities, friction.key);
     nodes.friction_stored[at] -= friction.energy();
-    nodes.pair_energy[at] += friction.taken + friction.energy();
+    nodes.pair_energy[at] += friction.energy();
+    (friction.slips ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
   });
   sum_tractions();
 }
@@ -144,8 +149,8 @@ void ContactManager<Dim>::Implementation::sum_tractions() {
   records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
     if (friction == nullptr || friction->key.of_particle) return;
     while (next != elsewhere.end() && next->key < friction->key) add_next();
-    add(friction->key.first, friction->area, -friction->resultant());
-    add(friction->key.second, friction->area, friction->resultant());
+    add(friction->key.first, friction->area, -friction->slider());
+    add(friction->key.second, friction->area, friction->slider());
   });
   while (next != elsewhere.end()) add_next();
 }

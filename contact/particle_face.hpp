@@ -42,6 +42,7 @@ struct ParticleHit {
   Vec<Dim> direction;   ///< unit, of the force on the particle
   Real overlap = 0;     ///< [m] radius minus signed distance
   Real share = 1;       ///< of its spring, where several push the same way
+  Real damping = 0;     ///< [N s/m] of a share of 1; the caller's
 };
 
 /// Makes of the faces near a particle at x its contacts (contact.md 2.8): an edge or vertex that

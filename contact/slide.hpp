@@ -11,13 +11,14 @@ namespace brunt {
 template <int Dim>
 struct Slide {
   Vec<Dim> traction;  ///< [Pa] at the end
-  Real heat = 0;      ///< [J/m^2] dissipated: mean traction times slip
+  Vec<Dim> slip;      ///< [m] what of the displacement was no stretch of the spring
   bool slips = false;
 };
 
 /// Traction that resists after a relative displacement, by return mapping.
 ///   t* = t - k du;  |t*| <= limit: t* sticks, else t = limit t*/|t*| and the rest of du is slip
-/// The work -(t_old + t_new)/2 . du is exactly what the spring stores, |t|^2/2k, plus the heat.
+/// The work -(t_old + t_new)/2 . du is exactly what the spring stores, |t|^2/2k, plus the heat
+/// -(t_old + t_new)/2 . slip.
 /// before [Pa] in the present plane;  stiffness [Pa/m], > 0;  du [m];  limit [Pa], >= 0
 template <int Dim>
 Slide<Dim> slide(const Vec<Dim>& before, Real stiffness, const Vec<Dim>& du, Real limit) {
@@ -26,11 +27,17 @@ Slide<Dim> slide(const Vec<Dim>& before, Real stiffness, const Vec<Dim>& du, Rea
   const Real size = trial.norm();
   step.slips = size > limit;
   step.traction = step.slips ? Vec<Dim>(limit / size * trial) : trial;
-  if (step.slips) {
-    const Vec<Dim> slip = (step.traction - trial) / stiffness;  // along -t: what the slider gave
-    step.heat = -0.5 * (before + step.traction).dot(slip);
-  }
+  step.slip = (step.traction - trial) / stiffness;
   return step;
+}
+
+/// The part of a damper's traction with which both stay within the limit; |spring| <= limit.
+template <int Dim>
+Vec<Dim> within_limit(const Vec<Dim>& spring, const Vec<Dim>& damper, Real limit) {
+  if ((spring + damper).squaredNorm() <= limit * limit) return damper;
+  const Real a = damper.squaredNorm(), b = spring.dot(damper);
+  const Real c = std::min(spring.squaredNorm() - limit * limit, 0.0);
+  return Vec<Dim>(std::max(std::sqrt(b * b - a * c) - b, 0.0) / a * damper);
 }
 
 /// The turn of a contact's plane from one step to the next: the shortest that takes the old normal

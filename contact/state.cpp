@@ -15,6 +15,7 @@ void visit_node(Row& row, Nodes& nodes, std::size_t i) {
   row(nodes.friction[i]);
   row(nodes.friction_heat[i]);
   row(nodes.friction_stored[i]);
+  row(nodes.friction_damped[i]);
   row(nodes.pair_energy[i]);
 }
 
