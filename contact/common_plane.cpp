@@ -84,7 +84,7 @@ std::array<Real, 4> weights(const Polygon& face, bool reverse, const Vec<2>& p) 
 
 /// The plane between two simple faces in 3D; false if it carries no pressure.
 bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section&,
-               CommonPlane<3>& plane) {
+               bool with_middle, CommonPlane<3>& plane) {
   if (!orient(lower, upper, plane)) return false;
   if (apart(lower, upper, plane.normal, plane.origin)) return false;
   set_axes(plane);
@@ -108,12 +108,18 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   plane.point = plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2;
   plane.lower_weight = weights(below, false, p);
   plane.upper_weight = weights(above, true, p);
+  if (with_middle) {
+    const Vec<2> middle = sum.first / sum.area;
+    plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
+    plane.lower_at_middle = weights(below, false, middle);
+    plane.upper_at_middle = weights(above, true, middle);
+  }
   return true;
 }
 
 /// The line between two edges in 2D; the integrands are cubic at most, so Simpson is exact.
 bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
-               CommonPlane<2>& plane) {
+               bool with_middle, CommonPlane<2>& plane) {
   if (!orient(lower, upper, plane)) return false;
   if (apart(lower, upper, plane.normal, plane.origin)) return false;
   const Vec<2> t(-plane.normal[1], plane.normal[0]);
@@ -142,11 +148,12 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   const Real middle = 0.5 * (from + to);
   const auto breadth = [&](Real s) { return section.breadth(plane.origin[0] + s * t[0]); };
   const std::array<Real, 3> s = {from, middle, to}, share = {1.0 / 6, 4.0 / 6, 1.0 / 6};
-  Real total = 0, moment = 0, area = 0;
+  Real total = 0, moment = 0, area = 0, first = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Real strip = (to - from) * share[i] * breadth(s[i]);
     const Real depth = std::max(penetration(s[i]), 0.0);
     area += strip;
+    first += strip * (s[i] - middle);
     total += strip * depth;
     moment += strip * depth * (s[i] - middle);
   }
@@ -164,6 +171,12 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   plane.polygon.push(Vec<2>(to, 0));
   plane.lower_weight = {1 - below.share(p), below.share(p)};
   plane.upper_weight = {1 - above.share(p), above.share(p)};
+  if (with_middle) {
+    const Real m = middle + first / area;
+    plane.middle = plane.origin + m * t;
+    plane.lower_at_middle = {1 - below.share(m), below.share(m)};
+    plane.upper_at_middle = {1 - above.share(m), above.share(m)};
+  }
   return true;
 }
 
@@ -192,15 +205,17 @@ struct Parts {
 };
 
 int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
-                 std::array<CommonPlane<3>, 4>& plane) {
+                 bool with_middle, std::array<CommonPlane<3>, 4>& plane) {
   const Parts below(lower), above(upper);
   std::size_t n = 0;
   for (std::size_t i = 0; i < below.count; ++i) {
     for (std::size_t j = 0; j < above.count; ++j) {
-      if (!one_plane(below[i], above[j], section, plane[n])) continue;
+      if (!one_plane(below[i], above[j], section, with_middle, plane[n])) continue;
       plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
       below.spread(i, plane[n].lower_weight);
       above.spread(j, plane[n].upper_weight);
+      below.spread(i, plane[n].lower_at_middle);
+      above.spread(j, plane[n].upper_at_middle);
       ++n;
     }
   }
@@ -243,17 +258,18 @@ std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const 
 
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                  std::array<CommonPlane<Dim>, 4>& plane) {
+                  std::array<CommonPlane<Dim>, 4>& plane, bool with_middle) {
   if constexpr (Dim == 3) {
-    if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, plane);
+    if (!lower.simple || !upper.simple)
+      return split_planes(lower, upper, section, with_middle, plane);
   }
   plane[0].ordinal = 0;
-  return one_plane(lower, upper, section, plane[0]) ? 1 : 0;
+  return one_plane(lower, upper, section, with_middle, plane[0]) ? 1 : 0;
 }
 
 template int common_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
-                              std::array<CommonPlane<2>, 4>&);
+                              std::array<CommonPlane<2>, 4>&, bool);
 template int common_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
-                              std::array<CommonPlane<3>, 4>&);
+                              std::array<CommonPlane<3>, 4>&, bool);
 
 }  // namespace brunt

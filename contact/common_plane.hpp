@@ -32,6 +32,10 @@ struct CommonPlane {
   Real penetration = 0;       ///< [m] at `point`
   std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
+  /// The centre of the area under pressure with its weights, where asked for: friction acts there,
+  /// since a place that followed the pressure would couple normal motion to friction, one way only.
+  Vec<Dim> middle;  ///< [m]
+  std::array<Real, kCorners> lower_at_middle{}, upper_at_middle{};
   Polygon polygon;  ///< 3D: the area under pressure, about origin, along axis_1 and axis_2
   Vec<Dim> origin;  ///< [m]
   Vec<Dim> axis_1, axis_2;
@@ -39,9 +43,10 @@ struct CommonPlane {
 
 /// The planes between two faces, lower first by id: one, or up to four where warped or concave
 /// quads are split. Returns how many of them carry pressure; `plane` holds these in fixed order.
+/// with_middle: finds the centres of their areas too.
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                  std::array<CommonPlane<Dim>, 4>& plane);
+                  std::array<CommonPlane<Dim>, 4>& plane, bool with_middle = false);
 
 /// Weights N_a of the corners of a convex quad with sum N_a x_a = p, p inside: bilinear, then
 /// corrected in the least squares of their changes so that both sums are exact to round-off.

@@ -59,7 +59,10 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.options = candidate.rubs;
   step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
   step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
-  step.point = plane.point;
+  step.point = plane.middle;
+  std::copy_n(plane.lower_at_middle.begin(), n_lower, step.weight.begin());
+  std::copy_n(plane.upper_at_middle.begin(), record.n_nodes - n_lower,
+              step.weight.begin() + n_lower);
   step.area = plane.ramp * plane.area;
   step.pressed = plane.area;
   step.stiffness = candidate.stiffness;
@@ -83,8 +86,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const auto lower = static_cast<std::size_t>(candidate.lower);
     const auto upper = static_cast<std::size_t>(candidate.upper);
     if (!entities.reaches[lower].meets(entities.reaches[upper])) continue;
-    const int n =
-        common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes);
+    const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section,
+                                     planes, candidate.rubs != nullptr);
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
       if (plane.penetration > candidate.limit) continue;

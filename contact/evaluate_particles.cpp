@@ -105,6 +105,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
   step.upper = {0, 1, false};
   step.lower = {1, record.n_nodes, section.geometry != Geometry::axisymmetric && !face.rigid()};
   step.point = now.x;
+  for (std::size_t i = 0; i < step.weight.size(); ++i) step.weight[i] = std::fabs(record.weight[i]);
   step.area = hit.share;
   step.pressed = hit.share * record.area;
   step.stiffness = candidate.stiffness * now.breadth;

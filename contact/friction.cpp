@@ -17,12 +17,12 @@ struct Corners {
   Vec<Dim> velocity = Vec<Dim>::Zero();  // [m/s] there
 
   Corners(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
-          const ContactSide& side) {
+          const std::array<Real, Friction<Dim>::kNodes>& weights, const ContactSide& side) {
     Vec<Dim> mean = Vec<Dim>::Zero(), mean_v = Vec<Dim>::Zero();
     for (int i = side.first; i < side.last; ++i, ++n) {
       const auto node = static_cast<std::size_t>(record.node[static_cast<std::size_t>(i)]);
       const auto k = static_cast<std::size_t>(n);
-      weight[k] = std::fabs(record.weight[static_cast<std::size_t>(i)]);
+      weight[k] = weights[static_cast<std::size_t>(i)];
       arm[k] = nodes.x[node], v[k] = nodes.v[node];
       mean += arm[k], mean_v += v[k];
       point += weight[k] * arm[k], velocity += weight[k] * v[k];
@@ -151,7 +151,8 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   friction.node = record.node;
   friction.area = step.area;
   friction.stiffness = step.stiffness;
-  const Corners<Dim> lower(nodes, record, step.lower), upper(nodes, record, step.upper);
+  const Corners<Dim> lower(nodes, record, step.weight, step.lower);
+  const Corners<Dim> upper(nodes, record, step.weight, step.upper);
   const Vec<Dim>& n = record.normal;
 
   const Vec<Dim> velocity = upper.velocity - lower.velocity;

@@ -91,12 +91,13 @@ template <int Dim>
 struct FrictionStep {
   const PairOptions* options = nullptr;
   ContactSide lower, upper;
-  Vec<Dim> point = Vec<Dim>::Zero();  ///< [m] where the force acts
-  Real area = 0;                      ///< [m^2] that carries traction; of a particle its share [1]
-  Real pressed = 0;                   ///< [m^2] area under pressure
-  Real stiffness = 0;                 ///< [Pa/m] of the tangential spring; of a particle [N/m]
-  Real damping = 0;                   ///< [Pa s/m] where it sticks; of a particle [N s/m]
-  Real dt = 0;                        ///< [s]
+  std::array<Real, Friction<Dim>::kNodes> weight{};  ///< of the nodes, each side's sum to one
+  Vec<Dim> point = Vec<Dim>::Zero();                 ///< [m] where the force acts
+  Real area = 0;       ///< [m^2] that carries traction; of a particle its share [1]
+  Real pressed = 0;    ///< [m^2] area under pressure
+  Real stiffness = 0;  ///< [Pa/m] of the tangential spring; of a particle [N/m]
+  Real damping = 0;    ///< [Pa s/m] where it sticks; of a particle [N s/m]
+  Real dt = 0;         ///< [s]
   const Friction<Dim>* before = nullptr;
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past
 };

@@ -58,6 +58,7 @@ FieldIntegrals integrate(const Polygon& polygon, const LinearField& g) {
     const Real at_q = g.at(q), at_r = g.at(r), at_all = at_p + at_q + at_r;
     sum.area += triangle;
     sum.total += triangle * at_all / 3;
+    sum.first += triangle / 3 * (p + q + r);
     sum.moment += triangle / 12 * (at_all * (p + q + r) + at_p * p + at_q * q + at_r * r);
   }
   return sum;

@@ -37,6 +37,7 @@ struct FieldIntegrals {
   Real area = 0;                   ///< [m^2]
   Real total = 0;                  ///< integral of g
   Vec<2> moment = Vec<2>::Zero();  ///< integral of g p
+  Vec<2> first = Vec<2>::Zero();   ///< integral of p
 };
 FieldIntegrals integrate(const Polygon& polygon, const LinearField& g);
 
