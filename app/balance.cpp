@@ -79,7 +79,8 @@ bool Balance<Dim>::is_due(Scene<Dim>& scene) {
     Real largest, sum, cost;
   };
   Work work{0, 0, cost_};
-  for (const Phase phase : kWork) work.sum += scene.phases.work(phase) - last_.work(phase);
+  for (const Phase phase : kWork)
+    work.sum += scene.phases.of(phase).work() - last_.of(phase).work();
   work.largest = work.sum;
   work = scene.ranks->reduce(work, [](Work& a, const Work& b) {
     a.largest = std::max(a.largest, b.largest);
@@ -108,7 +109,7 @@ void spread(std::span<const Real> shares, Real seconds, std::span<Real> points) 
 template <int Dim>
 std::vector<Real> Balance<Dim>::weights(const Scene<Dim>& scene) const {
   const auto spent = [&](Phase phase) {
-    return std::max(0.0, scene.phases.work(phase) - last_.work(phase));
+    return std::max(0.0, scene.phases.of(phase).work() - last_.of(phase).work());
   };
   std::vector<Real> all, contact, even;
   bool any_particles = false;

@@ -8,7 +8,6 @@ namespace brunt {
 
 namespace {
 constexpr std::size_t kKept = 2;
-constexpr Real kLongestGrowth = 8;  // of a step over the one before; contact allows 4
 }  // namespace
 
 template <int Dim>
@@ -48,33 +47,39 @@ void Checkpointing<Dim>::go_on(Scene<Dim>& scene, Clock& clock) {
   throw MachineError("there is no checkpoint that is good");
 }
 
+/// A run takes one step at least: before that nothing is asked for or written.
 template <int Dim>
-void Checkpointing<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
-  monitor_.step_done(scene, clock);
-  const Requests requests = ask(scene);
-  const bool stopped = stop_if_asked(requests, clock);
-  // The step that `end` shortens is of this run alone: the checkpoint before it serves longer ones.
-  if (folder_.empty() || clock.time() >= clock.end()) return;
-  if (stopped || requests.checkpoint || is_due(scene, clock)) write(scene, clock);
-}
-
-/// What any rank was asked for; the root's clock says when the next checkpoint is due.
-template <int Dim>
-Requests Checkpointing<Dim>::ask(const Scene<Dim>& scene) {
+Requests Checkpointing<Dim>::requests(const Scene<Dim>& scene, const Clock& clock) {
+  if (clock.step() == first_step_) return {};
   Requests mine = requests_();
   const auto& every = loaded_.deck.output.checkpoint;
   const std::chrono::duration<Real> since = std::chrono::steady_clock::now() - last_;
   if (every && scene.ranks->is_root() && since.count() >= *every) mine.checkpoint = true;
-  return scene.ranks->reduce(mine, [](Requests& a, const Requests& b) {
-    a.checkpoint = a.checkpoint || b.checkpoint;
-    a.stop = a.stop || b.stop;
-  });
+  return mine;
+}
+
+template <int Dim>
+void Checkpointing<Dim>::answer(const StepHead& head, Scene<Dim>& scene, Clock& clock) {
+  if (clock.step() == first_step_) return;
+  const bool stopped = stop_if_asked(head.requests, clock);
+  const bool last = is_before_end(head.vote, clock);
+  if (folder_.empty()) return;
+  if (stopped || last || head.requests.checkpoint || is_due(clock)) write(scene, clock);
+}
+
+/// The step that `end` shortens is of this run alone: the checkpoint before it serves longer ones,
+/// and none is written after it. One that `stop` makes the last is like any other, and no head of a
+/// step follows it.
+template <int Dim>
+void Checkpointing<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
+  monitor_.step_done(scene, clock);
+  if (!clock.finished() || clock.time() >= clock.end() || folder_.empty()) return;
+  if (loaded_.deck.output.checkpoint || is_due(clock)) write(scene, clock);
 }
 
 /// True if the run ends here on request; its state is a whole step like any other.
 template <int Dim>
 bool Checkpointing<Dim>::stop_if_asked(const Requests& requests, Clock& clock) {
-  if (clock.time() >= clock.end()) return false;
   if (requests.stop) {
     interrupted_ = true;
     monitor_.stop(clock, "stopped by a signal");
@@ -87,13 +92,16 @@ bool Checkpointing<Dim>::stop_if_asked(const Requests& requests, Clock& clock) {
 }
 
 template <int Dim>
-bool Checkpointing<Dim>::is_due(const Scene<Dim>& scene, const Clock& clock) {
-  const auto& output = loaded_.deck.output;
-  if (output.checkpoint_steps > 0 && clock.step() % output.checkpoint_steps == 0) return true;
-  if (!output.checkpoint) return false;
-  if (clock.finished()) return true;  // a condition of `stop`
-  if (before_end_ || clock.end() - clock.time() > kLongestGrowth * clock.dt()) return false;
-  before_end_ = clock.shortens(scene.stable_step(clock.time(), clock.dt()));
+bool Checkpointing<Dim>::is_due(const Clock& clock) const {
+  const auto every = loaded_.deck.output.checkpoint_steps;
+  return every > 0 && clock.step() % every == 0;
+}
+
+/// True once, where checkpoints are written and `end` shortens the step to come.
+template <int Dim>
+bool Checkpointing<Dim>::is_before_end(const StepVote& vote, const Clock& clock) {
+  if (!loaded_.deck.output.checkpoint || before_end_) return false;
+  before_end_ = clock.shortens(vote);
   return before_end_;
 }
 

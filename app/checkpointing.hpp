@@ -17,11 +17,16 @@ class Checkpointing final : public Observer<Dim> {
  public:
   /// folder  where checkpoints go; empty: nowhere
   /// restart  null: the run starts at time 0
-  /// requests  asked after every step, on every rank: one that says yes is enough
+  /// requests  asked before every step but the first of this process, on every rank: one that says
+  /// yes is enough
   Checkpointing(const LoadedDeck& loaded, std::filesystem::path folder, Monitor<Dim>& monitor,
                 Restart* restart, std::function<Requests()> requests);
 
   void begin(Scene<Dim>& scene, Clock& clock) override;
+  /// Signals, and on the root the clock on the wall.
+  Requests requests(const Scene<Dim>& scene, const Clock& clock) override;
+  /// Writes checkpoints and stops between two steps, where all ranks know that it is due.
+  void answer(const StepHead& head, Scene<Dim>& scene, Clock& clock) override;
   void step_done(Scene<Dim>& scene, Clock& clock) override;
 
   bool interrupted() const { return interrupted_; }
@@ -29,9 +34,9 @@ class Checkpointing final : public Observer<Dim> {
 
  private:
   void go_on(Scene<Dim>& scene, Clock& clock);
-  Requests ask(const Scene<Dim>& scene);
   bool stop_if_asked(const Requests& requests, Clock& clock);
-  bool is_due(const Scene<Dim>& scene, const Clock& clock);
+  bool is_due(const Clock& clock) const;
+  bool is_before_end(const StepVote& vote, const Clock& clock);
   void write(Scene<Dim>& scene, const Clock& clock);
 
   const LoadedDeck& loaded_;

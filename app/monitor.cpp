@@ -1,7 +1,9 @@
 #include "app/monitor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "app/frame_piece.hpp"
@@ -14,7 +16,8 @@ constexpr std::int64_t kCheckEvery = 100;  // steps; a check of every value cost
 /// Coordinate [m] of a body's centre of mass, absolute.
 template <int Dim>
 Real center(const Scene<Dim>& scene, Label body, int axis) {
-  ExactSum mass, moment;
+  std::array<ExactSum, 2> sums;
+  auto& [mass, moment] = sums;
   for (const auto& solid : scene.solids) {
     const auto& points = solid->points();
     for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
@@ -23,9 +26,8 @@ Real center(const Scene<Dim>& scene, Label body, int axis) {
       moment.add(points.mass[i] * points.x[i][axis]);
     }
   }
-  const auto add = [](ExactSum& a, const ExactSum& b) { a.add(b); };
-  mass = scene.ranks->reduce(mass, add);
-  moment = scene.ranks->reduce(moment, add);
+  scene.ranks->reduce_all(std::span<ExactSum>(sums),
+                          [](ExactSum& a, const ExactSum& b) { a.add(b); });
   return moment.value() / mass.value() + scene.origin[axis];
 }
 

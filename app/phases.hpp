@@ -1,8 +1,7 @@
 #pragma once
 #include <array>
-#include <chrono>
 
-#include "core/parallel/communicator.hpp"
+#include "core/wall_time.hpp"
 
 namespace brunt {
 
@@ -25,36 +24,21 @@ inline constexpr std::array<const char*, kPhases> kPhaseNames = {
 
 struct Phases {
   const Communicator* ranks = &lone_rank();
-  std::array<double, kPhases> seconds{};
-  std::array<double, kPhases> waiting{};  ///< of these: sending, receiving, waiting for others
-  /// Seconds of this rank's own work in a phase.
-  double work(Phase phase) const {
-    const auto p = static_cast<std::size_t>(phase);
-    return seconds[p] - waiting[p];
-  }
+  std::array<WallTime, kPhases> time{};
+
+  WallTime& of(Phase phase) { return time[static_cast<std::size_t>(phase)]; }
+  const WallTime& of(Phase phase) const { return time[static_cast<std::size_t>(phase)]; }
+  /// Books to `to` what was part of `from`.
+  void rebook(Phase from, Phase to, const WallTime& part) { of(from) -= part, of(to) += part; }
 };
 
 /// Adds its life time to a phase.
 class PhaseTimer {
  public:
-  PhaseTimer(Phases& phases, Phase phase)
-      : phases_(phases),
-        phase_(static_cast<std::size_t>(phase)),
-        waited_(phases.ranks->traffic().seconds),
-        start_(std::chrono::steady_clock::now()) {}
-  ~PhaseTimer() {
-    phases_.seconds[phase_] +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    phases_.waiting[phase_] += phases_.ranks->traffic().seconds - waited_;
-  }
-  PhaseTimer(const PhaseTimer&) = delete;
-  PhaseTimer& operator=(const PhaseTimer&) = delete;
+  PhaseTimer(Phases& phases, Phase phase) : timer_(phases.of(phase), *phases.ranks) {}
 
  private:
-  Phases& phases_;
-  std::size_t phase_;
-  double waited_;
-  std::chrono::steady_clock::time_point start_;
+  WallTimer timer_;
 };
 
 }  // namespace brunt

@@ -58,9 +58,7 @@ double peak_memory() {
 
 template <int Dim>
 void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary) {
-  const auto seconds = [&](Phase phase) {
-    return scene.phases.seconds[static_cast<std::size_t>(phase)];
-  };
+  const auto seconds = [&](Phase phase) { return scene.phases.of(phase).seconds; };
   for (int p = 0; p < kPhases; ++p) {
     summary.phases.emplace_back(kPhaseNames[static_cast<std::size_t>(p)],
                                 seconds(static_cast<Phase>(p)));

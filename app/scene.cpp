@@ -1,9 +1,7 @@
 #include "app/scene.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
-#include <set>
 #include <span>
 #include <stdexcept>
 
@@ -12,40 +10,13 @@
 
 namespace brunt {
 
-namespace {
-/// A vote as it travels: the reason by its text.
-struct PackedVote {
-  Real step;
-  GlobalId entity;
-  Label body;
-  std::array<char, 32> reason;
-};
-
-/// A text that lives as long as the program.
-const char* interned(const std::string& text) {
-  static std::set<std::string> texts;
-  return texts.insert(text).first->c_str();
-}
-
-StepVote over_ranks(const StepVote& vote, const Communicator& ranks) {
-  PackedVote packed{vote.step, vote.entity, vote.body, {}};
-  std::strncpy(packed.reason.data(), vote.reason, packed.reason.size() - 1);
-  packed = ranks.reduce(packed, [](PackedVote& a, const PackedVote& b) {
-    // A step that is not a number wins: it ends the run.
-    const bool less = !(b.step >= a.step) || (b.step == a.step && b.entity < a.entity);
-    if (a.step == a.step && less) a = b;
-  });
-  return {packed.step, interned(packed.reason.data()), packed.body, packed.entity};
-}
-}  // namespace
-
 template <int Dim>
 StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
   StepVote vote;
   for (const auto& solid : solids) vote.take(solid->stable_step());
   if (contact) vote.take(contact->stable_step(dt_last));
   vote.take(loads.stable_step(time));
-  return ranks->alone() ? vote : over_ranks(vote, *ranks);
+  return vote;
 }
 
 template <int Dim>

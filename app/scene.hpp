@@ -32,11 +32,12 @@ struct Scene {
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
 
-  /// Positions and velocities of copies, from their owners. Collective.
-  void refresh_motion();
-  /// The smallest vote of all ranks, and whose. Collective, as all that follows.
+  /// The smallest vote of this rank, and whose. Not collective.
   StepVote stable_step(Real time, Real dt_last) const;
-  /// The only place where lists change.
+  /// Positions and velocities of copies, from their owners. Collective, as all that follows.
+  void refresh_motion();
+  /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
+  /// are due, after the motion; no answer depends on when.
   void rearrange();
   /// Exact totals of all columns, bodies and the state hash; dt is that of the last step.
   Totals<Dim> totals(Real dt) const;

@@ -5,10 +5,16 @@
 namespace brunt {
 
 namespace {
+/// The smallest vote of all ranks and what they are asked for, in one reduction.
 template <int Dim>
-Real choose_step(Scene<Dim>& scene, Clock& clock, Real min_step) {
+StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
   const PhaseTimer timer(scene.phases, Phase::step_bound);
   const StepVote vote = scene.stable_step(clock.time(), clock.dt());
+  return over_ranks({vote, observer.requests(scene, clock)}, *scene.ranks);
+}
+
+template <int Dim>
+Real choose_step(const StepVote& vote, Scene<Dim>& scene, Clock& clock, Real min_step) {
   // A vote that is not a number fails this comparison too.
   if (!(vote.step >= min_step)) {
     scene.check(clock.time());  // knows better, where an element is inverted or a value no number
@@ -21,55 +27,56 @@ Real choose_step(Scene<Dim>& scene, Clock& clock, Real min_step) {
   return clock.limit(vote);
 }
 
-/// Rebuilds the lists that a step of dt could make incomplete, and no others: contact asks more
-/// often than particles, whose lists are dear. No answer depends on when a list is rebuilt.
 template <int Dim>
-void rearrange_where_due(Scene<Dim>& scene, Real dt) {
-  const PhaseTimer timer(scene.phases, Phase::search);
-  for (auto& solid : scene.solids) {
-    if (solid->must_rearrange(dt)) solid->rearrange();
-  }
-  if (scene.contact && scene.contact->must_rearrange(dt)) scene.contact->rearrange();
+Phase phase_of(const Solid<Dim>& solid) {
+  return solid.n_particles() > 0 ? Phase::particles : Phase::elements;
 }
 }  // namespace
 
 template <int Dim>
 void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer,
                    Balance<Dim>* balance) {
+  Phases& phases = scene.phases;
   scene.supports.start();
   scene.refresh_motion();
   scene.rearrange();
   observer.begin(scene, clock);
   while (!clock.finished()) {
     if (balance != nullptr) {
-      const PhaseTimer timer(scene.phases, Phase::balance);
+      const PhaseTimer timer(phases, Phase::balance);
       balance->look(scene, clock.time());
     }
-    const Real dt = choose_step(scene, clock, min_step);
-    rearrange_where_due(scene, dt);
+    const StepHead head = agree(scene, clock, observer);
+    observer.answer(head, scene, clock);
+    if (clock.finished()) break;
+    const Real dt = choose_step(head.vote, scene, clock, min_step);
     {
-      const PhaseTimer timer(scene.phases, Phase::points);
+      const PhaseTimer timer(phases, Phase::points);
       for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
       scene.supports.impose(clock.time() + dt, dt);
       scene.refresh_motion();
     }
     for (auto& solid : scene.solids) {
-      const PhaseTimer timer(scene.phases,
-                             solid->n_particles() ? Phase::particles : Phase::elements);
-      solid->update_state(dt);
-      solid->refresh_state();
+      {
+        const PhaseTimer timer(phases, phase_of(*solid));
+        solid->update_state(dt);
+        solid->refresh_state();
+      }
+      phases.rebook(phase_of(*solid), Phase::search, solid->take_list_time());
     }
     if (scene.contact) {
-      const PhaseTimer timer(scene.phases, Phase::contact);
-      scene.contact->add_forces(dt);
+      {
+        const PhaseTimer timer(phases, Phase::contact);
+        scene.contact->add_forces(dt);
+      }
+      phases.rebook(Phase::contact, Phase::search, scene.contact->take_list_time());
     }
     for (auto& solid : scene.solids) {
-      const PhaseTimer timer(scene.phases,
-                             solid->n_particles() ? Phase::particles : Phase::elements);
+      const PhaseTimer timer(phases, phase_of(*solid));
       solid->add_internal_forces(dt);
     }
     {
-      const PhaseTimer timer(scene.phases, Phase::points);
+      const PhaseTimer timer(phases, Phase::points);
       if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
       scene.supports.take_reactions(clock.time() + dt, dt);
       for (auto& solid : scene.solids) correct(solid->points(), dt);

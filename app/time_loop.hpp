@@ -2,15 +2,21 @@
 #include "app/balance.hpp"
 #include "app/clock.hpp"
 #include "app/scene.hpp"
+#include "app/step_head.hpp"
 
 namespace brunt {
 
 /// Watches a run: output, progress, checks. Sees the scene at whole steps only.
+/// What ranks may be asked for one by one goes with the vote for the step, in one reduction.
 template <int Dim>
 class Observer {
  public:
   virtual ~Observer() = default;
   virtual void begin(Scene<Dim>& scene, Clock& clock) = 0;
+  /// What this rank is asked for before a step. Not collective.
+  virtual Requests requests(const Scene<Dim>&, const Clock&) { return {}; }
+  /// Answers what ranks have agreed on before a step, at whole steps still; it may stop the clock.
+  virtual void answer(const StepHead&, Scene<Dim>&, Clock&) {}
   virtual void step_done(Scene<Dim>& scene, Clock& clock) = 0;
 };
 

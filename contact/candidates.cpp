@@ -15,12 +15,33 @@ constexpr Real kWorkPerListed = 5;
 // Bounds of a chosen skin, in sizes.
 constexpr Real kThinnest = 0.02, kFirst = 0.2, kWidest = 0.5;
 
+/// Bounds that prove the lists complete (contact.md 2.3): extremes, by component, of displacement
+/// since they were built and of velocity.
 template <int Dim>
-void merge(MotionBounds<Dim>& into, const MotionBounds<Dim>& from) {
-  into.u_min = into.u_min.cwiseMin(from.u_min), into.u_max = into.u_max.cwiseMax(from.u_max);
-  into.v_min = into.v_min.cwiseMin(from.v_min), into.v_max = into.v_max.cwiseMax(from.v_max);
-  into.a_min = into.a_min.cwiseMin(from.a_min), into.a_max = into.a_max.cwiseMax(from.a_max);
-}
+struct MotionBounds {
+  Vec<Dim> u_min = Vec<Dim>::Constant(kInfinity), u_max = Vec<Dim>::Constant(-kInfinity);
+  Vec<Dim> v_min = Vec<Dim>::Constant(kInfinity), v_max = Vec<Dim>::Constant(-kInfinity);
+
+  void take(const Vec<Dim>& u, const Vec<Dim>& v) {
+    u_min = u_min.cwiseMin(u), u_max = u_max.cwiseMax(u);
+    v_min = v_min.cwiseMin(v), v_max = v_max.cwiseMax(v);
+  }
+  void take(const MotionBounds& other) {
+    u_min = u_min.cwiseMin(other.u_min), u_max = u_max.cwiseMax(other.u_max);
+    v_min = v_min.cwiseMin(other.v_min), v_max = v_max.cwiseMax(other.v_max);
+  }
+  /// Largest relative displacement [m] of any two nodes, any component; 0 where there are none.
+  Real relative_displacement() const {
+    Real widest = 0;
+    for (int c = 0; c < Dim; ++c) widest = std::max(widest, u_max[c] - u_min[c]);
+    return widest;
+  }
+  /// Largest relative speed [m/s] of any two nodes.
+  Real relative_speed() const {
+    const Vec<Dim> widest = v_max - v_min;
+    return widest.norm();
+  }
+};
 
 /// Bounds over n nodes; take(i, bounds) adds node i.
 template <int Dim, class Take>
@@ -32,7 +53,7 @@ MotionBounds<Dim> bounds_of(std::size_t n, const Take& take) {
 #pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < n; ++i) take(i, part);
 #pragma omp critical(brunt_contact_bounds)
-    merge(all, part);
+    all.take(part);
   }
   return all;
 }
@@ -42,11 +63,10 @@ template <int Dim>
 MotionBounds<Dim> over_ranks(const Communicator& ranks, const MotionBounds<Dim>& mine,
                              Real& largest) {
   if (ranks.alone()) return mine;
-  std::array<Real, 6 * Dim + 1> extremes;
+  std::array<Real, 4 * Dim + 1> extremes;
   for (int c = 0; c < Dim; ++c) {
-    const std::array<Real, 6> one = {-mine.u_min[c], mine.u_max[c],  -mine.v_min[c],
-                                     mine.v_max[c],  -mine.a_min[c], mine.a_max[c]};
-    std::copy(one.begin(), one.end(), extremes.begin() + 6 * c);
+    const std::array<Real, 4> one = {-mine.u_min[c], mine.u_max[c], -mine.v_min[c], mine.v_max[c]};
+    std::copy(one.begin(), one.end(), extremes.begin() + 4 * c);
   }
   extremes.back() = largest;
   extremes = ranks.reduce(extremes, [](auto& a, const auto& b) {
@@ -54,19 +74,12 @@ MotionBounds<Dim> over_ranks(const Communicator& ranks, const MotionBounds<Dim>&
   });
   MotionBounds<Dim> all;
   for (int c = 0; c < Dim; ++c) {
-    const Real* one = extremes.data() + 6 * c;
-    all.u_min[c] = -one[0], all.u_max[c] = one[1], all.v_min[c] = -one[2];
-    all.v_max[c] = one[3], all.a_min[c] = -one[4], all.a_max[c] = one[5];
+    const Real* one = extremes.data() + 4 * c;
+    all.u_min[c] = -one[0], all.u_max[c] = one[1];
+    all.v_min[c] = -one[2], all.v_max[c] = one[3];
   }
   largest = extremes.back();
   return all;
-}
-
-/// Largest relative speed [m/s] that the bounds allow.
-template <int Dim>
-Real relative_speed(const MotionBounds<Dim>& bounds) {
-  const Vec<Dim> widest = bounds.v_max - bounds.v_min;
-  return widest.norm();
 }
 
 /// The box, or a point where it is not a number any more: that touches nothing.
@@ -123,12 +136,12 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
   skin_ = ranks.max(skin_);
   if (entities.any_particles) {
     auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
-      part.take(Vec<Dim>::Zero(), nodes.v[i], Vec<Dim>::Zero());
+      part.take(Vec<Dim>::Zero(), nodes.v[i]);
     });
     Real none = 0;
     bounds = over_ranks(ranks, bounds, none);
     // A tenth more, so that speeds and steps that grow a little need no new lists.
-    speed_reach_ = std::isfinite(longest) ? 1.1 * relative_speed(bounds) * longest : 0.0;
+    speed_reach_ = std::isfinite(longest) ? 1.1 * bounds.relative_speed() * longest : 0.0;
   }
   if (!ranks.alone()) {
     std::vector<SearchBox<Dim>> offered, wanted;
@@ -146,7 +159,7 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
   x_built_ = nodes.x;
   warp_built_.resize(entities.faces.size());
   for (std::size_t f = 0; f < warp_built_.size(); ++f) warp_built_[f] = entities.planes[f].warp;
-  growth_ = moved_ = 0;
+  moved_ = 0;
   steps_ = 0;
   ++builds_;
 }
@@ -240,7 +253,7 @@ bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest,
                                const Communicator& ranks) {
   const auto& nodes = entities.nodes;
   auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
-    part.take(nodes.x[i] - x_built_[i], nodes.v[i], Vec<Dim>::Zero());
+    part.take(nodes.x[i] - x_built_[i], nodes.v[i]);
   });
   Real warp = 0;
 #pragma omp parallel for schedule(static) \
@@ -250,30 +263,13 @@ bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest,
     warp = std::max(warp, entities.planes[f].warp - warp_built_[f]);
   }
   bounds = over_ranks(ranks, bounds, warp);
-  growth_ = 2 * kReachPerWarp * warp;
+  Real growth = 2 * kReachPerWarp * warp;  // of reaches since the lists were built
   if (entities.any_particles) {
-    growth_ += std::max(0.0, relative_speed(bounds) * longest - speed_reach_);
+    growth += std::max(0.0, bounds.relative_speed() * longest - speed_reach_);
   }
   ++steps_;
-  moved_ = bounds.u_max[0] >= bounds.u_min[0] ? bounds.relative_displacement(0) : 0.0;
-  return moved_ + growth_ <= skin_;
-}
-
-template <int Dim>
-bool Candidates<Dim>::will_be_complete(const Entities<Dim>& entities,
-                                       const std::vector<Surface<Dim>*>& surfaces, Real dt,
-                                       const Communicator& ranks) const {
-  const auto& nodes = entities.nodes;
-  auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
-    if (!nodes.owned[i]) return;
-    const auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
-    const auto p = static_cast<std::size_t>(nodes.point[i]);
-    part.take(points.x[p] - x_built_[i], points.v[p], points.a[p]);
-  });
-  Real none = 0;
-  bounds = over_ranks(ranks, bounds, none);
-  if (!(bounds.u_max[0] >= bounds.u_min[0])) return true;  // nothing can touch
-  return bounds.relative_displacement(dt) + growth_ <= skin_;
+  moved_ = bounds.relative_displacement();
+  return moved_ + growth <= skin_;
 }
 
 /// Cost of a step: c(s) + (work of a build) (motion a step) / s, the candidates c growing with s.

@@ -39,12 +39,8 @@ class Candidates {
   void build(Entities<Dim>& entities, const PairTable& pairs, Real longest,
              ContactImports<Dim>& imports);
   /// True if they hold every contact and speed vote at nodes.x, nodes.v, planes; the same on all
-  /// ranks. Collective.
+  /// ranks. Collective: one reduction.
   bool complete(const Entities<Dim>& entities, Real longest, const Communicator& ranks);
-  /// True if they will, as far as present velocities and accelerations tell, after a step of dt.
-  /// The same on all ranks. Collective.
-  bool will_be_complete(const Entities<Dim>& entities, const std::vector<Surface<Dim>*>& surfaces,
-                        Real dt, const Communicator& ranks) const;
 
   std::span<const FaceCandidate> faces() const { return faces_; }
   std::span<const ParticleCandidate> particles() const { return particles_; }
@@ -70,7 +66,6 @@ class Candidates {
   std::vector<Vec<Dim>> x_built_;  // [m]
   std::vector<Real> warp_built_;   // [m]
   Real speed_reach_ = 0;           // [m] of motion that the particles' boxes foresee
-  Real growth_ = 0;                // [m] of reaches since the lists were built
   Real moved_ = 0;                 // [m] largest relative displacement since
   Real skin_ = 0;                  // [m]
   std::size_t steps_ = 0;          // since the lists were built

@@ -59,6 +59,7 @@ struct ContactManager<Dim>::Implementation {
   Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation
   bool started = false;  // forces have been evaluated
+  WallTime list_time;    // within add_forces, not taken yet
 };
 
 }  // namespace brunt

@@ -90,12 +90,6 @@ StepVote ContactManager<Dim>::stable_step(Real) const {
 }
 
 template <int Dim>
-bool ContactManager<Dim>::must_rearrange(Real dt) const {
-  const auto& own = *implementation_;
-  return !own.candidates.will_be_complete(own.entities, own.surfaces, dt, *own.ranks.all);
-}
-
-template <int Dim>
 void ContactManager<Dim>::rearrange() {
   auto& own = *implementation_;
   if (own.started) {
@@ -124,9 +118,12 @@ void ContactManager<Dim>::add_forces(Real dt) {
   own.begin_friction(dt);
   const StepVote longest = own.longest_after(dt);
   const Real ahead = own.look_ahead(dt, longest);
-  if (!own.candidates.complete(own.entities, ahead, *own.ranks.all)) {
-    own.renew(ahead, true);
-    read_motion();
+  {
+    const WallTimer timer(own.list_time, *own.ranks.all);
+    if (!own.candidates.complete(own.entities, ahead, *own.ranks.all)) {
+      own.renew(ahead, true);
+      read_motion();
+    }
   }
   own.imports.refresh_tractions(own.entities);
   own.evaluate(dt, longest, ahead, &own.history);
@@ -136,6 +133,11 @@ void ContactManager<Dim>::add_forces(Real dt) {
   own.dt_last = dt;
   own.ahead_last = ahead;
   own.started = true;
+}
+
+template <int Dim>
+WallTime ContactManager<Dim>::take_list_time() {
+  return std::exchange(implementation_->list_time, {});
 }
 
 template <int Dim>

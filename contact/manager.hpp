@@ -11,6 +11,7 @@
 #include "core/step_vote.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
+#include "core/wall_time.hpp"
 
 namespace brunt {
 
@@ -43,20 +44,20 @@ class ContactManager {
                  std::vector<std::string> body_names, Real depth = 1);
   /// The part of a whole, at time 0, that this rank evaluates: pairs whose lower face or whose
   /// particle it owns. surfaces  this rank's, in the order of the whole's. deal and ranks outlive
-  /// the manager. From here on rearrange, must_rearrange, add_forces and reports are collective.
+  /// the manager. From here on rearrange, add_forces and reports are collective.
   ContactManager(const ContactManager& whole, std::vector<Surface<Dim>*> surfaces, const Deal& deal,
                  const Communicator& ranks);
   ~ContactManager();
 
   /// Votes before the step, from each face's own spring and from near pairs (physics.md A5).
   StepVote stable_step(Real dt_last) const;
-  /// True if the lists may miss a contact after a step of dt; add_forces looks again and builds
-  /// them itself where motion was more than this foresaw.
-  bool must_rearrange(Real dt) const;
   /// Reads the surfaces anew and rebuilds the lists; what is booked stays with the points' ids.
   void rearrange();
-  /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping.
+  /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping. Lists that may miss
+  /// a contact there are rebuilt first.
   void add_forces(Real dt);
+  /// What add_forces has spent on its lists since the last call: a part of its own wall time.
+  WallTime take_list_time();
   void add_totals(Totals<Dim>& totals) const;
   /// Forces and energies of the owned points that contact moves.
   void save_state(std::vector<StateTable>& tables) const;

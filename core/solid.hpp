@@ -9,32 +9,9 @@
 #include "core/step_vote.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
+#include "core/wall_time.hpp"
 
 namespace brunt {
-
-/// Bounds that prove a neighbour list complete after the next step (contact.md 2.3): extremes, by
-/// component, of displacement since the list was built, of velocity and of acceleration.
-template <int Dim>
-struct MotionBounds {
-  Vec<Dim> u_min = Vec<Dim>::Constant(kInfinity), u_max = Vec<Dim>::Constant(-kInfinity);
-  Vec<Dim> v_min = Vec<Dim>::Constant(kInfinity), v_max = Vec<Dim>::Constant(-kInfinity);
-  Vec<Dim> a_min = Vec<Dim>::Constant(kInfinity), a_max = Vec<Dim>::Constant(-kInfinity);
-
-  void take(const Vec<Dim>& u, const Vec<Dim>& v, const Vec<Dim>& a) {
-    u_min = u_min.cwiseMin(u), u_max = u_max.cwiseMax(u);
-    v_min = v_min.cwiseMin(v), v_max = v_max.cwiseMax(v);
-    a_min = a_min.cwiseMin(a), a_max = a_max.cwiseMax(a);
-  }
-  /// Largest relative displacement [m] of any two points after x += dt (v + dt/2 a), any component.
-  Real relative_displacement(Real dt) const {
-    Real widest = 0;
-    for (int c = 0; c < Dim; ++c) {
-      widest = std::max(widest, (u_max[c] - u_min[c]) + dt * (v_max[c] - v_min[c]) +
-                                    0.5 * dt * dt * (a_max[c] - a_min[c]));
-    }
-    return widest;
-  }
-};
 
 /// A group of material points with its blocks of elements or particles: what FE, SPH and rigid
 /// surfaces have in common. Virtual calls are per group per step, never per point.
@@ -49,16 +26,17 @@ class Solid {
   virtual const Points<Dim>& points() const = 0;
   /// Facets and particles that may touch other bodies; stays valid between rearrangements.
   virtual Surface<Dim>& surface() = 0;
-  /// Recomputes what neighbours will read, at x(n+1) with v(n+1/2). FE: nothing.
+  /// Recomputes what neighbours will read, at x(n+1) with v(n+1/2). FE: nothing. A list that may
+  /// miss a pair at these positions is rebuilt first.
   virtual void update_state(Real dt) = 0;
   /// Adds internal forces to points().f and books each channel's energy to its entity.
   virtual void add_internal_forces(Real dt) = 0;
   /// The group's own bound, without `safety`. Called at the head of a step.
   virtual StepVote stable_step() const = 0;
-  /// True if the neighbour list may miss a pair after a step of dt.
-  virtual bool must_rearrange(Real dt) const = 0;
   /// Rebuilds lists at the present positions. Reads and writes lists and places, nothing else.
   virtual void rearrange() = 0;
+  /// What update_state has spent on its lists since the last call: a part of its own wall time.
+  virtual WallTime take_list_time() { return {}; }
   /// Adds internal energies of entities, by column and body, and their state hash.
   /// Kinetic energy, mass and momentum of points are added by the scene.
   virtual void add_totals(Totals<Dim>& totals) const = 0;

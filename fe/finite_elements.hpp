@@ -32,7 +32,6 @@ class FiniteElements final : public Solid<Dim> {
   void update_state(Real) override {}
   void add_internal_forces(Real dt) override;
   StepVote stable_step() const override;
-  bool must_rearrange(Real) const override { return false; }
   void rearrange() override {}
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;

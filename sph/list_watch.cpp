@@ -81,9 +81,8 @@ void ListWatch<Dim>::link_zones() {
 }
 
 template <int Dim>
-std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(const Points<Dim>& points,
-                                                                     std::span<const Real> reach,
-                                                                     Real dt) const {
+std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
+    const Points<Dim>& points, std::span<const Real> reach) const {
   std::vector<Extent> extents(zones_.size());
 #pragma omp parallel for schedule(static) if (points.x.size() >= 4096)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
@@ -91,8 +90,7 @@ std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(const Point
     for (LocalIndex k = member_begin_[z]; k < member_begin_[z + 1]; ++k) {
       const auto i = static_cast<std::size_t>(member_[static_cast<std::size_t>(k)]);
       for (int d = 0; d < Dim; ++d) {
-        const Real u =
-            (points.x[i][d] - x_[i][d]) + dt * (points.v[i][d] + 0.5 * dt * points.a[i][d]);
+        const Real u = points.x[i][d] - x_[i][d];
         if (!(extent.lower[d] <= u)) extent.lower[d] = u;  // takes in what is not a number
         if (!(extent.upper[d] >= u)) extent.upper[d] = u;
       }
@@ -135,8 +133,8 @@ bool ListWatch<Dim>::far_zones_hold(const std::vector<Extent>& extents) const {
 }
 
 template <int Dim>
-bool ListWatch<Dim>::covers(const Points<Dim>& points, std::span<const Real> reach, Real dt) const {
-  const auto moved = extents(points, reach, dt);
+bool ListWatch<Dim>::covers(const Points<Dim>& points, std::span<const Real> reach) const {
+  const auto moved = extents(points, reach);
   return touching_zones_hold(moved) && far_zones_hold(moved);
 }
 

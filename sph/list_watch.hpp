@@ -17,10 +17,9 @@ class ListWatch {
   /// Remembers a list that holds all pairs within reach_i + reach_j + skin.
   /// reach  smoothing lengths [m]; skin  [m]
   void start(const Points<Dim>& points, std::vector<Real> reach, Real skin);
-  /// True if the list still holds all pairs within reach_i + reach_j of the same body when every
-  /// particle has moved by dt v + dt^2/2 a.
-  /// reach  [m], of now
-  bool covers(const Points<Dim>& points, std::span<const Real> reach, Real dt) const;
+  /// True if the list still holds all pairs within reach_i + reach_j of the same body.
+  /// points, reach [m]  of now
+  bool covers(const Points<Dim>& points, std::span<const Real> reach) const;
 
   /// Positions [m] and reaches [m] when the list was built.
   std::span<const Vec<Dim>> x() const { return x_; }
@@ -38,8 +37,7 @@ class ListWatch {
     Vec<Dim> lower, upper;  // [m]
     Real growth;            // [m]
   };
-  std::vector<Extent> extents(const Points<Dim>& points, std::span<const Real> reach,
-                              Real dt) const;
+  std::vector<Extent> extents(const Points<Dim>& points, std::span<const Real> reach) const;
   bool touching_zones_hold(const std::vector<Extent>& extents) const;
   bool far_zones_hold(const std::vector<Extent>& extents) const;
   void link_zones();

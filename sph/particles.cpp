@@ -109,10 +109,7 @@ void SphParticles<Dim>::update_state(Real dt) {
     state.artificial_work -= dot<Dim>(state.artificial_force, half);
   });
   refresh_motion();
-  if (must_rearrange(0)) {
-    rearrange();
-    if (!ranks_->alone()) refresh_motion();
-  }
+  renew_lists_where_due();
   move_with_neighbours(dt);
   refresh_gradients();
   for (auto& block : blocks_) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/materials/material.hpp"
@@ -67,7 +68,7 @@ class SphParticles final : public Solid<Dim> {
                Real depth = 1);
   /// The part of a whole, at time 0, whose particles this rank owns, with copies of those of other
   /// ranks within reach. deal and ranks outlive it. Collective; so are, from here on,
-  /// must_rearrange, rearrange, update_state and refresh_state.
+  /// rearrange, update_state and refresh_state.
   SphParticles(const SphParticles& whole, const Deal& deal, const Communicator& ranks);
   SphParticles(const SphParticles&) = delete;
   SphParticles& operator=(const SphParticles&) = delete;
@@ -82,8 +83,8 @@ class SphParticles final : public Solid<Dim> {
   void refresh_state() override;
   void add_internal_forces(Real dt) override;
   StepVote stable_step() const override;
-  bool must_rearrange(Real dt) const override;
   void rearrange() override;
+  WallTime take_list_time() override { return std::exchange(list_time_, {}); }
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
   BodyView view(Label body) const override;
@@ -111,7 +112,9 @@ class SphParticles final : public Solid<Dim> {
   void take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing);
   void renew_ghosts(Real skin);
   void refresh_ghost_positions();
-  bool bodies_hold(Real dt, bool mine_hold) const;
+  bool bodies_hold(bool mine_hold) const;
+  bool lists_hold() const;
+  void renew_lists_where_due();
   void refresh_motion();
   void refresh_gradients();
   void move_with_neighbours(Real dt);
@@ -142,6 +145,7 @@ class SphParticles final : public Solid<Dim> {
   Real skin_ratio_ = 0.35;  // [1] of the largest smoothing length; flat optimum
   SearchMode search_ = SearchMode::grid;
   std::int64_t n_searches_ = 0;
+  WallTime list_time_;  // within update_state, not taken yet
 };
 
 }  // namespace brunt

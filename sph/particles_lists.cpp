@@ -26,11 +26,22 @@ Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
 
 }  // namespace
 
+/// True if the lists of all ranks hold every pair within reach at the present positions, and the
+/// copies every particle that they need. One reduction.
 template <int Dim>
-bool SphParticles<Dim>::must_rearrange(Real dt) const {
-  const bool holds = watch_.covers(points_, smoothing_length_, dt);
-  if (ranks_->alone()) return !holds;
-  return !bodies_hold(dt, holds);
+bool SphParticles<Dim>::lists_hold() const {
+  const bool mine_hold = watch_.covers(points_, smoothing_length_);
+  return ranks_->alone() ? mine_hold : bodies_hold(mine_hold);
+}
+
+/// After any motion, before the lists are read: this is an exact check, so that no list is late
+/// however far a step or its supports have moved the particles.
+template <int Dim>
+void SphParticles<Dim>::renew_lists_where_due() {
+  const WallTimer timer(list_time_, *ranks_);
+  if (lists_hold()) return;
+  rearrange();
+  if (!ranks_->alone()) refresh_motion();  // of copies that are new
 }
 
 template <int Dim>
@@ -99,8 +110,10 @@ StepVote SphParticles<Dim>::stable_step() const {
       [](StepVote& all, const StepVote& own) { all.take(own); });
 }
 
-template bool SphParticles<2>::must_rearrange(Real) const;
-template bool SphParticles<3>::must_rearrange(Real) const;
+template bool SphParticles<2>::lists_hold() const;
+template bool SphParticles<3>::lists_hold() const;
+template void SphParticles<2>::renew_lists_where_due();
+template void SphParticles<3>::renew_lists_where_due();
 template void SphParticles<2>::set_skin(Real);
 template void SphParticles<3>::set_skin(Real);
 template void SphParticles<2>::rearrange();

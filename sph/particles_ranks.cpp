@@ -158,7 +158,7 @@ void SphParticles<Dim>::refresh_state() {
 /// reach of an own one: no two particles of a body have moved against each other by more than the
 /// skin.
 template <int Dim>
-bool SphParticles<Dim>::bodies_hold(Real dt, bool mine_hold) const {
+bool SphParticles<Dim>::bodies_hold(bool mine_hold) const {
   constexpr std::size_t width = 2 * Dim + 1;
   std::vector<Real> extremes(bodies_.size() * width + 1, -kInfinity);
   if (!mine_hold) extremes.back() = 1;
@@ -166,8 +166,7 @@ bool SphParticles<Dim>::bodies_hold(Real dt, bool mine_hold) const {
     const auto body = std::lower_bound(bodies_.begin(), bodies_.end(), points_.body[i]);
     Real* own = extremes.data() + static_cast<std::size_t>(body - bodies_.begin()) * width;
     for (int c = 0; c < Dim; ++c) {
-      const Real u = (points_.x[i][c] - watch_.x()[i][c]) +
-                     dt * (points_.v[i][c] + 0.5 * dt * points_.a[i][c]);
+      const Real u = points_.x[i][c] - watch_.x()[i][c];
       own[2 * c] = std::max(own[2 * c], -u);
       own[2 * c + 1] = std::max(own[2 * c + 1], u);
     }
@@ -203,7 +202,7 @@ template void SphParticles<2>::refresh_ghost_positions();
 template void SphParticles<3>::refresh_ghost_positions();
 template void SphParticles<2>::refresh_state();
 template void SphParticles<3>::refresh_state();
-template bool SphParticles<2>::bodies_hold(Real, bool) const;
-template bool SphParticles<3>::bodies_hold(Real, bool) const;
+template bool SphParticles<2>::bodies_hold(bool) const;
+template bool SphParticles<3>::bodies_hold(bool) const;
 
 }  // namespace brunt

@@ -188,10 +188,7 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
   for_each(n_owned(), [&](std::size_t i) { points_.x[i] += shift[i]; });
   refresh_ghost_positions();
   refresh_motion();
-  if (must_rearrange(0)) {
-    rearrange();
-    if (!ranks_->alone()) refresh_motion();
-  }
+  renew_lists_where_due();
 }
 
 template struct SphParticles<2>::TileStress;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "core/errors.hpp"
+#include "core/parallel/instruction_set.hpp"
 
 namespace brunt {
 
@@ -60,7 +61,7 @@ class Waiting {
 };
 }  // namespace
 
-bool launched_by_mpirun() {
+BRUNT_ON_ANY_CPU bool launched_by_mpirun() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr ||
          std::getenv("PMIX_RANK") != nullptr;
 }
@@ -172,6 +173,7 @@ ParallelSession::ParallelSession(int& argc, char**& argv) {
   check(MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided), "start");
   check(MPI_Comm_rank(MPI_COMM_WORLD, &ranks_.rank_), "rank");
   check(MPI_Comm_size(MPI_COMM_WORLD, &ranks_.size_), "size");
+  end_where_features_miss(0);  // here nothing misses, or this would not run
 }
 
 ParallelSession::~ParallelSession() {

@@ -37,7 +37,6 @@ class RigidSurfaces final : public Solid<Dim> {
   void update_state(Real) override {}
   void add_internal_forces(Real) override {}
   StepVote stable_step() const override { return {}; }
-  bool must_rearrange(Real) const override { return false; }
   void rearrange() override {}
   void add_totals(Totals<Dim>&) const override {}
   void check(Real, const std::vector<std::string>&) const override {}

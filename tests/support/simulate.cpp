@@ -57,6 +57,12 @@ class Watcher final : public Observer<Dim> {
   Watcher(Observer<Dim>& inner, bool rearrange, const SceneHooks& hooks)
       : inner_(inner), rearrange_(rearrange), hooks_(hooks) {}
   void begin(Scene<Dim>& scene, Clock& clock) override { inner_.begin(scene, clock); }
+  Requests requests(const Scene<Dim>& scene, const Clock& clock) override {
+    return inner_.requests(scene, clock);
+  }
+  void answer(const StepHead& head, Scene<Dim>& scene, Clock& clock) override {
+    inner_.answer(head, scene, clock);
+  }
   void step_done(Scene<Dim>& scene, Clock& clock) override {
     inner_.step_done(scene, clock);
     if constexpr (Dim == 3) {

@@ -47,8 +47,8 @@ class Broken final : public Solid<3> {
     for (std::size_t i = 0; i < f.size(); ++i) f[i] = before[i] + by_ * (f[i] - before[i]);
   }
   StepVote stable_step() const override { return solid_->stable_step(); }
-  bool must_rearrange(Real dt) const override { return solid_->must_rearrange(dt); }
   void rearrange() override { solid_->rearrange(); }
+  WallTime take_list_time() override { return solid_->take_list_time(); }
   void add_totals(Totals<3>& totals) const override { solid_->add_totals(totals); }
   void check(Real time, const std::vector<std::string>& names) const override {
     solid_->check(time, names);

@@ -59,16 +59,16 @@ void count_meetings(const Deck& deck, const Scene<Dim>& scene, Real dt, Rates& r
   rates.rows = std::min(1.0, dt / every) + 0.01 * std::max(0.0, 1 - dt / every);
   // Columns, bodies, hash; what supports take.
   Real row = 3 + static_cast<Real>(scene.supports.constraints().size());
-  rates.reductions = 2.01;  // whose step, requests, and checks
+  rates.reductions = 1.01;  // the head of a step, and checks
   if (deck.stop.at_rest) rates.reductions += 1;
-  if (deck.stop.beyond) rates.reductions += 2;
+  if (deck.stop.beyond) rates.reductions += 1;
   if (scene.n_particles() > 0) {
-    rates.reductions += 2 + rates.particle_lists;
+    rates.reductions += 1 + rates.particle_lists;
     rates.exchanges += 2 * rates.particle_lists;
   }
   if (scene.contact) {
     row += 1;
-    rates.reductions += 2 + 5 * rates.contact_lists;
+    rates.reductions += 1 + 5 * rates.contact_lists;
     rates.exchanges += (4 + static_cast<Real>(scene.solids.size())) * rates.contact_lists;
   }
   rates.reductions += rates.rows * row;
@@ -97,7 +97,7 @@ void measure(const Deck& deck, const Arguments& arguments, Scene<Dim>& scene, Ma
       const auto listed = static_cast<Real>(scene.contact->work().candidates);
       const auto reaches = scene.contact->reaches();
       const auto surface = static_cast<Real>(reaches.faces.size() + reaches.particles.size());
-      const Real seconds = scene.phases.work(Phase::contact) / steps;
+      const Real seconds = scene.phases.of(Phase::contact).work() / steps;
       machine.surface = std::max(0.0, seconds - listed * machine.candidate) / surface;
     }
   }

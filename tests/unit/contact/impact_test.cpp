@@ -45,7 +45,6 @@ bool returns(bool rigid, Real speed, const Vec<Dim>& start, bool& slow_enough) {
     if (scene.contact->work().contacts && height > 0 && group.points.v[0][Dim - 1] < 0) {
       slow_enough = slow_enough && speed * dt <= 0.5 * kSpacing;
     }
-    if (scene.contact->must_rearrange(dt)) scene.contact->rearrange();
     scene.step(dt);
     Vec<Dim> center = Vec<Dim>::Zero(), velocity = Vec<Dim>::Zero();
     for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -23,16 +23,14 @@ TEST(ListWatch, LetsNoPairThrough) {
     const auto kick = test::lattice<2>({16, 12}, 1.0, 1.0, 0.5, 1000 + seed).x;
     const Real strength = 0.01 * seed, shear = 0.002 * seed;
     for (std::size_t i = 0; i < start.size(); ++i) {
-      points.v[i] = strength * (kick[i] - test::lattice<2>({16, 12}, 1.0, 1.0).x[i]);
-      points.v[i][0] += shear * start[i][1] + 3.0;
-      points.a[i] = Vec<2>(0, 0.1 * shear * start[i][0]);
+      points.x[i] += strength * (kick[i] - test::lattice<2>({16, 12}, 1.0, 1.0).x[i]);
+      points.x[i] += Vec<2>(shear * start[i][1] + 3.0, 0.05 * shear * start[i][0]);
     }
-    if (!watch.covers(points, reach, 1.0)) {
+    if (!watch.covers(points, reach)) {
       ++refused;
       continue;
     }
     ++held;
-    for (std::size_t i = 0; i < start.size(); ++i) points.x[i] += points.v[i] + 0.5 * points.a[i];
     for (std::size_t i = 0; i < start.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         if ((points.x[i] - points.x[j]).norm() < 2.4) {
@@ -50,14 +48,21 @@ TEST(ListWatch, FarPartsMayTurnAgainstEachOther) {
   const std::vector<Real> reach(points.x.size(), 1.2);
   ListWatch<2> watch;
   watch.start(points, reach, 0.3);
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    points.v[i] = Vec<2>(1e6 - 0.01 * points.x[i][1], 0.01 * points.x[i][0]);
-  }
+  const auto start = points.x;
+  const auto turn = [&](Real angle) {  // [rad], and far away
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      points.x[i] = start[i] + Vec<2>(1e6 - angle * start[i][1], angle * start[i][0]);
+    }
+  };
   // 0.01 rad: the ends move by 2 against each other, zones (10 wide for two) by 0.1
-  EXPECT_TRUE(watch.covers(points, reach, 1.0));
-  EXPECT_FALSE(watch.covers(points, reach, 4.0));
+  turn(0.01);
+  EXPECT_TRUE(watch.covers(points, reach));
+  turn(0.04);
+  EXPECT_FALSE(watch.covers(points, reach));
+  points.x = start;
+  EXPECT_TRUE(watch.covers(points, reach));
   const std::vector<Real> grown(points.x.size(), 1.36);
-  EXPECT_FALSE(watch.covers(points, grown, 0.0));
+  EXPECT_FALSE(watch.covers(points, grown));
 }
 
 }  // namespace

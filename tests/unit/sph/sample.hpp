@@ -73,7 +73,6 @@ std::unique_ptr<SphParticles<Dim>> particles(Points<Dim> points, Real dp, const 
 template <int Dim>
 void step(SphParticles<Dim>& solid, Real dt,
           const std::function<void(Points<Dim>&)>& impose = nullptr) {
-  if (solid.must_rearrange(dt)) solid.rearrange();
   auto& points = solid.points();
   for (std::size_t i = 0; i < points.x.size(); ++i) {
     points.v[i] += 0.5 * dt * points.a[i];
