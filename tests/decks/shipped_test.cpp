@@ -64,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Shipped{"taylor-bar-sph", {"parameters.spacing=0.8 mm", "time.end=10 us"}},
                     Shipped{"drop-on-plate", {"parameters.size=4 mm", "time.end=60 us"}},
                     Shipped{"projectile-2d",
-                            {"parameters.spacing=2 mm", "parameters.size=4 mm", "time.end=60 us"}}),
+                            {"parameters.spacing=2 mm", "parameters.size=4 mm", "time.end=60 us"}},
+                    Shipped{"block-on-incline", {"parameters.end=60 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' ? '_' : c;
@@ -73,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ShippedDecksLong, DriftStaysWithinOnePercent) {
   for (const char* name : {"bars", "taylor-bar", "taylor-bar-axisymmetric", "taylor-bar-sph",
-                           "drop-on-plate", "projectile-2d"}) {
+                           "drop-on-plate", "projectile-2d", "block-on-incline"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;
     EXPECT_LT(run.worst_drift, 0.01) << name;

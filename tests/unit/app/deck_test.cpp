@@ -245,8 +245,6 @@ TEST(Deck, ImplausibleValuesAreWarnings) {
 TEST(Deck, KeysThatComeLaterSaySo) {
   expect_problem(problems_of(kTaylor, {"contact.default.tied=true"}),
                  "--set #1: contact.default.tied: is not in this version of brunt yet");
-  expect_problem(problems_of(kTaylor, {"contact.default.friction=0.3"}),
-                 "--set #1: contact.default.friction: contact slides freely in this version");
 }
 
 TEST(Deck, TwoDimensionsHaveTwoComponents) {
