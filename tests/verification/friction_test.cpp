@@ -46,9 +46,9 @@ TEST(Incline, QuadsSlideAsCoulombSays) {
       "block-on-incline", {"geometry=plane-strain", "gravity=[0, -9.81 m/s^2]",
                            "bodies.block.velocity=[0.8660254037844387 m/s, -0.5 m/s]",
                            "bodies.block.shape={box: {min: [-50 mm, 0], max: [50 mm, 40 mm]}, "
-                           "rotate: {axis: z, angle: -$angle, about: [0, 0]}}",
+                           "rotate: {angle: -$angle, about: [0, 0]}}",
                            "bodies.incline.shape={plane: {origin: [0, 0], normal: y, extent: 2 m}, "
-                           "rotate: {axis: z, angle: -$angle, about: [0, 0]}}",
+                           "rotate: {angle: -$angle, about: [0, 0]}}",
                            "measures.height.history.column=body.block.position.y"});
   expect_balance(run);
   EXPECT_NEAR(acceleration(run, "y"), closed_form(30), 1e-3 * closed_form(30));

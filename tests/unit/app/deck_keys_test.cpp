@@ -75,7 +75,8 @@ bodies:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
 contact:
-  pairs: {ab: {between: [a, b]}}
+  default: {friction: 0.3}
+  pairs: {ab: {between: [a, b], friction: {table: [[0, 0.3], [1 m/s, 0.2]], over: slip_speed}}}
 boundaries:
   all: {body: a, where: all, fix: [x]}
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}
