@@ -65,7 +65,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Shipped{"drop-on-plate", {"parameters.size=4 mm", "time.end=60 us"}},
                     Shipped{"projectile-2d",
                             {"parameters.spacing=2 mm", "parameters.size=4 mm", "time.end=60 us"}},
-                    Shipped{"block-on-incline", {"parameters.end=60 ms"}}),
+                    Shipped{"block-on-incline", {"parameters.end=60 ms"}},
+                    Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' ? '_' : c;
@@ -74,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ShippedDecksLong, DriftStaysWithinOnePercent) {
   for (const char* name : {"bars", "taylor-bar", "taylor-bar-axisymmetric", "taylor-bar-sph",
-                           "drop-on-plate", "projectile-2d", "block-on-incline"}) {
+                           "drop-on-plate", "projectile-2d", "block-on-incline", "brick-stack"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;
     EXPECT_LT(run.worst_drift, 0.01) << name;

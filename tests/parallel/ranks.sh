@@ -21,7 +21,8 @@ cases=(
   "taylor-bar-axisymmetric 2_us time.end=5_us bodies.bar.cells=[4,_40]"
   "taylor-bar-sph 2_us parameters.spacing=0.8_mm time.end=5_us"
   "drop-on-plate 20_us parameters.size=4_mm time.end=45_us"
-  "block-on-incline 20_ms parameters.end=50_ms parameters.mu=0.6"
+  "block-on-incline 15_ms parameters.end=30_ms parameters.mu=0.6"
+  "brick-stack 8_ms time.end=15_ms"
   "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"
 )
 status=0

@@ -76,5 +76,22 @@ TEST(Incline, BlockStaysUnderTheAngleOfFriction) {
   }
 }
 
+// Four bricks at rest on a slope: each joint carries N = n m g cos(angle) and T = n m g sin(angle)
+// of the n bricks above it, m = 1900 kg/m^3 0.2 m 0.1 m 0.06 m. Their motion has died away by e^-20
+// of damping, so that nothing but rounding is left of it.
+TEST(BrickStack, JointsCarryTheWeightAboveThem) {
+  const auto run = simulate_shipped("brick-stack");
+  expect_balance(run);
+  const Real m = 1900 * 0.2 * 0.1 * 0.06, angle = 15 * kPi / 180;
+  const char* joints[] = {"third-fourth", "second-third", "first-second", "first-floor"};
+  for (int n = 1; n <= 4; ++n) {
+    const std::string column = std::string("contact.") + joints[n - 1] + ".force.";
+    const Real sign = n == 4 ? -1 : 1;  // forces are those on the first of the two
+    const Real weight = sign * n * m * kGravity;
+    EXPECT_NEAR(run.last(column + "x"), weight * std::sin(angle), 1e-6 * m * kGravity) << n;
+    EXPECT_NEAR(run.last(column + "z"), -weight * std::cos(angle), 1e-6 * m * kGravity) << n;
+  }
+}
+
 }  // namespace
 }  // namespace brunt::test
