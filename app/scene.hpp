@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/heat.hpp"
 #include "app/loads.hpp"
 #include "app/phases.hpp"
 #include "app/supports.hpp"
@@ -17,10 +18,11 @@ namespace brunt {
 /// A scene holds only what its deck names.
 template <int Dim>
 struct Scene {
-  explicit Scene(Vec<Dim> at) : origin(at), supports(at) {}
+  Scene(Vec<Dim> at, Geometry of, Real thick)
+      : geometry(of), depth(thick), origin(at), supports(at), heat(at, of, thick) {}
 
-  Geometry geometry = Geometry::three_d;
-  Real depth = 1;                       ///< [m] plane strain
+  Geometry geometry;
+  Real depth;                           ///< [m] plane strain
   Vec<Dim> origin;                      ///< [m] positions are relative to it
   std::vector<std::string> body_names;  ///< by label
   std::vector<std::unique_ptr<Material>> materials;
@@ -28,11 +30,16 @@ struct Scene {
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
   Supports<Dim> supports;
   Loads<Dim> loads;
+  HeatBoundaries<Dim> heat;
   Phases phases;
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
 
-  /// Positions and velocities of copies, from their owners. Collective.
+  /// True where some group has temperatures.
+  bool conducts() const;
+  /// Conduction, and what boundaries do to it, after all other heat of a step. Collective.
+  void add_heat(Real time, Real dt);
+  /// Positions, velocities and temperatures of copies, from their owners. Collective.
   void refresh_motion();
   /// The smallest vote of all ranks, and whose. Collective, as all that follows.
   StepVote stable_step(Real time, Real dt_last) const;

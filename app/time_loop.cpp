@@ -37,6 +37,7 @@ template <int Dim>
 void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer,
                    Balance<Dim>* balance) {
   scene.supports.start();
+  scene.heat.start();
   scene.refresh_motion();
   scene.rearrange();
   observer.begin(scene, clock);
@@ -71,6 +72,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
     {
       const PhaseTimer timer(scene.phases, Phase::points);
       if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
+      if (scene.conducts()) scene.add_heat(clock.time() + dt, dt);
       scene.supports.take_reactions(clock.time() + dt, dt);
       for (auto& solid : scene.solids) correct(solid->points(), dt);
     }

@@ -28,6 +28,7 @@ Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
 
 template <int Dim>
 bool SphParticles<Dim>::must_rearrange(Real dt) const {
+  if (held_) return false;
   const bool holds = watch_.covers(points_, smoothing_length_, dt);
   if (ranks_->alone()) return !holds;
   return !bodies_hold(dt, holds);
@@ -41,6 +42,7 @@ void SphParticles<Dim>::set_skin(Real skin) {
 
 template <int Dim>
 void SphParticles<Dim>::rearrange() {
+  settled_ = false;
   Real longest = 0;
   for (std::size_t i = 0; i < n_owned(); ++i) longest = std::max(longest, smoothing_length_[i]);
   longest = ranks_->max(longest);
@@ -77,6 +79,7 @@ void SphParticles<Dim>::seed_votes() {
 /// dispersion of the kernel on a lattice, half for disorder; and 0.25 sqrt(h/|a_i|).
 template <int Dim>
 StepVote SphParticles<Dim>::stable_step() const {
+  if (held_) return {};
   const auto bound = [&](std::size_t i) {
     const SphOptions& options = blocks_[block_of_[i]].set.options;
     const auto& state = state_[i];
