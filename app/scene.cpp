@@ -59,8 +59,15 @@ bool Scene<Dim>::conducts() const {
 
 template <int Dim>
 void Scene<Dim>::add_heat(Real time, Real dt) {
-  heat.add_heat(time, dt);
-  for (auto& solid : solids) solid->add_conduction(dt);
+  {
+    const PhaseTimer timer(phases, Phase::points);
+    heat.add_heat(time, dt);
+  }
+  for (auto& solid : solids) {
+    const PhaseTimer timer(phases, solid->n_particles() ? Phase::particles : Phase::elements);
+    solid->add_conduction(dt);
+  }
+  const PhaseTimer timer(phases, Phase::points);
   heat.hold(time, dt);
 }
 

@@ -140,6 +140,24 @@ std::optional<PrescribedVelocity> value_of(const std::optional<Varying>& varying
   return function_of(*varying);
 }
 
+/// The boundary that holds points of this one at another temperature, when both begin to act;
+/// null where none does.
+template <int Dim>
+const HeatBoundary<Dim>* contradiction(const HeatBoundary<Dim>& heat, const Scene<Dim>& scene) {
+  for (const auto& other : scene.heat.all()) {
+    const Real from = std::max(heat.from, other.from);
+    if (!heat.temperature || !other.temperature || other.points != heat.points) continue;
+    if (!(from < std::min(heat.to, other.to))) continue;
+    for (const LocalIndex i : heat.chosen) {
+      if (!std::binary_search(other.chosen.begin(), other.chosen.end(), i)) continue;
+      Vec3 place = Vec3::Zero();
+      place.template head<Dim>() = heat.points->x_start[static_cast<std::size_t>(i)] + scene.origin;
+      if ((*heat.temperature)(from, place) != (*other.temperature)(from, place)) return &other;
+    }
+  }
+  return nullptr;
+}
+
 /// Returns what is wrong, "" where nothing is.
 template <int Dim>
 std::string add_heat(const std::string& name, const deck::Boundary& boundary, Solid<Dim>& solid,
@@ -174,6 +192,9 @@ std::string add_heat(const std::string& name, const deck::Boundary& boundary, So
       heat.facets = facets_between(surface, chosen);
       if (heat.facets.empty()) return "there is no outer facet all of whose points are chosen";
     }
+  }
+  if (const auto* other = contradiction(heat, scene)) {
+    return "shares points with '" + other->name + "', which holds them at another temperature";
   }
   scene.heat.add(std::move(heat));
   return "";
