@@ -4,10 +4,6 @@
 
 namespace brunt {
 
-bool acts_on_motion(const deck::Boundary& boundary) {
-  return !boundary.fix.empty() || boundary.velocity || boundary.force;
-}
-
 bool acts_on_heat(const deck::Boundary& boundary) {
   return boundary.temperature || boundary.flux || boundary.convection || boundary.radiation;
 }
@@ -36,10 +32,10 @@ bool is_held(const Deck& deck, const std::string& name) {
   const std::size_t axes = deck.geometry == Geometry::three_d ? 3 : 2;
   bool held = false;
   for (const auto& [unused, boundary] : deck.boundaries) {
-    if (boundary.body != name || !acts_on_motion(boundary)) continue;
+    if (boundary.body != name) continue;
+    if (boundary.velocity) return false;  // it may take over from what is fixed
     const bool all = std::holds_alternative<deck::WhereAll>(boundary.where) && boundary.from == 0 &&
                      boundary.to == kInfinity && boundary.fix.size() == axes;
-    if (boundary.velocity || !(all || boundary.force)) return false;
     held = held || all;
   }
   return held;

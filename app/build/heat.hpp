@@ -19,8 +19,7 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
 /// True where a body that conducts never moves: `fix` holds all components of all of it for ever.
 bool is_held(const Deck& deck, const std::string& name);
 
-/// True where some boundary prescribes velocities or forces, or temperatures or heat.
-bool acts_on_motion(const deck::Boundary& boundary);
+/// True where a boundary prescribes temperatures or heat.
 bool acts_on_heat(const deck::Boundary& boundary);
 
 /// Which bodies of one method share a group: those that conduct are apart from the others, and

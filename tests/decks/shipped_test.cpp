@@ -62,13 +62,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Shipped{"taylor-bar",
                 {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
-                 "parameters.size=0.9 mm", "time.end=6 us"}},
+                 "parameters.size=0.9 mm", "time.end=3 us"}},
         Shipped{"taylor-bar-axisymmetric",
                 {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
-                 "time.end=5 us"}},
+                 "time.end=3 us"}},
         Shipped{"taylor-bar-sph",
                 {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
-                 "parameters.spacing=0.8 mm", "time.end=5 us"}}),
+                 "parameters.spacing=0.8 mm", "time.end=3 us"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' ? '_' : c;
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     , ShippedDeck,
-    testing::Values(Shipped{"bars", {"time.end=20 us"}}, Shipped{"hot-rod", {"time.end=1 s"}},
+    testing::Values(Shipped{"bars", {"time.end=20 us"}}, Shipped{"hot-rod", {"time.end=0.6 s"}},
                     Shipped{"taylor-bar", {"parameters.size=0.9 mm", "time.end=15 us"}},
                     Shipped{"taylor-bar-axisymmetric", {"time.end=10 us"}},
                     Shipped{"taylor-bar-sph", {"parameters.spacing=0.8 mm", "time.end=10 us"}},
