@@ -55,12 +55,40 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
       names_.push_back("boundary." + constraint.name + ".reaction." + kAxes[c]);
     }
   }
+  for (const auto& boundary : scene.heat.all()) {
+    names_.push_back("boundary." + boundary.name + ".heat_rate");
+  }
+  if (scene.conducts()) {
+    for (const char* name : {"stored", "plastic", "boundary", "drift"}) {
+      names_.push_back(std::string("heat.") + name);
+    }
+  }
   names_.push_back("state_hash");
   largest_ = energy_of_rounding(scene);
   for (std::size_t c = 0; c < names_.size(); ++c) {
     const auto& name = names_[c];
     if (name == "step" || name == "dt_body" || name.ends_with(".planes")) whole_.push_back(c);
   }
+}
+
+/// Heat rates of boundaries, and the balance of heat.
+template <int Dim>
+void HistoryColumns<Dim>::add_heat(const Scene<Dim>& scene, const Totals<Dim>& totals,
+                                   std::vector<Real>& values) {
+  for (const auto& boundary : scene.heat.all()) {
+    ExactSum rate;
+    for (const Real one : boundary.rate) rate.add(one);
+    rate = scene.ranks->reduce(rate, [](ExactSum& a, const ExactSum& b) { a.add(b); });
+    values.push_back(rate.value());
+  }
+  if (!scene.conducts()) return;
+  ExactSum left = totals.heat.stored;
+  left.subtract(totals.heat.plastic), left.subtract(totals.heat.boundary);
+  for (const auto* sum : {&totals.heat.stored, &totals.heat.plastic, &totals.heat.boundary}) {
+    values.push_back(sum->value());
+    largest_heat_ = std::max(largest_heat_, std::fabs(values.back()));
+  }
+  values.push_back(largest_heat_ > 0 ? left.value() / largest_heat_ : 0.0);
 }
 
 template <int Dim>
@@ -116,6 +144,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
       values.push_back(reaction.value());
     }
   }
+  add_heat(scene, totals, values);
   row.state_hash = totals.state_hash;
   return row;
 }
@@ -128,14 +157,20 @@ template <int Dim>
 void HistoryColumns<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_rows(
       "history.drift", 1, only_row,
-      [&](auto& row, std::size_t) { row(first_), row(total_start_), row(largest_); }, tables);
+      [&](auto& row, std::size_t) {
+        row(first_), row(total_start_), row(largest_), row(largest_heat_);
+      },
+      tables);
 }
 
 template <int Dim>
 void HistoryColumns<Dim>::load_state(const StateTables& tables) {
   load_rows(
       "history.drift", 1, only_row,
-      [&](auto& row, std::size_t) { row(first_), row(total_start_), row(largest_); }, tables);
+      [&](auto& row, std::size_t) {
+        row(first_), row(total_start_), row(largest_), row(largest_heat_);
+      },
+      tables);
 }
 
 template class HistoryColumns<2>;

@@ -31,11 +31,14 @@ class HistoryColumns {
   void load_state(const StateTables& tables);  ///< throws StateError
 
  private:
+  void add_heat(const Scene<Dim>& scene, const Totals<Dim>& totals, std::vector<Real>& values);
+
   std::vector<std::string> names_;
   std::vector<std::size_t> whole_;
   bool first_ = true;
   Real total_start_ = 0;
   Real largest_ = 0;
+  Real largest_heat_ = 0;  // [J]
 };
 
 }  // namespace brunt

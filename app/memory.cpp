@@ -115,7 +115,9 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     const auto points = static_cast<Real>(solid->points().x.size());
     const auto elements = static_cast<Real>(solid->n_elements());
     const auto particles = static_cast<Real>(solid->n_particles());
-    (particles > 0 ? estimate.particles : estimate.elements) += points * point_bytes<Dim>();
+    constexpr int kHeat = 6;  // fields of points that conduct
+    const Real point = point_bytes<Dim>() + (solid->points().conducts ? kHeat * sizeof(Real) : 0.0);
+    (particles > 0 ? estimate.particles : estimate.elements) += points * point;
     estimate.elements += elements * element_bytes<Dim>(inputs.gauss);
     estimate.particles += particles * particle_bytes<Dim>();
     estimate.neighbours += particles * neighbour_bytes<Dim>(inputs.smoothing);

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/build/materials.hpp"
+#include "app/build/heat.hpp"
 #include "app/build/scene_builder.hpp"
 #include "app/build/sound_part.hpp"
 #include "app/deck/findings.hpp"
@@ -37,12 +37,21 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
 }
 
 void print_physics(const LoadedDeck& loaded) {
-  bool heated = false;
-  for (const auto& material : loaded.deck.materials) {
-    heated = heated || is_adiabatic(loaded.deck, material.value);
+  std::string heated, conducts;
+  for (const auto& [name, body] : loaded.deck.bodies) {
+    const HeatMode mode = heat_mode(loaded.deck, body, name);
+    if (mode == HeatMode::adiabatic) heated += " " + name;
+    if (mode == HeatMode::conducts) conducts += " " + name;
+    if (mode == HeatMode::conducts && is_held(loaded.deck, name)) conducts += " (held)";
   }
-  std::printf("heat       %s\n", heated ? "adiabatic: plastic work heats the point where it is done"
-                                        : "none: no material is heated, no temperature is kept");
+  if (!conducts.empty()) std::printf("heat       is conducted in:%s\n", conducts.c_str());
+  if (!heated.empty()) {
+    std::printf("heat       adiabatic, plastic work heats the point where it is done, in:%s\n",
+                heated.c_str());
+  }
+  if (conducts.empty() && heated.empty()) {
+    std::printf("heat       none: no material is heated, no temperature is kept\n");
+  }
   if (!loaded.deck.gravity.empty()) std::printf("gravity    yes\n");
   if (loaded.deck.damping) std::printf("damping    %g 1/s\n", loaded.deck.damping->rate);
 }
@@ -111,6 +120,7 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   print_physics(loaded);
   print_contact(*scene);
   scene->supports.start();
+  scene->heat.start();
   scene->rearrange();
   const StepVote vote = scene->stable_step(0, 0);
   const Deck& deck = loaded.deck;

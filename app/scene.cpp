@@ -13,10 +13,33 @@ namespace brunt {
 template <int Dim>
 StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
   StepVote vote;
-  for (const auto& solid : solids) vote.take(solid->stable_step());
+  for (const auto& solid : solids) {
+    vote.take(solid->stable_step());
+    vote.take(heat_step(solid->points()));
+  }
   if (contact) vote.take(contact->stable_step(dt_last));
   vote.take(loads.stable_step(time));
   return vote;
+}
+
+template <int Dim>
+bool Scene<Dim>::conducts() const {
+  return std::any_of(solids.begin(), solids.end(),
+                     [](const auto& solid) { return solid->points().conducts; });
+}
+
+template <int Dim>
+void Scene<Dim>::add_heat(Real time, Real dt) {
+  {
+    const PhaseTimer timer(phases, Phase::points);
+    heat.add_heat(time, dt);
+  }
+  for (auto& solid : solids) {
+    const PhaseTimer timer(phases, solid->n_particles() ? Phase::particles : Phase::elements);
+    solid->add_conduction(dt);
+  }
+  const PhaseTimer timer(phases, Phase::points);
+  heat.hold(time, dt);
 }
 
 template <int Dim>
@@ -32,6 +55,10 @@ void Scene<Dim>::refresh_motion() {
         [&](std::size_t i, const Real* in) {
           for (int c = 0; c < Dim; ++c) points.x[i][c] = in[c], points.v[i][c] = in[Dim + c];
         });
+    if (!points.conducts) continue;
+    refresh_ghosts(
+        *ranks, solid->ghosts(), 1, [&](std::size_t i, Real* out) { *out = points.temperature[i]; },
+        [&](std::size_t i, const Real* in) { points.temperature[i] = *in; });
   }
 }
 
@@ -56,6 +83,11 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
       hash.add(points.v[i][c]);
       hash.add(points.a[i][c]);
     }
+    if (points.conducts) {
+      hash.add(points.heat[i]);
+      body.heat.add(points.heat[i]);
+      totals.heat.stored.add(points.heat[i]);
+    }
     totals.state_hash += hash.value();
     if (m == 0) continue;
     body.mass.add(m);
@@ -76,6 +108,7 @@ void sum_over_ranks(Totals<Dim>& totals, const Communicator& ranks) {
                    [](ExactSum& a, const ExactSum& b) { a.add(b); });
   ranks.reduce_all(std::span(totals.bodies),
                    [](BodySums<Dim>& a, const BodySums<Dim>& b) { a.add(b); });
+  totals.heat = ranks.reduce(totals.heat, [](HeatSums& a, const HeatSums& b) { a.add(b); });
   totals.state_hash = ranks.sum(totals.state_hash);
 }
 }  // namespace
@@ -95,6 +128,7 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
   if (contact) contact->add_totals(totals);
   supports.add_totals(totals);
   loads.add_totals(totals);
+  heat.add_totals(totals);
   if (!ranks->alone()) sum_over_ranks(totals, *ranks);
   for (const auto& body : totals.bodies) totals.columns[0].add(body.kinetic);
   return totals;
@@ -142,10 +176,12 @@ void Scene<Dim>::check_own(Real time) const {
     const auto& points = solid->points();
     for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
       // One test finds NaN and infinity in either vector.
-      const Real sum = points.x[i].sum() + points.v[i].sum();
+      Real sum = points.x[i].sum() + points.v[i].sum();
+      const bool moves = sum - sum == 0;
+      if (points.conducts) sum += points.temperature[i];
       if (sum - sum == 0) continue;
       throw PhysicsError({time, body_names[points.body[i]], "point " + std::to_string(points.id[i]),
-                          "position or velocity", sum,
+                          moves ? "temperature" : "position or velocity", sum,
                           "it is not a finite number any more: try a smaller time.safety, and look "
                           "at the last frame for an element or particle that collapsed"});
     }
@@ -189,6 +225,7 @@ void Scene<Dim>::save_state(std::vector<StateTable>& tables) const {
   for (const auto& solid : solids) solid->save_state(tables);
   supports.save_state(tables);
   loads.save_state(tables);
+  heat.save_state(tables);
   if (contact) contact->save_state(tables);
 }
 
@@ -198,6 +235,7 @@ void Scene<Dim>::load_state(const StateTables& tables) {
   for (auto& solid : solids) solid->rearrange();
   supports.load_state(tables);
   loads.load_state(tables);
+  heat.load_state(tables);
   if (contact) contact->load_state(tables);
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/heat.hpp"
 #include "app/loads.hpp"
 #include "app/phases.hpp"
 #include "app/supports.hpp"
@@ -17,10 +18,11 @@ namespace brunt {
 /// A scene holds only what its deck names.
 template <int Dim>
 struct Scene {
-  explicit Scene(Vec<Dim> at) : origin(at), supports(at) {}
+  Scene(Vec<Dim> at, Geometry of, Real thick)
+      : geometry(of), depth(thick), origin(at), supports(at), heat(at, of, thick) {}
 
-  Geometry geometry = Geometry::three_d;
-  Real depth = 1;                       ///< [m] plane strain
+  Geometry geometry;
+  Real depth;                           ///< [m] plane strain
   Vec<Dim> origin;                      ///< [m] positions are relative to it
   std::vector<std::string> body_names;  ///< by label
   std::vector<std::unique_ptr<Material>> materials;
@@ -28,14 +30,20 @@ struct Scene {
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
   Supports<Dim> supports;
   Loads<Dim> loads;
+  HeatBoundaries<Dim> heat;
   Phases phases;
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
 
   /// The smallest vote of this rank, and whose. Not collective.
   StepVote stable_step(Real time, Real dt_last) const;
-  /// Positions and velocities of copies, from their owners. Collective, as all that follows.
+  /// True where some group has temperatures.
+  bool conducts() const;
+  /// Positions, velocities and temperatures of copies, from their owners. Collective, as all that
+  /// follows.
   void refresh_motion();
+  /// Conduction, and what boundaries do to it, after all other heat of a step.
+  void add_heat(Real time, Real dt);
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
   /// are due, after the motion; no answer depends on when.
   void rearrange();

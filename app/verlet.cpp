@@ -1,5 +1,7 @@
 #include "app/verlet.hpp"
 
+#include <algorithm>
+
 namespace brunt {
 
 template <int Dim>
@@ -13,6 +15,10 @@ void predict(Points<Dim>& points, Real dt, Real dt_last) {
     points.x[k] += dt * points.v[k];
     points.f[k].setZero();
   }
+  if (!points.conducts) return;
+  const auto n = points.n_owned;
+  std::fill_n(points.heat_rate.begin(), n, 0.0);
+  std::fill_n(points.conductance.begin(), n, 0.0);
 }
 
 template <int Dim>
@@ -23,6 +29,13 @@ void correct(Points<Dim>& points, Real dt) {
     if (points.mass[k] == 0) continue;
     points.a[k] = points.f[k] / points.mass[k];
     points.v[k] += 0.5 * dt * points.a[k];
+  }
+  if (!points.conducts) return;
+#pragma omp parallel for schedule(static)
+  for (LocalIndex i = 0; i < points.n_owned; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    points.heat[k] += dt * points.heat_rate[k];
+    points.temperature[k] = points.start_temperature[k] + points.heat[k] / points.capacity[k];
   }
 }
 

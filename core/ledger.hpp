@@ -34,7 +34,18 @@ enum class Column : int {
 inline constexpr int kColumns = 14;
 std::string_view column_name(Column column);  ///< as in history.csv: "contact.spring", ...
 
+/// Heat [J] of all bodies that conduct, since time 0: stored = plastic + boundary.
+struct HeatSums {
+  ExactSum stored;    ///< taken up by points
+  ExactSum plastic;   ///< plastic work of these bodies that became heat, as elements booked it
+  ExactSum boundary;  ///< that boundaries let in
+  void add(const HeatSums& part) {
+    stored.add(part.stored), plastic.add(part.plastic), boundary.add(part.boundary);
+  }
+};
+
 /// Exact sums of one body; what history.csv prints in body.NAME.*.
+/// heat: taken up since time 0, by plastic work and, in bodies that conduct, from elsewhere.
 template <int Dim>
 struct BodySums {
   ExactSum mass, kinetic, internal, hourglass, heat;
@@ -55,6 +66,7 @@ template <int Dim>
 struct Totals {
   std::array<ExactSum, kColumns> columns;
   std::vector<BodySums<Dim>> bodies;
+  HeatSums heat;
   std::uint64_t state_hash = 0;  ///< sum modulo 2^64 of the mixed bits of each entity's state
 
   void add(Column column, Real value) { columns[static_cast<int>(column)].add(value); }
@@ -66,6 +78,7 @@ template <int Dim>
 void add_totals(const Totals<Dim>& from, Totals<Dim>& into) {
   for (std::size_t c = 0; c < into.columns.size(); ++c) into.columns[c].add(from.columns[c]);
   for (std::size_t b = 0; b < into.bodies.size(); ++b) into.bodies[b].add(from.bodies[b]);
+  into.heat.add(from.heat);
   into.state_hash += from.state_hash;
 }
 

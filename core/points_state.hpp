@@ -16,15 +16,27 @@ void visit_point(Row& row, AnyPoints& points, std::size_t i) {
   row(points.x_start[i]);
   row(points.integration[i]);
 }
+/// Temperatures follow from heat only while heat capacities are constant: both are kept.
+template <class Row, class AnyPoints>
+void visit_heat(Row& row, AnyPoints& points, std::size_t i) {
+  row(points.temperature[i]);
+  row(points.heat[i]);
+  row(points.conductance[i]);
+}
 }  // namespace detail
 
-/// Rows of the owned points.
+/// Rows of the owned points, and of their heat in the table "points.heat".
 template <int Dim>
 void save_points(const Points<Dim>& points, std::vector<StateTable>& tables) {
   save_rows(
       "points", static_cast<std::size_t>(points.n_owned),
       [&](std::size_t i) { return points.id[i]; },
       [&](auto& row, std::size_t i) { detail::visit_point(row, points, i); }, tables);
+  if (!points.conducts) return;
+  save_rows(
+      "points.heat", static_cast<std::size_t>(points.n_owned),
+      [&](std::size_t i) { return points.id[i]; },
+      [&](auto& row, std::size_t i) { detail::visit_heat(row, points, i); }, tables);
 }
 
 /// Every point takes its row, ghosts too. Throws StateError.
@@ -33,6 +45,10 @@ void load_points(Points<Dim>& points, const StateTables& tables) {
   load_rows(
       "points", points.x.size(), [&](std::size_t i) { return points.id[i]; },
       [&](auto& row, std::size_t i) { detail::visit_point(row, points, i); }, tables);
+  if (!points.conducts) return;
+  load_rows(
+      "points.heat", points.x.size(), [&](std::size_t i) { return points.id[i]; },
+      [&](auto& row, std::size_t i) { detail::visit_heat(row, points, i); }, tables);
 }
 
 /// Rows of what somebody keeps about chosen points, those of them that are owned.

@@ -158,6 +158,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.options.hourglass = resolved(set.options.hourglass, *set.material);
   block.gauss = set.options.integration == Integration::one_point ? 1 : Shape<Dim>::kGauss;
   block.adiabatic = set.adiabatic;
+  block.conducts = set.conducts, block.held = set.held;
   block.temperature = set.temperature;
   block.n = static_cast<LocalIndex>(set.id.size());
   const int tile = block.elements_per_tile();
@@ -168,14 +169,42 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.owned.resize(static_cast<std::size_t>(block.n), 1);
   measure_elements(points, thickness, block);
   const auto padded = static_cast<std::size_t>(block.n_padded);
-  block.state = set.material->initial_state(padded * static_cast<std::size_t>(block.gauss),
-                                            set.temperature, set.adiabatic);
+  block.state =
+      set.material->initial_state(padded * static_cast<std::size_t>(block.gauss), set.temperature,
+                                  set.adiabatic || (set.conducts && set.material->yields()));
+  if (block.conducts) {
+    block.heat_share = corner_shares(block, points, thickness);
+    if (!block.state.heat.empty()) block.heat_given.assign(padded, 0.0);
+  }
   if (block.gauss == 1) block.hourglass.assign(padded * block.kHourglassValues, 0.0);
   for (auto* field : {&block.viscous_pressure, &block.stress_work, &block.hourglass_work,
                       &block.viscous_work, &block.stable_step}) {
     field->assign(padded, 0.0);
   }
   return block;
+}
+
+template <int Dim>
+std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim>& points,
+                                const Thickness& thickness) {
+  constexpr int n = Shape<Dim>::kCorners;
+  std::vector<Real> shares(static_cast<std::size_t>(block.n_padded) * n);
+  for (LocalIndex e = 0; e < block.n_padded; ++e) {
+    Real* share = shares.data() + static_cast<std::size_t>(e) * n;
+    const auto volume = gauss_volumes<Dim>(corner_positions(block, e, points), thickness);
+    Real whole = 0;
+    for (int g = 0; g < Shape<Dim>::kGauss; ++g) {
+      const auto at = gauss_place<Dim>(g);
+      whole += volume[g];
+      for (int I = 0; I < n; ++I) {
+        Real value = volume[g];
+        for (int j = 0; j < Dim; ++j) value *= 0.5 * (1 + Shape<Dim>::kSign[I][j] * at[j]);
+        share[I] += value;
+      }
+    }
+    for (int I = 0; I < n; ++I) share[I] /= whole;
+  }
+  return shares;
 }
 
 template <int Dim>
@@ -209,6 +238,10 @@ template Real element_volume<2>(const Corners<2>&, bool, const Thickness&);
 template Real element_volume<3>(const Corners<3>&, bool, const Thickness&);
 template ElementBlock<2> make_block(const ElementSet<2>&, const Points<2>&, const Thickness&);
 template ElementBlock<3> make_block(const ElementSet<3>&, const Points<3>&, const Thickness&);
+template std::vector<Real> corner_shares(const ElementBlock<2>&, const Points<2>&,
+                                         const Thickness&);
+template std::vector<Real> corner_shares(const ElementBlock<3>&, const Points<3>&,
+                                         const Thickness&);
 template std::vector<Real> corner_masses(const ElementBlock<2>&, const Points<2>&,
                                          const Thickness&);
 template std::vector<Real> corner_masses(const ElementBlock<3>&, const Points<3>&,

@@ -22,6 +22,8 @@ struct ElementSet {
   ElementOptions options;
   Real temperature = 293.15;  ///< [K] at time 0
   bool adiabatic = false;     ///< plastic work heats the element at once
+  bool conducts = false;      ///< nodes have the temperature; plastic work heats them
+  bool held = false;          ///< nothing of it ever moves: only its heat is computed
 };
 
 /// What the out-of-plane direction adds: an element of area A about radius r fills A (c + s r).
@@ -49,6 +51,7 @@ struct ElementBlock {
   ElementOptions options;  ///< hourglass resolved: never automatic
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;
+  bool conducts = false, held = false;
   Real temperature = 0;  ///< [K] what the law sees where heat is off
   LocalIndex n = 0;      ///< elements
   LocalIndex n_padded = 0;
@@ -68,6 +71,10 @@ struct ElementBlock {
   std::vector<Real> hourglass_work;    ///< [J]
   std::vector<Real> viscous_work;      ///< [J]
   std::vector<Real> stable_step;       ///< [s] bound of each element
+  /// Where it conducts: share of its volume [1] that each corner stands for at time 0, n_padded x
+  /// kCorners: of its heat capacity, and of the plastic heat.
+  std::vector<Real> heat_share;
+  std::vector<Real> heat_given;  ///< [J] plastic heat that nodes have been given, where it yields
 
   int elements_per_tile() const { return kTile / gauss; }
   int n_tiles() const { return n_padded / elements_per_tile(); }
@@ -87,6 +94,12 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
 /// along the axis stays plane.
 template <int Dim>
 std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim>& points,
+                                const Thickness& thickness);
+
+/// The part of an element's volume that each corner stands for, int N_I dV / V, one after another:
+/// so its heat capacity is shared; n_padded x kCorners.
+template <int Dim>
+std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim>& points,
                                 const Thickness& thickness);
 
 /// Volumes [m^3] of the Gauss points of one element at positions x; they sum to its exact volume.

@@ -81,6 +81,10 @@ void add_point_fields(const Points<Dim>& points, const std::vector<LocalIndex>& 
   }
   fields.push_back(std::move(id));
   fields.push_back(std::move(piece));
+  if (!points.conducts) return;
+  Field temperature{"temperature", 1, {}};
+  for (const LocalIndex node : nodes) temperature.values.push_back(points.temperature[node]);
+  fields.push_back(std::move(temperature));
 }
 
 /// Mean of a quantity of the material points of an element, weighted by their volumes at time 0.
@@ -148,7 +152,7 @@ BodyView FiniteElements<Dim>::view(Label body) const {
   add_stress_fields(cells, view);
   add_state_field("eps_p", &MaterialState::eps_p, cells, view);
   add_state_field("strain_rate", &MaterialState::strain_rate, cells, view);
-  add_state_field("temperature", &MaterialState::temperature, cells, view);
+  if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, view);
   Field density{"density", 1, {}}, piece{"piece", 1, {}}, id{"id", 1, {}};
   for (const Cell<Dim>& cell : cells) {
     const ElementBlock<Dim>& block = *cell.block;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "fe/conduction.hpp"
 #include "fe/outer_facets.hpp"
 
 namespace brunt {
@@ -46,18 +47,6 @@ std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
   }
   hash.add(block.viscous_pressure[e]);
   return hash.value();
-}
-
-/// Plastic work of one element that has become heat [J].
-template <int Dim>
-Real plastic_heat(const ElementBlock<Dim>& block, LocalIndex e) {
-  if (block.state.heat.empty()) return 0;
-  Real sum = 0;
-  for (int g = 0; g < block.gauss; ++g) {
-    const std::size_t k = block.point(e, g);
-    sum += block.reference_volume[k] * block.state.heat[k];
-  }
-  return sum;
 }
 
 /// What is wrong with an element; entity is empty where nothing is.
@@ -109,10 +98,16 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   make_blocks(sets);
   set_masses(blocks_, gather_, thickness_, corner_force_.size() / Dim, points_);
   points_.x_start = points_.x;
+  held_ =
+      !sets.empty() && std::all_of(sets.begin(), sets.end(), [](const auto& s) { return s.held; });
   axis_ = axis_nodes(points_, thickness_);
   surface_.points = &points_;
   surface_.facets = outer_facets(blocks_, points_, axis_);
   start_steps();
+  const auto conducts = [](const auto& block) { return block.conducts; };
+  if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) return;
+  set_capacities();
+  start_conduction();
 }
 
 template <int Dim>
@@ -144,6 +139,8 @@ ElementStep<Dim> FiniteElements<Dim>::element_step(const ElementBlock<Dim>& bloc
 
 template <int Dim>
 void FiniteElements<Dim>::add_internal_forces(Real dt) {
+  if (held_) return;
+  if (points_.conducts) interpolate_temperatures();
   for (auto& block : blocks_) {
     const ElementStep<Dim> step = element_step(block, dt);
     const int n = block.n_tiles();
@@ -163,6 +160,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
 template <int Dim>
 StepVote FiniteElements<Dim>::stable_step() const {
   StepVote best;
+  if (held_) return best;
   for (const auto& block : blocks_) {
     for (LocalIndex e = 0; e < block.n; ++e) {
       if (block.stable_step[e] > best.step) continue;
@@ -189,20 +187,22 @@ struct ElementSums {
   }
 
   template <int Dim>
-  void give(Label body, Totals<Dim>& totals) const {
+  void give(Label body, bool conducts, Totals<Dim>& totals) const {
     const auto column = [&](Column which) -> ExactSum& {
       return totals.columns[static_cast<std::size_t>(which)];
     };
-    const auto add_to = [&](ExactSum& internal, ExactSum& plastic, ExactSum& of_hourglass) {
+    const auto add_to = [&](ExactSum& internal, ExactSum& of_hourglass) {
       internal.add(stress_work), internal.subtract(heat);
-      plastic.add(heat);
       of_hourglass.add(hourglass);
     };
-    add_to(column(Column::internal), column(Column::plastic_heat), column(Column::hourglass));
+    add_to(column(Column::internal), column(Column::hourglass));
+    column(Column::plastic_heat).add(heat);
     column(Column::viscosity).add(viscous);
+    if (conducts) totals.heat.plastic.add(heat);
     if (body >= totals.bodies.size()) return;
     BodySums<Dim>& own = totals.bodies[body];
-    add_to(own.internal, own.heat, own.hourglass);
+    add_to(own.internal, own.hourglass);
+    if (!conducts) own.heat.add(heat);  // else its points carry it, and what is conducted
   }
 };
 
@@ -217,7 +217,7 @@ void add_elements(const ElementBlock<Dim>& block, std::size_t first, std::size_t
       sums.add(block, static_cast<LocalIndex>(e));
       totals.state_hash += element_hash(block, static_cast<LocalIndex>(e));
     }
-    sums.give(body, totals);
+    sums.give(body, block.conducts, totals);
   }
 }
 }  // namespace

@@ -31,6 +31,7 @@ class FiniteElements final : public Solid<Dim> {
   Surface<Dim>& surface() override { return surface_; }
   void update_state(Real) override {}
   void add_internal_forces(Real dt) override;
+  void add_conduction(Real dt) override;
   StepVote stable_step() const override;
   void rearrange() override {}
   void add_totals(Totals<Dim>& totals) const override;
@@ -51,6 +52,10 @@ class FiniteElements final : public Solid<Dim> {
  private:
   void make_blocks(const std::vector<ElementSet<Dim>>& sets);
   void start_steps();
+  void set_capacities();
+  void start_conduction();
+  void interpolate_temperatures();
+  void conduct(Real inverse_dt);
   ElementStep<Dim> element_step(const ElementBlock<Dim>& block, Real dt);
 
   Points<Dim> points_;
@@ -59,6 +64,10 @@ class FiniteElements final : public Solid<Dim> {
   CornerGather gather_;
   std::vector<LocalIndex> axis_;    ///< nodes on the axis of an axisymmetric scene
   std::vector<Real> corner_force_;  ///< [N] [element][corner][Dim], blocks one after another
+  std::vector<Vec<2>> node_heat_;   ///< [W], [W/K] of each node, while they are summed
+  std::vector<Real>
+      corner_heat_;    ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
+  bool held_ = false;  ///< nothing of it ever moves: only its heat is computed
   Surface<Dim> surface_;
   GhostPlan ghosts_;
 };

@@ -10,7 +10,8 @@ namespace {
 /// A name for all blocks whose elements have rows of the same columns.
 template <int Dim>
 std::string table_of(const ElementBlock<Dim>& block) {
-  return "elements." + std::to_string(block.gauss) + fields_of(block.state);
+  return "elements." + std::to_string(block.gauss) + fields_of(block.state) +
+         (block.heat_given.empty() ? "" : ".given");
 }
 
 template <class Row, class Block>
@@ -27,6 +28,7 @@ void visit_element(Row& row, Block& block, std::size_t e) {
   row(block.hourglass_work[e]);
   row(block.viscous_work[e]);
   row(block.stable_step[e]);
+  if (!block.heat_given.empty()) row(block.heat_given[e]);
 }
 
 }  // namespace

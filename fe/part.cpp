@@ -17,6 +17,7 @@ std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& b
     auto& set = sets.emplace_back();
     set.material = block.material, set.options = block.options;
     set.temperature = block.temperature, set.adiabatic = block.adiabatic;
+    set.conducts = block.conducts, set.held = block.held;
     for (LocalIndex e = 0; e < block.n; ++e) {
       std::array<LocalIndex, n> corners;
       bool mine = false;
@@ -82,7 +83,7 @@ std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
 template <int Dim>
 FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& deal,
                                     const Communicator& ranks)
-    : thickness_(whole.thickness_) {
+    : thickness_(whole.thickness_), held_(whole.held_) {
   std::vector<int> owner;
   for (const GlobalId id : whole.points_.id) owner.push_back(deal.of(id));
   auto sets = elements_of(whole.blocks_, owner, ranks.rank());
@@ -115,6 +116,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& dea
   }
   ghosts_ = plan_ghosts(ranks, ids, places, owners, points_.owned_ids());
   start_steps();
+  if (points_.conducts) start_conduction();
 }
 
 template <int Dim>

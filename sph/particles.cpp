@@ -16,8 +16,14 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   assert(spacing.size() == points_.x.size());
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
   take_sets(std::move(sets), spacing);
+  const auto conducts = [](const auto& block) { return block.set.conducts; };
+  const bool warm = std::any_of(blocks_.begin(), blocks_.end(), conducts);
+  if (warm) set_capacities();
+  const auto held = [](const auto& block) { return block.set.held; };
+  held_ = !blocks_.empty() && std::all_of(blocks_.begin(), blocks_.end(), held);
   rearrange();
   seed_votes();
+  if (warm) start_conduction();
 }
 
 /// Room for n particles, owned and copies.
@@ -47,9 +53,11 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
       state.sound_speed = std::sqrt(material.modulus() / material.density);
       surface_.particles[k] = {i, 0.5 * spacing[k], material.modulus()};
     }
-    MaterialState state =
-        material.initial_state(set.particle.size(), set.temperature, set.adiabatic);
-    blocks_.push_back({std::move(set), std::move(state)});
+    MaterialState state = material.initial_state(
+        set.particle.size(), set.temperature, set.adiabatic || (set.conducts && material.yields()));
+    std::vector<Real> given;
+    if (set.conducts && !state.heat.empty()) given.assign(set.particle.size(), 0.0);
+    blocks_.push_back({std::move(set), std::move(state), std::move(given)});
     for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
   }
 }
@@ -101,6 +109,12 @@ void SphParticles<Dim>::refresh_gradients() {
 
 template <int Dim>
 void SphParticles<Dim>::update_state(Real dt) {
+  if (held_) {
+    if (!settled_) refresh_motion(), refresh_gradients();
+    settled_ = true;
+    return;
+  }
+  if (points_.conducts) take_temperatures();
   for_each(n_owned(), [&](std::size_t i) {
     auto& state = state_[i];
     const Vec<Dim> half = 0.5 * dt * points_.v[i];
@@ -120,6 +134,7 @@ void SphParticles<Dim>::update_state(Real dt) {
 
 template <int Dim>
 void SphParticles<Dim>::add_internal_forces(Real dt) {
+  if (held_) return;
   const ForceRecords<Dim> records{motion_.data(), stress_.data(), artificial_.data()};
   for (const auto& block : blocks_) {
     const SphOptions& options = block.set.options;

@@ -6,6 +6,7 @@
 #include "core/materials/material.hpp"
 #include "core/search/search.hpp"
 #include "core/solid.hpp"
+#include "sph/conduction.hpp"
 #include "sph/list_watch.hpp"
 #include "sph/neighbour_rows.hpp"
 #include "sph/options.hpp"
@@ -20,6 +21,8 @@ struct ParticleSet {
   SphOptions options;
   Real temperature = 0;              ///< [K] at time 0; what laws see where heat is off
   bool adiabatic = false;            ///< plastic work heats the particle
+  bool conducts = false;             ///< particles exchange heat; plastic work heats them
+  bool held = false;                 ///< none ever moves: only their heat is computed
   std::vector<LocalIndex> particle;  ///< ascending; a body lies in one set as a whole
 };
 
@@ -27,6 +30,7 @@ struct ParticleSet {
 struct ParticleBlock {
   ParticleSet set;
   MaterialState state;
+  std::vector<Real> heat_given;  ///< [J] plastic heat that particles were given; conducting, yields
 };
 
 /// What one particle carries from phase to phase and from step to step.
@@ -82,6 +86,7 @@ class SphParticles final : public Solid<Dim> {
   void update_state(Real dt) override;
   void refresh_state() override;
   void add_internal_forces(Real dt) override;
+  void add_conduction(Real dt) override;
   StepVote stable_step() const override;
   void rearrange() override;
   WallTime take_list_time() override { return std::exchange(list_time_, {}); }
@@ -123,6 +128,11 @@ class SphParticles final : public Solid<Dim> {
   void set_size(std::size_t i);
   void add_slot(const ParticleBlock& block, std::size_t slot, Totals<Dim>& totals) const;
   void seed_votes();
+  void set_capacities();
+  void start_conduction();
+  void take_temperatures();
+  void refresh_heat();
+  void conduct(Real inverse_dt);
 
   Points<Dim> points_;
   Surface<Dim> surface_;
@@ -135,6 +145,9 @@ class SphParticles final : public Solid<Dim> {
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
   std::vector<ArtificialRecord<Dim>> artificial_;
+  std::vector<HeatRecord<Dim>> heat_;  // empty: heat is not conducted
+  bool held_ = false;                  // nothing of it ever moves: only its heat is computed
+  bool settled_ = false;               // rows, weights and corrections of what is held are there
 
   const Communicator* ranks_ = &lone_rank();
   GhostPlan ghosts_;           // copies within reach; made anew with the lists

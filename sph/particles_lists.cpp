@@ -38,6 +38,7 @@ bool SphParticles<Dim>::lists_hold() const {
 /// however far a step or its supports have moved the particles.
 template <int Dim>
 void SphParticles<Dim>::renew_lists_where_due() {
+  if (held_) return;
   const WallTimer timer(list_time_, *ranks_);
   if (lists_hold()) return;
   rearrange();
@@ -52,6 +53,7 @@ void SphParticles<Dim>::set_skin(Real skin) {
 
 template <int Dim>
 void SphParticles<Dim>::rearrange() {
+  settled_ = false;
   Real longest = 0;
   for (std::size_t i = 0; i < n_owned(); ++i) longest = std::max(longest, smoothing_length_[i]);
   longest = ranks_->max(longest);
@@ -88,6 +90,7 @@ void SphParticles<Dim>::seed_votes() {
 /// dispersion of the kernel on a lattice, half for disorder; and 0.25 sqrt(h/|a_i|).
 template <int Dim>
 StepVote SphParticles<Dim>::stable_step() const {
+  if (held_) return {};
   const auto bound = [&](std::size_t i) {
     const SphOptions& options = blocks_[block_of_[i]].set.options;
     const auto& state = state_[i];

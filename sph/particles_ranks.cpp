@@ -23,6 +23,7 @@ template <int Dim>
 SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
                                 const Communicator& ranks)
     : depth_(whole.depth_),
+      held_(whole.held_),
       ranks_(&ranks),
       bodies_(whole.points_.body),
       skin_ratio_(whole.skin_ratio_),
@@ -54,6 +55,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
   take_sets(std::move(sets), spacing);
   rearrange();
   seed_votes();
+  if (points_.conducts) start_conduction();
 }
 
 /// Copies of all particles of other ranks that may come within reach of an own one before the
@@ -118,6 +120,10 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
     if (send[r].empty() && fill[r].empty()) continue;
     ghosts_.peers.push_back({static_cast<int>(r), std::move(send[r]), std::move(fill[r])});
   }
+  if (!points_.conducts) return;
+  refresh_ghosts(
+      *ranks_, ghosts_, 1, [&](std::size_t i, Real* out) { *out = points_.temperature[i]; },
+      [&](std::size_t i, const Real* in) { points_.temperature[i] = *in; });
 }
 
 template <int Dim>
@@ -135,7 +141,7 @@ void SphParticles<Dim>::refresh_ghost_positions() {
 
 template <int Dim>
 void SphParticles<Dim>::refresh_state() {
-  if (ranks_->alone()) return;
+  if (ranks_->alone() || held_) return;
   constexpr std::size_t n_stress = std::size(StressRecord<Dim>{}.data);
   constexpr std::size_t n_artificial = std::size(ArtificialRecord<Dim>{}.data);
   refresh_ghosts(

@@ -56,7 +56,8 @@ class FieldList {
   std::vector<Field> fields_;
 };
 
-void add_material(FieldList& fields, const MaterialState& state, std::size_t slot) {
+void add_material(FieldList& fields, const MaterialState& state, std::size_t slot,
+                  bool has_temperature) {
   const Real p = state.pressure[slot];
   const auto& s = state.deviator;
   fields.add("stress", {s[xx][slot] - p, s[yy][slot] - p, s[zz][slot] - p, s[xy][slot], s[yz][slot],
@@ -65,6 +66,7 @@ void add_material(FieldList& fields, const MaterialState& state, std::size_t slo
   fields.add("von_mises", {von_mises(state, slot)});
   if (!state.eps_p.empty()) fields.add("eps_p", {state.eps_p[slot]});
   if (!state.strain_rate.empty()) fields.add("strain_rate", {state.strain_rate[slot]});
+  if (has_temperature) return;
   if (!state.temperature.empty()) fields.add("temperature", {state.temperature[slot]});
 }
 
@@ -80,11 +82,12 @@ void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
   const Real internal = state.stress_work - plastic;
   totals.add(Column::internal, internal);
   totals.add(Column::plastic_heat, plastic);
+  if (points_.conducts) totals.heat.plastic.add(plastic);
   totals.add(Column::viscosity, state.viscous_work);
   totals.add(Column::artificial_stress, state.artificial_work);
   if (points_.body[i] < totals.bodies.size()) {
     totals.bodies[points_.body[i]].internal.add(internal);
-    totals.bodies[points_.body[i]].heat.add(plastic);
+    if (!points_.conducts) totals.bodies[points_.body[i]].heat.add(plastic);
   }
   EntityHash hash(points_.id[i]);
   add_state(block.state, slot, hash);
@@ -144,7 +147,8 @@ BodyView SphParticles<Dim>::view(Label body) const {
       fields.add<Dim>("velocity", points_.v[i]);
       fields.add<Dim>("acceleration", points_.a[i]);
       fields.add<Dim>("force", points_.f[i]);
-      add_material(fields, block.state, slot);
+      add_material(fields, block.state, slot, points_.conducts);
+      if (points_.conducts) fields.add("temperature", {points_.temperature[i]});
       fields.add("density", {block.set.material->density / state_[i].ratio});
       fields.add("id", {static_cast<Real>(points_.id[i])});
       fields.add("piece", {static_cast<Real>(points_.piece[i])});

@@ -11,7 +11,13 @@ namespace {
 
 /// A name for all blocks whose material points have rows of the same columns.
 std::string table_of(const ParticleBlock& block) {
-  return "particle.material" + fields_of(block.state);
+  return "particle.material" + fields_of(block.state) + (block.heat_given.empty() ? "" : ".given");
+}
+
+template <class Row, class Block>
+void visit_slot(Row& row, Block& block, std::size_t slot) {
+  visit_material_point(row, block.state, slot);
+  if (!block.heat_given.empty()) row(block.heat_given[slot]);
 }
 
 template <class Row, class State>
@@ -45,7 +51,7 @@ void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
     save_rows(
         table_of(block), owned,
         [&](std::size_t slot) { return points_.id[static_cast<std::size_t>(particle[slot])]; },
-        [&](auto& row, std::size_t slot) { visit_material_point(row, block.state, slot); }, tables);
+        [&](auto& row, std::size_t slot) { visit_slot(row, block, slot); }, tables);
   }
 }
 
@@ -60,7 +66,7 @@ void SphParticles<Dim>::load_state(const StateTables& tables) {
     load_rows(
         table_of(block), particle.size(),
         [&](std::size_t slot) { return points_.id[static_cast<std::size_t>(particle[slot])]; },
-        [&](auto& row, std::size_t slot) { visit_material_point(row, block.state, slot); }, tables);
+        [&](auto& row, std::size_t slot) { visit_slot(row, block, slot); }, tables);
   }
   for (std::size_t i = 0; i < n_owned(); ++i) set_size(i);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "app/build/heat.hpp"
+
 namespace brunt {
 
 namespace {
@@ -117,6 +119,87 @@ void add_force(const std::string& name, const deck::Boundary& boundary, Points<D
   scene.loads.apply(std::move(force));
 }
 
+/// Facets of the surface all of whose points are chosen, by id.
+template <int Dim>
+std::vector<Facet<Dim>> facets_between(const Surface<Dim>& surface,
+                                       const std::vector<LocalIndex>& chosen) {
+  std::vector<Facet<Dim>> facets;  // chosen points ascend
+  for (const auto& facet : surface.facets) {
+    bool all = true;
+    for (int k = 0; k < facet.n_nodes(); ++k) {
+      const LocalIndex node = facet.node[static_cast<std::size_t>(k)];
+      all = all && std::binary_search(chosen.begin(), chosen.end(), node);
+    }
+    if (all) facets.push_back(facet);
+  }
+  return facets;
+}
+
+std::optional<PrescribedVelocity> value_of(const std::optional<Varying>& varying) {
+  if (!varying) return std::nullopt;
+  return function_of(*varying);
+}
+
+/// The boundary that holds points of this one at another temperature, when both begin to act;
+/// null where none does.
+template <int Dim>
+const HeatBoundary<Dim>* contradiction(const HeatBoundary<Dim>& heat, const Scene<Dim>& scene) {
+  for (const auto& other : scene.heat.all()) {
+    const Real from = std::max(heat.from, other.from);
+    if (!heat.temperature || !other.temperature || other.points != heat.points) continue;
+    if (!(from < std::min(heat.to, other.to))) continue;
+    for (const LocalIndex i : heat.chosen) {
+      if (!std::binary_search(other.chosen.begin(), other.chosen.end(), i)) continue;
+      Vec3 place = Vec3::Zero();
+      place.template head<Dim>() = heat.points->x_start[static_cast<std::size_t>(i)] + scene.origin;
+      if ((*heat.temperature)(from, place) != (*other.temperature)(from, place)) return &other;
+    }
+  }
+  return nullptr;
+}
+
+/// Returns what is wrong, "" where nothing is.
+template <int Dim>
+std::string add_heat(const std::string& name, const deck::Boundary& boundary, Solid<Dim>& solid,
+                     const std::vector<LocalIndex>& chosen, Scene<Dim>& scene) {
+  if (!solid.points().conducts) {
+    return "'" + boundary.body + "' does not conduct heat: give its material `thermal: {cp, k}`" +
+           ", and write heat: conduct or auto";
+  }
+  HeatBoundary<Dim> heat;
+  heat.name = name, heat.points = &solid.points(), heat.chosen = chosen;
+  heat.from = boundary.from, heat.to = boundary.to;
+  heat.temperature = value_of(boundary.temperature);
+  heat.flux = value_of(boundary.flux);
+  if (boundary.convection) {
+    heat.film = value_of(boundary.convection->h), heat.film_T = value_of(boundary.convection->T);
+  }
+  if (boundary.radiation) {
+    heat.emissivity = boundary.radiation->emissivity;
+    heat.radiation_T = value_of(boundary.radiation->T);
+  }
+  if (heat.acts_on_areas()) {
+    const Surface<Dim>& surface = solid.surface();
+    if (solid.n_particles() > 0) {
+      if (std::holds_alternative<deck::WhereAll>(boundary.where)) {
+        return "acts on an area, and most of these particles are inside: choose a side or a plane";
+      }
+      for (const LocalIndex i : chosen) {
+        const Real width = 2 * surface.particles[static_cast<std::size_t>(i)].radius;
+        heat.fixed_area.push_back(width * (Dim == 3 ? width : scene.depth));
+      }
+    } else {
+      heat.facets = facets_between(surface, chosen);
+      if (heat.facets.empty()) return "there is no outer facet all of whose points are chosen";
+    }
+  }
+  if (const auto* other = contradiction(heat, scene)) {
+    return "shares points with '" + other->name + "', which holds them at another temperature";
+  }
+  scene.heat.add(std::move(heat));
+  return "";
+}
+
 template <int Dim>
 Solid<Dim>* solid_of(Scene<Dim>& scene, Label label) {
   for (auto& solid : scene.solids) {
@@ -158,6 +241,9 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
       add_velocity(name, boundary, points, chosen, scene);
     }
     if (boundary.force) add_force(name, boundary, points, chosen, scene);
+    if (!acts_on_heat(boundary)) continue;
+    const std::string wrong = add_heat(name, boundary, *solid, chosen, scene);
+    if (!wrong.empty()) problems.push_back(loaded.places.problem(path, wrong));
   }
   if (!deck.gravity.empty()) {
     Vec<Dim> g;

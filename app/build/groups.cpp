@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/build/materials.hpp"
+#include "app/build/heat.hpp"
 #include "core/geometry/curve.hpp"
 #include "fe/finite_elements.hpp"
 #include "sph/particles.hpp"
@@ -97,15 +97,31 @@ std::vector<std::size_t> choose(const LoadedDeck& loaded,
   return chosen;
 }
 
+/// Bodies of one method and kind that deform.
+template <int Dim>
+std::vector<std::size_t> choose(const LoadedDeck& loaded,
+                                const std::vector<BodyGeometry<Dim>>& bodies, deck::Method method,
+                                GroupKind kind) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
+    if (body.rigid || body.method != method) continue;
+    if (group_kind(loaded.deck, body, name) == kind) chosen.push_back(b);
+  }
+  return chosen;
+}
+
 const Material* material_of(const LoadedDeck& loaded,
                             const std::vector<std::unique_ptr<Material>>& materials,
-                            const deck::Body& body, bool* adiabatic) {
+                            const deck::Body& body) {
   for (std::size_t m = 0; m < loaded.deck.materials.size(); ++m) {
-    if (loaded.deck.materials[m].name != body.material) continue;
-    *adiabatic = is_adiabatic(loaded.deck, loaded.deck.materials[m].value);
-    return materials[m].get();
+    if (loaded.deck.materials[m].name == body.material) return materials[m].get();
   }
   return nullptr;
+}
+
+bool is_adiabatic(const Deck& deck, const Named<deck::Body>& body) {
+  return heat_mode(deck, body.value, body.name) == HeatMode::adiabatic;
 }
 
 bool same_element(const ElementOptions& a, const ElementOptions& b) {
@@ -125,10 +141,8 @@ bool same_element(const ElementOptions& a, const ElementOptions& b) {
 template <int Dim>
 std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                           const std::vector<BodyGeometry<Dim>>& bodies,
-                                          NextIds& next) {
-  const auto chosen = choose(loaded, bodies, [](const deck::Body& body) {
-    return body.method == deck::Method::fe && !body.rigid;
-  });
+                                          GroupKind kind, NextIds& next) {
+  const auto chosen = choose(loaded, bodies, deck::Method::fe, kind);
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
 
@@ -149,8 +163,8 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     const auto [b, e] = elements[k];
     const auto& geometry = bodies[b];
     const auto& body = loaded.deck.bodies[geometry.label].value;
-    bool adiabatic = false;
-    const Material* material = material_of(loaded, scene.materials, body, &adiabatic);
+    const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
+    const Material* material = material_of(loaded, scene.materials, body);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ElementSet<Dim>& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
@@ -161,6 +175,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
       set = sets.end() - 1;
       set->material = material, set->options = body.element;
       set->temperature = temperature, set->adiabatic = adiabatic;
+      set->conducts = kind.conducts, set->held = kind.held;
     }
     auto& corners = set->corners.emplace_back();
     for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -193,10 +208,8 @@ Real mean_spacing(const BodyGeometry<Dim>& body) {
 template <int Dim>
 std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                            const std::vector<BodyGeometry<Dim>>& bodies,
-                                           NextIds& next) {
-  const auto chosen = choose(loaded, bodies, [](const deck::Body& body) {
-    return body.method == deck::Method::sph && !body.rigid;
-  });
+                                           GroupKind kind, NextIds& next) {
+  const auto chosen = choose(loaded, bodies, deck::Method::sph, kind);
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
   std::vector<Real> spacing(gathered.from.size());
@@ -204,15 +217,17 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
   for (std::size_t k = 0; k < gathered.from.size(); ++k) {
     const auto& geometry = bodies[gathered.from[k].body];
     const auto& body = loaded.deck.bodies[geometry.label].value;
-    bool adiabatic = false;
-    const Material* material = material_of(loaded, scene.materials, body, &adiabatic);
+    const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
+    const Material* material = material_of(loaded, scene.materials, body);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
              same_sph(s.options, body.sph);
     });
-    if (set == sets.end())
-      set = sets.insert(sets.end(), {material, body.sph, temperature, adiabatic, {}});
+    if (set == sets.end()) {
+      set = sets.insert(sets.end(),
+                        {material, body.sph, temperature, adiabatic, kind.conducts, kind.held, {}});
+    }
     set->particle.push_back(static_cast<LocalIndex>(k));
     // Each particle carries its share of the exact mass of the shape.
     const Real volume = geometry.volume * (Dim == 2 ? scene.depth : 1.0);
@@ -255,13 +270,17 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
 }
 
 template std::unique_ptr<Solid<2>> make_elements<2>(const LoadedDeck&, const Scene<2>&,
-                                                    const std::vector<BodyGeometry<2>>&, NextIds&);
+                                                    const std::vector<BodyGeometry<2>>&, GroupKind,
+                                                    NextIds&);
 template std::unique_ptr<Solid<3>> make_elements<3>(const LoadedDeck&, const Scene<3>&,
-                                                    const std::vector<BodyGeometry<3>>&, NextIds&);
+                                                    const std::vector<BodyGeometry<3>>&, GroupKind,
+                                                    NextIds&);
 template std::unique_ptr<Solid<2>> make_particles<2>(const LoadedDeck&, const Scene<2>&,
-                                                     const std::vector<BodyGeometry<2>>&, NextIds&);
+                                                     const std::vector<BodyGeometry<2>>&, GroupKind,
+                                                     NextIds&);
 template std::unique_ptr<Solid<3>> make_particles<3>(const LoadedDeck&, const Scene<3>&,
-                                                     const std::vector<BodyGeometry<3>>&, NextIds&);
+                                                     const std::vector<BodyGeometry<3>>&, GroupKind,
+                                                     NextIds&);
 template std::unique_ptr<RigidSurfaces<2>> make_rigid<2>(const LoadedDeck&, const Scene<2>&,
                                                          const std::vector<BodyGeometry<2>>&,
                                                          NextIds&);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/build/bodies.hpp"
+#include "app/build/heat.hpp"
 #include "app/scene.hpp"
 
 namespace brunt {
@@ -18,11 +19,11 @@ struct NextIds {
 template <int Dim>
 std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                           const std::vector<BodyGeometry<Dim>>& bodies,
-                                          NextIds& next);
+                                          GroupKind kind, NextIds& next);
 template <int Dim>
 std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                            const std::vector<BodyGeometry<Dim>>& bodies,
-                                           NextIds& next);
+                                           GroupKind kind, NextIds& next);
 template <int Dim>
 std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                                const std::vector<BodyGeometry<Dim>>& bodies,

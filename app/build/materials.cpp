@@ -4,12 +4,6 @@
 
 namespace brunt {
 
-bool is_adiabatic(const Deck& deck, const deck::Material& material) {
-  if (deck.heat == deck::Heat::off || !material.thermal) return false;
-  // An elastic material is never heated: it keeps no temperature.
-  return !std::holds_alternative<NoStrength>(material.strength);
-}
-
 std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
   std::vector<std::unique_ptr<Material>> materials;
   for (const auto& [name, given] : deck.materials) {
@@ -24,6 +18,7 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
     strength.shear = material->shear;
     if (given.thermal) {
       material->specific_heat = given.thermal->cp;
+      if (given.thermal->k) material->conductivity = *given.thermal->k;
       strength.heat_capacity = given.density * given.thermal->cp;
       strength.taylor_quinney = given.thermal->taylor_quinney;
     }

@@ -10,7 +10,4 @@ namespace brunt {
 /// The laws of a deck's materials. `adiabatic`: plastic work heats the point.
 std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck);
 
-/// True where the deck's heat key and the material make plastic work heat the point.
-bool is_adiabatic(const Deck& deck, const deck::Material& material);
-
 }  // namespace brunt

@@ -81,8 +81,12 @@ std::vector<RigidMotion<Dim>> motions_of(const LoadedDeck& loaded, const Scene<D
   return motions;
 }
 
-/// True where some pair of bodies, or pieces of a body, may touch.
+/// True where some pair of bodies, or pieces of a body, may touch. Bodies that never move do not.
 bool anything_can_touch(const Deck& deck, const ContactOptions& options) {
+  const bool all_held = std::all_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
+    return body.value.rigid ? !body.value.motion : is_held(deck, body.name);
+  });
+  if (all_held) return false;
   if (!options.fallback.ignore) return !deck.bodies.empty();
   return std::any_of(options.pairs.begin(), options.pairs.end(),
                      [](const auto& pair) { return !pair.second.ignore; });
@@ -99,18 +103,19 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     throw DeckError(problems);
   }
 
-  auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry));
-  scene->geometry = deck.geometry;
-  scene->depth = deck.depth;
+  auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
+                                            deck.depth);
   for (const auto& body : deck.bodies) scene->body_names.push_back(body.name);
   scene->materials = make_materials(deck);
 
   NextIds next;
-  if (auto elements = make_elements(loaded, *scene, bodies, next)) {
-    scene->solids.push_back(std::move(elements));
+  for (const GroupKind kind : kGroupKinds) {
+    auto elements = make_elements(loaded, *scene, bodies, kind, next);
+    if (elements) scene->solids.push_back(std::move(elements));
   }
-  if (auto particles = make_particles(loaded, *scene, bodies, next)) {
-    scene->solids.push_back(std::move(particles));
+  for (const GroupKind kind : kGroupKinds) {
+    auto particles = make_particles(loaded, *scene, bodies, kind, next);
+    if (particles) scene->solids.push_back(std::move(particles));
   }
   if (auto rigid = make_rigid(loaded, *scene, bodies, next)) {
     scene->supports.move_rigid(*rigid, motions_of(loaded, *scene));

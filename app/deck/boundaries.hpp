@@ -41,15 +41,31 @@ using Where = std::variant<WhereAll, WhereSurface, WherePlane, WhereBox, WhereSi
 /// One component of a prescribed vector; absent: free.
 using Components = std::vector<std::optional<Varying>>;
 
-/// What holds, moves or pushes points of a body; points are chosen at time 0 and carried along.
+/// Heat h (T - T_surface) per area; constants, tables over time or expressions.
+struct Convection {
+  std::optional<Varying> h;  ///< [W/m^2/K]
+  std::optional<Varying> T;  ///< [K]
+};
+/// Heat emissivity sigma (T^4 - T_surface^4) per area.
+struct Radiation {
+  Real emissivity = 1;       ///< [1]
+  std::optional<Varying> T;  ///< [K]
+};
+
+/// What holds, moves, pushes or heats points of a body; points are chosen at time 0 and carried
+/// along.
 struct Boundary {
   std::string body;
   Where where;
   std::vector<std::string> fix;        ///< "x", "y", "z"; empty: none
   std::optional<Components> velocity;  ///< [m/s] constants, tables over time, expressions
   std::optional<Components> force;     ///< [N] in total on all chosen points, shared by mass
-  Real from = 0;                       ///< [s]
-  Real to = kInfinity;                 ///< [s]
+  std::optional<Varying> temperature;  ///< [K] of the chosen points
+  std::optional<Varying> flux;         ///< [W/m^2] into the body
+  std::optional<Convection> convection;
+  std::optional<Radiation> radiation;
+  Real from = 0;        ///< [s]
+  Real to = kInfinity;  ///< [s]
 };
 
 /// Mass-proportional: f = -rate m v.
@@ -63,6 +79,8 @@ void describe(Schema& s, WhereSurface& where);
 void describe(Schema& s, WherePlane& where);
 void describe(Schema& s, WhereBox& where);
 void describe(Schema& s, WhereSide& where);
+void describe(Schema& s, Convection& convection);
+void describe(Schema& s, Radiation& radiation);
 void describe(Schema& s, Boundary& boundary);
 void describe(Schema& s, Damping& damping);
 

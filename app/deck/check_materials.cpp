@@ -73,6 +73,14 @@ void check_materials(const Deck& deck, Findings& findings) {
     check_heat(deck, material, findings);
     check_equation_of_state(material, findings);
   }
+  const auto conducts = [](const auto& material) {
+    return material.value.thermal && material.value.thermal->k;
+  };
+  if (deck.heat == Heat::conduct && findings.sound("materials") &&
+      std::none_of(deck.materials.begin(), deck.materials.end(), conducts)) {
+    findings.wrong("heat",
+                   "no material conducts: add `thermal: {cp: ..., k: ...}` to one, or write auto");
+  }
   const auto heated = [](const auto& material) { return can_be_heated(material.value); };
   if (deck.heat == Heat::adiabatic && findings.sound("materials") &&
       std::none_of(deck.materials.begin(), deck.materials.end(), heated)) {

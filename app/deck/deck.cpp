@@ -107,9 +107,7 @@ void describe(Schema& s, Ranks& ranks) {
 
 void describe(Schema& s, Deck& deck) {
   static constexpr const char* kGeometries[] = {"3d", "plane-strain", "axisymmetric"};
-  static constexpr const char* kHeats[] = {
-      "auto", "off|false", "adiabatic",
-      "!conduct|heat is not conducted in this version; write adiabatic, off or auto"};
+  static constexpr const char* kHeats[] = {"auto", "off|false", "adiabatic", "conduct"};
   static constexpr const char* kLater[] = {"symmetry", "probes", "sections"};
   s.text({"title", "a line for the log and the report"}, deck.title);
   s.choice({"geometry", "three dimensions, or two in x and y; axisymmetric: x is the radius"},
@@ -120,7 +118,10 @@ void describe(Schema& s, Deck& deck) {
                         deck.depth, {"m", positive(), between(1e-6, 100)});
             });
   s.object({"time", "how long and in which steps", Need::required}, deck.time);
-  s.choice({"heat", "auto: plastic work heats materials that are thermal"}, deck.heat, kHeats);
+  s.choice({"heat",
+            "conduct: in materials with thermal k; adiabatic: plastic work stays where it is done; "
+            "auto: conduct in bodies with k that a boundary heats or cools, else adiabatic"},
+           deck.heat, kHeats);
   s.real({"ambient", "temperature of all that says nothing else"}, deck.ambient,
          {"K", at_least(0), between(200, 2000)});
   s.named({"materials", "materials by name"}, deck.materials);

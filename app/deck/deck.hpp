@@ -27,7 +27,7 @@ struct Time {
   std::optional<Real> until;  ///< [s] stops, with a checkpoint, at the first step that gets there
 };
 
-enum class Heat : int { automatic, off, adiabatic };
+enum class Heat : int { automatic, off, adiabatic, conduct };
 
 /// A pair of bodies; its options already hold what `default` says where the pair is silent.
 struct ContactPair {

@@ -1,5 +1,6 @@
 #include "app/deck/materials.hpp"
 
+#include <array>
 #include <cassert>
 
 namespace brunt::deck {
@@ -23,8 +24,9 @@ void describe(Schema& s, Thermal& thermal) {
   static constexpr const char* kLater[] = {"expansion", "T_melt"};
   s.real({"cp", "specific heat", Need::required}, thermal.cp,
          {"J/kg/K", positive(), between(50, 1e4)});
-  s.real({"k", "conductivity; not used before heat is conducted"}, thermal.k,
-         {"W/m/K", at_least(0), between(0, 5000)});
+  static constexpr std::array kOver{Varying::Over::temperature};
+  s.varying({"k", "conductivity; without it heat stays where it is"}, thermal.k,
+            {"W/m/K", at_least(0), between(0, 5000)}, kOver);
   s.real({"taylor_quinney", "share of plastic work that becomes heat"}, thermal.taylor_quinney,
          {"1", between(0, 1)});
   s.later(kLater);

@@ -20,7 +20,7 @@ struct ElasticConstants {
 
 struct Thermal {
   Real cp = 0;                ///< [J/kg/K] specific heat
-  std::optional<Real> k;      ///< [W/m/K] conductivity; read, and not used before heat is conducted
+  std::optional<Varying> k;   ///< [W/m/K] conductivity, a constant or a table over temperature
   Real taylor_quinney = 0.9;  ///< share of plastic work that becomes heat
 };
 

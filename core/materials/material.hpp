@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/schema.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -74,6 +75,7 @@ struct Material {
   Real tensile_cutoff = kInfinity;  ///< [Pa] pressure never below minus this
   bool thermal = false;
   Real specific_heat = 0;  ///< [J/kg/K]
+  Varying conductivity;    ///< [W/m/K] a constant, or a table over temperature
   std::unique_ptr<Strength> strength;
   std::unique_ptr<EquationOfState> eos;
 

@@ -56,9 +56,28 @@ TEST_P(ShippedDeck, BitsDependOnTheDeckAlone) {
   }
 }
 
+// Bars that conduct while they are crushed.
+INSTANTIATE_TEST_SUITE_P(
+    Conducting, ShippedDeck,
+    testing::Values(
+        Shipped{"taylor-bar",
+                {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
+                 "parameters.size=0.9 mm", "time.end=3 us"}},
+        Shipped{"taylor-bar-axisymmetric",
+                {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
+                 "time.end=3 us"}},
+        Shipped{"taylor-bar-sph",
+                {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
+                 "parameters.spacing=0.8 mm", "time.end=3 us"}}),
+    [](const auto& info) {
+      std::string name = info.param.name;
+      for (auto& c : name) c = c == '-' ? '_' : c;
+      return name;
+    });
+
 INSTANTIATE_TEST_SUITE_P(
     , ShippedDeck,
-    testing::Values(Shipped{"bars", {"time.end=20 us"}},
+    testing::Values(Shipped{"bars", {"time.end=20 us"}}, Shipped{"hot-rod", {"time.end=0.6 s"}},
                     Shipped{"taylor-bar", {"parameters.size=0.9 mm", "time.end=15 us"}},
                     Shipped{"taylor-bar-axisymmetric", {"time.end=10 us"}},
                     Shipped{"taylor-bar-sph", {"parameters.spacing=0.8 mm", "time.end=10 us"}},
@@ -74,8 +93,9 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(ShippedDecksLong, DriftStaysWithinOnePercent) {
-  for (const char* name : {"bars", "taylor-bar", "taylor-bar-axisymmetric", "taylor-bar-sph",
-                           "drop-on-plate", "projectile-2d", "block-on-incline", "brick-stack"}) {
+  for (const char* name : {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric",
+                           "taylor-bar-sph", "drop-on-plate", "projectile-2d", "block-on-incline",
+                           "brick-stack"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;
     EXPECT_LT(run.worst_drift, 0.01) << name;

@@ -17,6 +17,9 @@ cd "$work"
 # deck, when it is split by a restart, then what makes it a matter of seconds; a blank is written _
 cases=(
   "bars 8_us time.end=20_us"
+  "hot-rod 0.4_s time.end=0.8_s"
+  "taylor-bar 2_us heat=conduct materials.copper.thermal={cp:_383,_k:_386} parameters.size=0.9_mm time.end=4_us"
+  "taylor-bar-sph 2_us heat=conduct materials.copper.thermal={cp:_383,_k:_386} parameters.spacing=0.8_mm time.end=4_us"
   "taylor-bar 2_us parameters.size=0.9_mm time.end=4_us"
   "taylor-bar-axisymmetric 2_us time.end=5_us bodies.bar.cells=[4,_40]"
   "taylor-bar-sph 2_us parameters.spacing=0.8_mm time.end=5_us"
@@ -46,6 +49,7 @@ same() {  # same DECK A B
 }
 for each in "${cases[@]}"; do
   read -r deck until shorten <<<"$each"
+  rm -rf "$deck"-*  # of the same deck with other keys
   run "$deck" "$deck-1" --threads 1 -- $shorten
   for n in "$@"; do
     for threads in 1 2; do

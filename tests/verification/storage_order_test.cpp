@@ -26,6 +26,7 @@ std::vector<ElementSet<3>> shuffled_sets(const FiniteElements<3>& elements, std:
     auto& set = sets.emplace_back();
     set.material = block.material, set.options = block.options;
     set.temperature = block.temperature, set.adiabatic = block.adiabatic;
+    set.conducts = block.conducts, set.held = block.held;
     for (const std::size_t e : shuffled(static_cast<std::size_t>(block.n), random)) {
       std::array<LocalIndex, 8> corners;
       std::copy_n(block.corner.begin() + static_cast<std::ptrdiff_t>(8 * e), 8, corners.begin());

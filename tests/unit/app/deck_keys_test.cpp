@@ -83,6 +83,9 @@ boundaries:
   plane: {body: a, where: {plane: {axis: x, at: 1}}, force: [0, 0, 1]}
   box: {body: a, where: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, fix: [x]}
   side: {body: a, where: {side: min-x}, fix: [x]}
+  hot: {body: a, where: {side: max-x}, temperature: 400}
+  warm: {body: a, where: {side: min-x}, flux: 1000, convection: {h: 10, T: 300},
+         radiation: {emissivity: 0.8, T: 300}}
 gravity: [0, 0, -9.81]
 damping: {rate: 100, until: 1 ms}
 measures:

@@ -199,8 +199,6 @@ TEST(Deck, SynonymsOfWords) {
   for (const char* word : {"heat=off", "heat=false"}) {
     EXPECT_EQ(load_deck_text(kTaylor, "deck", {word}).deck.heat, deck::Heat::off);
   }
-  expect_problem(problems_of(kTaylor, {"heat=conduct"}),
-                 "--set #1: heat: 'conduct': heat is not conducted in this version");
 }
 
 TEST(Deck, ChecksAcrossTheDeck) {

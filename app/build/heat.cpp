@@ -1,0 +1,49 @@
+#include "app/build/heat.hpp"
+
+#include <algorithm>
+
+namespace brunt {
+
+bool acts_on_heat(const deck::Boundary& boundary) {
+  return boundary.temperature || boundary.flux || boundary.convection || boundary.radiation;
+}
+
+HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name) {
+  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                     [&](const auto& m) { return m.name == body.material; });
+  if (deck.heat == deck::Heat::off || body.rigid || material == deck.materials.end()) {
+    return HeatMode::none;
+  }
+  const auto& thermal = material->value.thermal;
+  if (!thermal) return HeatMode::none;
+  const auto heats = [&](const auto& boundary) {
+    return boundary.value.body == name && acts_on_heat(boundary.value);
+  };
+  const bool driven = deck.heat == deck::Heat::conduct ||
+                      (deck.heat == deck::Heat::automatic &&
+                       std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
+  if (thermal->k && driven) return HeatMode::conducts;
+  // An elastic material is never heated: it keeps no temperature.
+  const bool yields = !std::holds_alternative<NoStrength>(material->value.strength);
+  return yields ? HeatMode::adiabatic : HeatMode::none;
+}
+
+bool is_held(const Deck& deck, const std::string& name) {
+  const std::size_t axes = deck.geometry == Geometry::three_d ? 3 : 2;
+  bool held = false;
+  for (const auto& [unused, boundary] : deck.boundaries) {
+    if (boundary.body != name) continue;
+    if (boundary.velocity) return false;  // it may take over from what is fixed
+    const bool all = std::holds_alternative<deck::WhereAll>(boundary.where) && boundary.from == 0 &&
+                     boundary.to == kInfinity && boundary.fix.size() == axes;
+    held = held || all;
+  }
+  return held;
+}
+
+GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name) {
+  const bool conducts = heat_mode(deck, body, name) == HeatMode::conducts;
+  return {conducts, conducts && is_held(deck, name)};
+}
+
+}  // namespace brunt

@@ -1,0 +1,34 @@
+#pragma once
+/// Which bodies are heated, and how: what the deck's `heat` means for each of them.
+#include "app/deck/deck.hpp"
+
+namespace brunt {
+
+enum class HeatMode {
+  none,       ///< no temperature is kept
+  adiabatic,  ///< plastic work heats the point where it is done, and stays there
+  conducts,   ///< nodes and particles have a temperature, heat flows between them
+};
+
+/// `off`: none. `adiabatic`: where the material is thermal and yields. `conduct`: conduction where
+/// the material has k, else as adiabatic. `auto`: conduction where the material has k and a
+/// boundary heats or cools the body, else as adiabatic: within a body of one temperature nothing
+/// else drives heat but plastic work, which hardly moves in the time of an impact.
+HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name);
+
+/// True where a body that conducts never moves: `fix` holds all components of all of it for ever.
+bool is_held(const Deck& deck, const std::string& name);
+
+/// True where a boundary prescribes temperatures or heat.
+bool acts_on_heat(const deck::Boundary& boundary);
+
+/// Which bodies of one method share a group: those that conduct are apart from the others, and
+/// those of them that never move too, whose mechanics nobody computes.
+struct GroupKind {
+  bool conducts = false, held = false;
+  bool operator==(const GroupKind&) const = default;
+};
+GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name);
+inline constexpr GroupKind kGroupKinds[] = {{false, false}, {true, false}, {true, true}};
+
+}  // namespace brunt

@@ -1,0 +1,44 @@
+#pragma once
+/// Heat conduction in elements, with all Gauss points: one-point gradients would not see the
+/// hourglass modes of temperature.
+#include "fe/element_block.hpp"
+
+namespace brunt {
+
+/// One step of conduction for the kernel.
+template <int Dim>
+struct ConductionStep {
+  const Vec<Dim>* x = nullptr;        ///< [m] by node, x(n+1)
+  const Real* temperature = nullptr;  ///< [K] by node, T(n)
+  Thickness thickness;
+  Real inverse_dt = 0;         ///< [1/s] 0: plastic work gives no heat
+  Real* corner_heat = nullptr; /**< [element][corner][2], written: heat rate [W] and conductance
+                                    [W/K] of the corner */
+};
+
+/// Heat rates of four elements from e on:
+///   q_I = sum_J K_IJ (T_I - T_J),  K_IJ = int k grad N_I . grad N_J dV,  k at the mean temperature
+/// so that heat flows between pairs of corners and none is lost, and the plastic heat of the step
+/// by the corners' shares of the capacity. The conductance of a corner is 1/2 sum_J |K_IJ|: by
+/// Gershgorin's theorem a step of capacity/conductance is stable, whatever the element's shape.
+template <int Dim>
+void conduct(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
+
+/// Writes what the law sees to the state: nodal temperatures interpolated to the material points.
+/// temperature  [K] by node
+template <int Dim>
+void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e, const Real* temperature);
+
+/// Plastic work of one element that has become heat since time 0 [J].
+template <int Dim>
+Real plastic_heat(const ElementBlock<Dim>& block, LocalIndex e) {
+  if (block.state.heat.empty()) return 0;
+  Real sum = 0;
+  for (int g = 0; g < block.gauss; ++g) {
+    const std::size_t k = block.point(e, g);
+    sum += block.reference_volume[k] * block.state.heat[k];
+  }
+  return sum;
+}
+
+}  // namespace brunt

@@ -1,0 +1,86 @@
+/// Conduction of a group of finite elements: temperatures live at its nodes.
+#include "fe/conduction.hpp"
+#include "fe/finite_elements.hpp"
+
+namespace brunt {
+namespace {
+[[maybe_unused]] constexpr int kWorthThreads = 64;  // groups of four elements; of some 1 us each
+}
+
+/// Temperatures at time 0 and heat capacities of nodes, from the elements around them.
+template <int Dim>
+void FiniteElements<Dim>::set_capacities() {
+  std::vector<Real> at_start(points_.x.size(), 0.0);
+  std::vector<Real> share(corner_force_.size() / Dim, 0.0);
+  for (const auto& block : blocks_) {
+    constexpr std::size_t n = Shape<Dim>::kCorners;
+    for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
+      const Real capacity = block.mass[e] * block.material->specific_heat;
+      for (std::size_t I = e * n; I < (e + 1) * n; ++I) {
+        at_start[static_cast<std::size_t>(block.corner[I])] = block.temperature;
+        share[block.first_corner + I] = capacity * block.heat_share[I];
+      }
+    }
+  }
+  points_.conduct(at_start);
+  std::vector<Vec<1>> sum(points_.x.size(), Vec<1>::Zero());
+  gather_.template add<1>(share.data(), sum);
+  for (std::size_t k = 0; k < sum.size(); ++k) points_.capacity[k] = sum[k][0];
+}
+
+/// Conductances of the start, which the first vote asks for.
+template <int Dim>
+void FiniteElements<Dim>::start_conduction() {
+  corner_heat_.assign(corner_force_.size() / Dim * 2, 0.0);
+  std::fill(points_.conductance.begin(), points_.conductance.end(), 0.0);
+  conduct(0);
+  std::fill(points_.heat_rate.begin(), points_.heat_rate.end(), 0.0);
+}
+
+template <int Dim>
+void FiniteElements<Dim>::interpolate_temperatures() {
+  for (auto& block : blocks_) {
+    if (block.state.temperature.empty()) continue;
+    const int n = block.n_padded / kLanes;
+#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+    for (int k = 0; k < n; ++k) {
+      interpolate_temperature(block, static_cast<std::size_t>(k) * kLanes,
+                              points_.temperature.data());
+    }
+  }
+}
+
+template <int Dim>
+void FiniteElements<Dim>::conduct(Real inverse_dt) {
+  for (auto& block : blocks_) {
+    const ConductionStep<Dim> step{points_.x.data(), points_.temperature.data(), thickness_,
+                                   inverse_dt, corner_heat_.data() + 2 * block.first_corner};
+    const int n = block.n_padded / kLanes;
+#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+    for (int k = 0; k < n; ++k) {
+      brunt::conduct(block, static_cast<std::size_t>(k) * kLanes, step);
+    }
+  }
+  node_heat_.assign(points_.x.size(), Vec<2>::Zero());
+  gather_.template add<2>(corner_heat_.data(), node_heat_);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+    points_.heat_rate[i] += node_heat_[i][0];
+    points_.conductance[i] += node_heat_[i][1];
+  }
+}
+
+template <int Dim>
+void FiniteElements<Dim>::add_conduction(Real dt) {
+  if (points_.conducts) conduct(1.0 / dt);
+}
+
+template void FiniteElements<2>::set_capacities();
+template void FiniteElements<3>::set_capacities();
+template void FiniteElements<2>::start_conduction();
+template void FiniteElements<3>::start_conduction();
+template void FiniteElements<2>::interpolate_temperatures();
+template void FiniteElements<3>::interpolate_temperatures();
+template void FiniteElements<2>::add_conduction(Real);
+template void FiniteElements<3>::add_conduction(Real);
+
+}  // namespace brunt

@@ -1,0 +1,100 @@
+/// Conduction among particles: temperatures live at them.
+#include "sph/conduction.hpp"
+#include "sph/parallel.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt {
+
+/// Temperatures at time 0 and heat capacities.
+template <int Dim>
+void SphParticles<Dim>::set_capacities() {
+  points_.conduct(std::vector<Real>(points_.x.size(), 0.0));
+  for (const auto& block : blocks_) {
+    for (const LocalIndex point : block.set.particle) {
+      const auto i = static_cast<std::size_t>(point);
+      points_.temperature[i] = points_.start_temperature[i] = block.set.temperature;
+      points_.capacity[i] = points_.mass[i] * block.set.material->specific_heat;
+    }
+  }
+}
+
+/// Conductances of the start, which the first vote asks for.
+template <int Dim>
+void SphParticles<Dim>::start_conduction() {
+  refresh_motion();
+  refresh_gradients();
+  std::fill(points_.conductance.begin(), points_.conductance.end(), 0.0);
+  conduct(0);
+  std::fill(points_.heat_rate.begin(), points_.heat_rate.end(), 0.0);
+}
+
+/// What laws see of the temperature.
+template <int Dim>
+void SphParticles<Dim>::take_temperatures() {
+  for (auto& block : blocks_) {
+    if (block.state.temperature.empty()) continue;
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
+      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      block.state.temperature[slot] = points_.temperature[i];
+    });
+  }
+}
+
+/// Publishes temperature, conductivity and correction, to copies too.
+template <int Dim>
+void SphParticles<Dim>::refresh_heat() {
+  heat_.resize(state_.size());
+  for (const auto& block : blocks_) {
+    const Varying& k = block.set.material->conductivity;
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
+      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      Real* record = heat_[i].data;
+      record[HeatRecord<Dim>::kTemperature] = points_.temperature[i];
+      record[HeatRecord<Dim>::kConductivity] = k.at(points_.temperature[i]);
+      std::copy_n(state_[i].correction, kSymmetric<Dim>, record + HeatRecord<Dim>::kCorrection);
+    });
+  }
+  if (ranks_->alone()) return;
+  constexpr std::size_t width = HeatRecord<Dim>::kCorrection + kSymmetric<Dim>;
+  refresh_ghosts(
+      *ranks_, ghosts_, width,
+      [&](std::size_t i, Real* out) { std::copy_n(heat_[i].data, width, out); },
+      [&](std::size_t i, const Real* in) { std::copy_n(in, width, heat_[i].data); });
+}
+
+/// inverse_dt  [1/s] 0: plastic work gives no heat
+template <int Dim>
+void SphParticles<Dim>::conduct(Real inverse_dt) {
+  refresh_heat();
+  for (auto& block : blocks_) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
+      const LocalIndex point = block.set.particle[slot];
+      const auto i = static_cast<std::size_t>(point);
+      const PairHeat sums =
+          sum_heat(motion_.data(), heat_.data(), point, rows_.row(point), rows_.weights(point));
+      const Real volume = depth_ * motion_[i].data[MotionRecord<Dim>::kVolume];
+      points_.heat_rate[i] += volume * sums.rate;
+      points_.conductance[i] += volume * sums.conductance;
+      if (block.heat_given.empty()) return;
+      const Real heat = block.state.heat[slot] * state_[i].start_volume;
+      points_.heat_rate[i] += (heat - block.heat_given[slot]) * inverse_dt;
+      block.heat_given[slot] = heat;
+    });
+  }
+}
+
+template <int Dim>
+void SphParticles<Dim>::add_conduction(Real dt) {
+  if (points_.conducts) conduct(1.0 / dt);
+}
+
+template void SphParticles<2>::set_capacities();
+template void SphParticles<3>::set_capacities();
+template void SphParticles<2>::start_conduction();
+template void SphParticles<3>::start_conduction();
+template void SphParticles<2>::take_temperatures();
+template void SphParticles<3>::take_temperatures();
+template void SphParticles<2>::add_conduction(Real);
+template void SphParticles<3>::add_conduction(Real);
+
+}  // namespace brunt

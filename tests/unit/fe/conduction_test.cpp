@@ -1,0 +1,198 @@
+// Conduction of elements: fields of degree one give no heat inside, no mode of temperature is free,
+// the bound of the step holds on any shape, and materials of very different conductivity.
+#include "fe/conduction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/fe/fe_scene.hpp"
+
+namespace brunt::testing {
+namespace {
+
+Material conductor(Real k, Real heat_capacity = 1) {
+  Material material = elastic(1e9, 0.3, 1000);
+  material.thermal = true;
+  material.specific_heat = heat_capacity;
+  material.conductivity.constant = k;
+  return material;
+}
+
+template <int Dim>
+std::unique_ptr<FiniteElements<Dim>> body_of(Mesh<Dim> mesh, const Material& material,
+                                             Geometry geometry) {
+  mesh.set.conducts = mesh.set.held = true;
+  mesh.set.temperature = 300;
+  return make_body(std::move(mesh), material, {geometry, Integration::one_point});
+}
+
+/// q [W] of all nodes at temperatures T.
+template <int Dim>
+std::vector<Real> heat_rates(FiniteElements<Dim>& body, const std::vector<Real>& T) {
+  auto& points = body.points();
+  points.temperature = T;
+  std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
+  std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
+  body.add_conduction(1);
+  return points.heat_rate;
+}
+
+template <int Dim>
+Real step_of(const Points<Dim>& points) {
+  Real step = kInfinity;
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    step = std::min(step, points.capacity[i] / points.conductance[i]);
+  }
+  return step;
+}
+
+/// Largest eigenvalue of C^-1 K [1/s] by power iteration.
+template <int Dim>
+Real fastest_rate(FiniteElements<Dim>& body) {
+  const auto& points = body.points();
+  std::vector<Real> T(points.x.size());
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<Real> uniform(-1, 1);
+  for (auto& value : T) value = uniform(random);
+  Real rate = 0;
+  for (int k = 0; k < 400; ++k) {
+    const auto q = heat_rates(body, T);
+    Real largest = 0;
+    for (std::size_t i = 0; i < T.size(); ++i) {
+      T[i] = -q[i] / points.capacity[i];
+      largest = std::max(largest, std::fabs(T[i]));
+    }
+    for (auto& value : T) value /= largest;
+    rate = largest;
+  }
+  return rate;
+}
+
+template <int Dim>
+void expect_patch_test(Geometry geometry) {
+  std::array<int, Dim> cells;
+  cells.fill(4);
+  const auto material = conductor(50);
+  auto body = body_of(box_mesh<Dim>(cells, Vec<Dim>::Constant(0.2), Vec<Dim>::Ones(), 0.2),
+                      material, geometry);
+  auto& points = body->points();
+  std::vector<Real> even(points.x.size(), 351.7), linear;
+  for (const Real q : heat_rates(*body, even)) EXPECT_EQ(q, 0);
+  // In axisymmetry the gradient is along the axis: r has a Laplacian of 1/r.
+  for (const auto& x : points.x) {
+    linear.push_back(300 + 7 * x[1] + (geometry == Geometry::axisymmetric ? 0 : 3 * x[0]));
+  }
+  const auto q = heat_rates(*body, linear);
+  Real sum = 0, largest = 0;
+  for (const Real one : q) sum += one, largest = std::max(largest, std::fabs(one));
+  EXPECT_NEAR(sum, 0, 1e-12 * largest);
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    bool inner = true;
+    for (int c = 0; c < Dim; ++c) {
+      inner = inner && points.x[i][c] > 0.2 + 1e-9 && points.x[i][c] < 1.2 - 1e-9;
+    }
+    if (inner) {
+      EXPECT_NEAR(q[i], 0, 1e-11 * largest);
+    }
+  }
+}
+
+TEST(FeConduction, FieldsOfDegreeOneHeatNothingInside) {
+  expect_patch_test<3>(Geometry::three_d);
+  expect_patch_test<2>(Geometry::plane_strain);
+  expect_patch_test<2>(Geometry::axisymmetric);
+}
+
+TEST(FeConduction, NoModeOfTemperatureIsFree) {
+  const auto material = conductor(50);
+  auto body = body_of(cell_mesh<3>(Vec3::Ones(), 0.1, 5), material, Geometry::three_d);
+  const auto& points = body->points();
+  for (int mode = 0; mode < 4; ++mode) {  // the hourglass modes of the cell
+    std::vector<Real> T;
+    for (const auto& at : points.x) {
+      const Real x = at[0] > 0.5 ? 1 : -1, y = at[1] > 0.5 ? 1 : -1, z = at[2] > 0.5 ? 1 : -1;
+      T.push_back(mode == 0 ? y * z : mode == 1 ? z * x : mode == 2 ? x * y : x * y * z);
+    }
+    const auto q = heat_rates(*body, T);
+    Real dissipation = 0;
+    for (std::size_t i = 0; i < q.size(); ++i) dissipation -= T[i] * q[i];
+    EXPECT_GT(dissipation, 0.5 * 50);
+  }
+}
+
+// Gershgorin: C/conductance <= 2/lambda_max. Equal to it on sheets, 3/4 of it on cubes, where it
+// is the bound beyond which a hot node would turn colder than its neighbours.
+TEST(FeConduction, TheStepIsStableOnAnyShape) {
+  const auto material = conductor(50);
+  const auto fraction = [&](const Vec3& size, Real distortion) {
+    auto body = body_of(box_mesh<3>({5, 5, 5}, Vec3::Zero(), size, distortion), material,
+                        Geometry::three_d);
+    const Real rate = fastest_rate(*body);
+    return step_of(body->points()) * rate / 2;
+  };
+  EXPECT_NEAR(fraction(Vec3(1, 1, 1), 0), 0.75, 0.02);
+  EXPECT_NEAR(fraction(Vec3(10, 10, 1), 0), 1, 0.03);
+  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(1, 1, 20), Vec3(3, 1, 0.2)}) {
+    EXPECT_LE(fraction(size, 0.3), 1 + 1e-9) << size.transpose();
+    EXPECT_GT(fraction(size, 0.3), 0.5) << size.transpose();
+  }
+}
+
+// C21: a rod of two materials, k2 = 1e-6 k1, steady between 100 and 0: q = 100/(L/k1 + L/k2).
+TEST(FeConduction, OneMaterialConductsAMillionTimesBetter) {
+  const auto good = conductor(50), poor = conductor(50e-6, 1e-6);  // of the same diffusivity
+  auto mesh = box_mesh<3>({20, 1, 1}, Vec3::Zero(), Vec3(2, 0.1, 0.1));
+  std::vector<ElementSet<3>> sets(2);
+  for (std::size_t e = 0; e < 20; ++e) {
+    auto& set = sets[e < 10 ? 0 : 1];
+    set.material = e < 10 ? &good : &poor;
+    set.conducts = set.held = true;
+    set.corners.push_back(mesh.set.corners[e]);
+    set.id.push_back(e), set.body.push_back(0), set.piece.push_back(0);
+  }
+  FiniteElements<3> body(std::move(mesh.points), sets, Geometry::three_d, 1);
+  auto& points = body.points();
+  std::vector<Real> T(points.x.size(), 50.0), q;
+  for (int step = 0; step < 3000; ++step) {
+    for (std::size_t i = 0; i < T.size(); ++i) {
+      if (points.x[i][0] < 1e-9) T[i] = 100;
+      if (points.x[i][0] > 2 - 1e-9) T[i] = 0;
+    }
+    q = heat_rates(body, T);
+    const Real dt = step_of(points);
+    for (std::size_t i = 0; i < T.size(); ++i) {
+      T[i] += dt * q[i] / points.capacity[i];
+      ASSERT_GE(T[i], -dt * std::fabs(q[i]) / points.capacity[i] - 1e-9);
+      if (points.x[i][0] > 1e-9 && points.x[i][0] < 2 - 1e-9) {
+        ASSERT_LE(T[i], 100 + 1e-9);
+      }
+    }
+  }
+  Real flow = 0;
+  for (std::size_t i = 0; i < T.size(); ++i) flow += points.x[i][0] > 2 - 1e-9 ? q[i] : 0;
+  EXPECT_NEAR(flow / (0.01 * 100 / (1 / 50.0 + 1 / 50e-6)), 1, 1e-3);
+}
+
+// A table of k over temperature: linear from 10 at 300 K to 30 at 500 K. Steady between these, the
+// flux is the mean of k times the gradient, and k^2 is linear in x.
+TEST(FeConduction, ConductivityFollowsTheTemperature) {
+  Material material = conductor(0);
+  material.conductivity.over = Varying::Over::temperature;
+  material.conductivity.abscissa = {300, 500}, material.conductivity.ordinate = {10, 30};
+  auto body = body_of(box_mesh<3>({20, 1, 1}, Vec3::Zero(), Vec3(1, 0.05, 0.05)), material,
+                      Geometry::three_d);
+  auto& points = body->points();
+  std::vector<Real> T;
+  for (const auto& x : points.x) T.push_back(200 + 10 * std::sqrt(100 + 800 * x[0]));
+  const auto q = heat_rates(*body, T);
+  Real flow = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (points.x[i][0] > 1 - 1e-9) flow -= q[i];
+    if (points.x[i][0] > 1e-9 && points.x[i][0] < 1 - 1e-9) {
+      EXPECT_NEAR(q[i], 0, 1e-9);  // k at the mean temperature is exact where k is linear
+    }
+  }
+  EXPECT_NEAR(flow, 20 * 200 * 0.0025, 1e-9);
+}
+
+}  // namespace
+}  // namespace brunt::testing
