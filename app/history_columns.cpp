@@ -46,7 +46,7 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
     for (const auto& pair : scene.contact->reports()) {
       const std::string head = "contact." + pair.name + ".";
       for (int c = 0; c < Dim; ++c) names_.push_back(head + "force." + kAxes[c]);
-      for (const char* name : {"area", "friction_heat", "max_penetration", "planes"})
+      for (const char* name : {"area", "heat_rate", "friction_heat", "max_penetration", "planes"})
         names_.push_back(head + name);
     }
   }
@@ -59,7 +59,7 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
     names_.push_back("boundary." + boundary.name + ".heat_rate");
   }
   if (scene.conducts()) {
-    for (const char* name : {"stored", "plastic", "boundary", "drift"}) {
+    for (const char* name : {"stored", "plastic", "friction", "boundary", "drift"}) {
       names_.push_back(std::string("heat.") + name);
     }
   }
@@ -83,10 +83,15 @@ void HistoryColumns<Dim>::add_heat(const Scene<Dim>& scene, const Totals<Dim>& t
   }
   if (!scene.conducts()) return;
   ExactSum left = totals.heat.stored;
-  left.subtract(totals.heat.plastic), left.subtract(totals.heat.boundary);
-  for (const auto* sum : {&totals.heat.stored, &totals.heat.plastic, &totals.heat.boundary}) {
+  const auto& heat = totals.heat;
+  for (const auto* from : {&heat.plastic, &heat.friction, &heat.boundary}) left.subtract(*from);
+  for (const auto* sum : {&heat.stored, &heat.plastic, &heat.friction, &heat.boundary}) {
     values.push_back(sum->value());
     largest_heat_ = std::max(largest_heat_, std::fabs(values.back()));
+  }
+  // Bodies that only exchange heat among themselves store none together.
+  for (const auto& body : totals.bodies) {
+    largest_heat_ = std::max(largest_heat_, std::fabs(body.heat.value()));
   }
   values.push_back(largest_heat_ > 0 ? left.value() / largest_heat_ : 0.0);
 }
@@ -132,8 +137,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   if (scene.contact) {
     for (const auto& pair : scene.contact->reports()) {
       for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
-      values.insert(values.end(), {pair.area, pair.friction_heat, pair.max_penetration,
-                                   static_cast<Real>(pair.planes)});
+      values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
+                                   pair.max_penetration, static_cast<Real>(pair.planes)});
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {

@@ -38,6 +38,10 @@ void Scene<Dim>::add_heat(Real time, Real dt) {
     const PhaseTimer timer(phases, solid->n_particles() ? Phase::particles : Phase::elements);
     solid->add_conduction(dt);
   }
+  if (contact) {
+    const PhaseTimer timer(phases, Phase::contact);
+    contact->add_heat(dt);
+  }
   const PhaseTimer timer(phases, Phase::points);
   heat.hold(time, dt);
 }

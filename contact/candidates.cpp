@@ -196,12 +196,13 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     const auto& a = faces[static_cast<std::size_t>(i)];
     const auto& b = faces[static_cast<std::size_t>(j)];
     const PairOptions& options = pairs.of(a.body, b.body);
-    FaceCandidate candidate{i, j, 0, 0, 0, nullptr};
+    FaceCandidate candidate{i, j, 0, 0, 0, nullptr, 0};
     candidate.stiffness = options.stiffness * in_series(a.stiffness, b.stiffness);
     candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
                                             in_series(a.areal_mass, b.areal_mass));
     candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
     if (options.rubs()) candidate.rubs = &options;
+    if (a.capacity > 0 && b.capacity > 0) candidate.conductance = options.conductance();
     faces_.push_back(candidate);
   }
 }
@@ -240,10 +241,11 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
     const Real of_face = face.stiffness * (Dim == 3 ? diameter * diameter : diameter);
     if (particles_.empty() || particles_.back().particle != i) starts_.push_back(particles_.size());
     const Real held = kDepthRadii * particle.radius;
-    particles_.push_back({i, static_cast<LocalIndex>(f),
-                          options.stiffness * in_series(own, of_face), options.stiffness * own,
-                          options.damping, face.rigid() ? held : std::min(held, face.depth),
-                          options.rubs() ? &options : nullptr});
+    particles_.push_back(
+        {i, static_cast<LocalIndex>(f), options.stiffness * in_series(own, of_face),
+         options.stiffness * own, options.damping, face.rigid() ? held : std::min(held, face.depth),
+         options.rubs() ? &options : nullptr,
+         particle.conductivity > 0 && face.capacity > 0 ? options.conductance() : 0.0});
   }
   starts_.push_back(particles_.size());
 }

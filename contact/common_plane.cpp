@@ -25,7 +25,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, CommonPlan
 /// True if every corner of the upper face, warped by no more than it is, lies above the lower.
 template <int Dim>
 bool apart(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Vec<Dim>& n,
-           const Vec<Dim>& origin) {
+           const Vec<Dim>& origin, Real opening) {
   Real top = -kInfinity, bottom = kInfinity;
   for (int i = 0; i < lower.n_corners; ++i) {
     top = std::max(top, n.dot(lower.corner[static_cast<std::size_t>(i)] - origin));
@@ -34,7 +34,7 @@ bool apart(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Vec<D
     bottom = std::min(bottom, n.dot(upper.corner[static_cast<std::size_t>(i)] - origin));
   }
   // The planes lean against n by less than 43 degrees: their corners are nearer than 1.4 warps.
-  return bottom - top >= 1.4 * (lower.warp + upper.warp);
+  return bottom - top >= 1.4 * (lower.warp + upper.warp) + opening;
 }
 
 /// Mean plane of a face as a height along n over the common plane.
@@ -84,9 +84,9 @@ std::array<Real, 4> weights(const Polygon& face, bool reverse, const Vec<2>& p) 
 
 /// The plane between two simple faces in 3D; false if it carries no pressure.
 bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section&,
-               bool with_middle, CommonPlane<3>& plane) {
+               const PlaneNeeds& needs, CommonPlane<3>& plane) {
   if (!orient(lower, upper, plane)) return false;
-  if (apart(lower, upper, plane.normal, plane.origin)) return false;
+  if (apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   set_axes(plane);
   const Polygon below = project(lower, plane, false), above = project(upper, plane, true);
   const Polygon overlap = intersect(below, above);
@@ -95,7 +95,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
 
   const LinearField top = height(lower, plane), bottom = height(upper, plane);
   LinearField penetration;
-  penetration.value = top.value - bottom.value;
+  penetration.value = top.value - bottom.value + needs.opening;
   penetration.slope = top.slope - bottom.slope;
   plane.polygon = clip(overlap, penetration);
   const FieldIntegrals sum = integrate(plane.polygon, penetration);
@@ -108,7 +108,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   plane.point = plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2;
   plane.lower_weight = weights(below, false, p);
   plane.upper_weight = weights(above, true, p);
-  if (with_middle) {
+  if (needs.middle) {
     const Vec<2> middle = sum.first / sum.area;
     plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
     plane.lower_at_middle = weights(below, false, middle);
@@ -119,9 +119,9 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
 
 /// The line between two edges in 2D; the integrands are cubic at most, so Simpson is exact.
 bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
-               bool with_middle, CommonPlane<2>& plane) {
+               const PlaneNeeds& needs, CommonPlane<2>& plane) {
   if (!orient(lower, upper, plane)) return false;
-  if (apart(lower, upper, plane.normal, plane.origin)) return false;
+  if (apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   const Vec<2> t(-plane.normal[1], plane.normal[0]);
   struct Span {
     Real s0, s1, h0, h1;
@@ -138,7 +138,9 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   const Real smaller = std::min(lower.area, upper.area);
   if (!(to - from > kSliver * smaller)) return false;
 
-  const auto penetration = [&](Real s) { return below.height(s) - above.height(s); };
+  const auto penetration = [&](Real s) {
+    return below.height(s) - above.height(s) + needs.opening;
+  };
   const Real at_from = penetration(from), at_to = penetration(to);
   if (at_from <= 0 && at_to <= 0) return false;
   const Real crossing = from + (to - from) * at_from / (at_from - at_to);
@@ -171,7 +173,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   plane.polygon.push(Vec<2>(to, 0));
   plane.lower_weight = {1 - below.share(p), below.share(p)};
   plane.upper_weight = {1 - above.share(p), above.share(p)};
-  if (with_middle) {
+  if (needs.middle) {
     const Real m = middle + first / area;
     plane.middle = plane.origin + m * t;
     plane.lower_at_middle = {1 - below.share(m), below.share(m)};
@@ -205,12 +207,12 @@ struct Parts {
 };
 
 int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
-                 bool with_middle, std::array<CommonPlane<3>, 4>& plane) {
+                 const PlaneNeeds& needs, std::array<CommonPlane<3>, 4>& plane) {
   const Parts below(lower), above(upper);
   std::size_t n = 0;
   for (std::size_t i = 0; i < below.count; ++i) {
     for (std::size_t j = 0; j < above.count; ++j) {
-      if (!one_plane(below[i], above[j], section, with_middle, plane[n])) continue;
+      if (!one_plane(below[i], above[j], section, needs, plane[n])) continue;
       plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
       below.spread(i, plane[n].lower_weight);
       above.spread(j, plane[n].upper_weight);
@@ -258,18 +260,17 @@ std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const 
 
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                  std::array<CommonPlane<Dim>, 4>& plane, bool with_middle) {
+                  std::array<CommonPlane<Dim>, 4>& plane, const PlaneNeeds& needs) {
   if constexpr (Dim == 3) {
-    if (!lower.simple || !upper.simple)
-      return split_planes(lower, upper, section, with_middle, plane);
+    if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, needs, plane);
   }
   plane[0].ordinal = 0;
-  return one_plane(lower, upper, section, with_middle, plane[0]) ? 1 : 0;
+  return one_plane(lower, upper, section, needs, plane[0]) ? 1 : 0;
 }
 
 template int common_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
-                              std::array<CommonPlane<2>, 4>&, bool);
+                              std::array<CommonPlane<2>, 4>&, const PlaneNeeds&);
 template int common_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
-                              std::array<CommonPlane<3>, 4>&, bool);
+                              std::array<CommonPlane<3>, 4>&, const PlaneNeeds&);
 
 }  // namespace brunt

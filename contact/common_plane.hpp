@@ -41,12 +41,17 @@ struct CommonPlane {
   Vec<Dim> axis_1, axis_2;
 };
 
+/// What is asked of common planes beside their pressure.
+struct PlaneNeeds {
+  bool middle = false;  ///< the centres of their areas
+  Real opening = 0;  ///< [m] faces that are nearer than this count as touching, as far as they are
+};
+
 /// The planes between two faces, lower first by id: one, or up to four where warped or concave
 /// quads are split. Returns how many of them carry pressure; `plane` holds these in fixed order.
-/// with_middle: finds the centres of their areas too.
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                  std::array<CommonPlane<Dim>, 4>& plane, bool with_middle = false);
+                  std::array<CommonPlane<Dim>, 4>& plane, const PlaneNeeds& needs = {});
 
 /// Weights N_a of the corners of a convex quad with sum N_a x_a = p, p inside: bilinear, then
 /// corrected in the least squares of their changes so that both sums are exact to round-off.

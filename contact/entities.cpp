@@ -46,6 +46,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.stiffness = facet.stiffness;
   face.areal_mass = facet.areal_mass;
   face.depth = facet.depth;
+  face.capacity = facet.capacity, face.effusivity = facet.effusivity;
   return face;
 }
 
@@ -129,7 +130,7 @@ StepVote vote_of_particles(const PairTable& pairs, const Section& section,
   for (const auto& particle : entities.particles) {
     const auto node = static_cast<std::size_t>(particle.node);
     const Real mass = entities.nodes.mass[node];
-    if (!(mass > 0)) continue;
+    if (!(mass > 0) || particle.held) continue;
     auto it = options.find(particle.body);
     if (it == options.end()) {
       it = options.emplace(particle.body, pairs.strongest(particle.body)).first;
@@ -178,6 +179,9 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   }
   spring_energy.push_back(0);
   damping_energy.push_back(0);
+  if (warm) {
+    for (auto* field : {&temperature, &capacity, &heat_rate, &friction_given}) field->push_back(0);
+  }
   if (rubs) {
     friction.push_back(Vec<Dim>::Zero());
     for (auto* field : {&friction_heat, &friction_stored, &friction_damped, &pair_energy})
@@ -194,6 +198,19 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
     const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
     x[i] = points.x[static_cast<std::size_t>(point[i])];
     v[i] = points.v[static_cast<std::size_t>(point[i])];
+    if (!warm || !points.conducts) continue;
+    capacity[i] = points.capacity[static_cast<std::size_t>(point[i])];
+  }
+}
+
+template <int Dim>
+void ContactNodes<Dim>::foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!owned[i]) continue;
+    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
+    if (!points.conducts) continue;
+    const auto p = static_cast<std::size_t>(point[i]);
+    temperature[i] = points.temperature[p] + dt * points.heat_rate[p] / points.capacity[p];
   }
 }
 
@@ -216,6 +233,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     spring[i] = old.spring[*it], damping[i] = old.damping[*it];
     spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
     spring_energy[i] = old.spring_energy[*it], damping_energy[i] = old.damping_energy[*it];
+    if (warm) friction_given[i] = old.friction_given[*it];
     if (!rubs) continue;
     friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];
     friction_stored[i] = old.friction_stored[*it], pair_energy[i] = old.pair_energy[*it];
@@ -227,6 +245,7 @@ template <int Dim>
 Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
                         const Section& section, const ContactRanks& ranks) {
   nodes.rubs = pairs.rubs();
+  for (const auto* surface : surfaces) nodes.warm = nodes.warm || surface->points->conducts;
   std::vector<Real> sizes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const auto& surface = *surfaces[s];
@@ -234,6 +253,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       if (pairs.strongest(facet.body).ignore) continue;
       auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
       face.area_start = area_at_start(face, *surface.points);
+      face.held = surface.held;
       deepest = std::max(deepest, face.depth);
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }
@@ -243,7 +263,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       const Label body = surface.points->body[p];
       if (pairs.strongest(body).ignore) continue;
       particles.push_back({shown.point, static_cast<LocalIndex>(s), surface.points->id[p], body,
-                           surface.points->piece[p], shown.radius, shown.modulus});
+                           surface.points->piece[p], shown.radius, shown.modulus,
+                           shown.conductivity, shown.effusivity, surface.held});
       sizes.push_back(2 * shown.radius);
     }
   }
@@ -346,7 +367,7 @@ StepVote Entities<Dim>::stiffness_vote() const {
 #pragma omp for schedule(static) nowait
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const auto& face = faces[f];
-      if (face.rigid() || !(face.area_start > 0)) continue;
+      if (face.rigid() || face.held || !(face.area_start > 0)) continue;
       const Real area = std::max(planes[f].area, face.footprint);
       const Real elements = std::sqrt(2 * face.areal_mass / face.stiffness);
       const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);

@@ -23,8 +23,13 @@ struct ContactNodes {
   std::vector<Vec<Dim>> spring, damping;            ///< [N] forces of this evaluation
   std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
   std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
-  bool rubs = false;               ///< some pair has friction; else the fields below are empty
-  std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
+  bool rubs = false;                 ///< some pair has friction; else the fields below are empty
+  std::vector<Vec<Dim>> friction;    ///< [N] of this evaluation
+  bool warm = false;                 ///< some points conduct; else the fields below are empty
+  std::vector<Real> temperature;     ///< [K] at the end of the step, but for contact
+  std::vector<Real> capacity;        ///< [J/K]; 0: takes no heat
+  std::vector<Real> heat_rate;       ///< [W] of this evaluation
+  std::vector<Real> friction_given;  ///< [J] of friction, to any nodes, booked since time 0
   std::vector<Real> friction_heat, friction_stored, friction_damped,
       pair_energy;  ///< [J] booked since time 0
 
@@ -35,6 +40,8 @@ struct ContactNodes {
                         const Vec<Dim>& velocity);
   /// Takes x and v of the points that are here from the groups.
   void read_motion(const std::vector<Surface<Dim>*>& surfaces);
+  /// The temperatures that owned points will have after dt by the heat they have so far.
+  void foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
   /// Takes over what outlives a step from the same points in an older table.
   void inherit(const ContactNodes& old);
 };
@@ -57,6 +64,9 @@ struct ContactFace {
   Real phi = 0;         ///< largest stiffness option with which anything may touch it
   Real zeta = 0;        ///< largest damping option
   Real footprint = 0;   ///< [m^2] of the largest particle that may touch it
+  Real capacity = 0;    ///< [J/m^2/K] behind it; 0: takes no heat
+  Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)]
+  bool held = false;    ///< votes no step
   bool rigid() const { return stiffness == 0; }
 };
 
@@ -73,8 +83,11 @@ struct ContactParticle {
   GlobalId id = 0;
   Label body = 0;
   Label piece = 0;
-  Real radius = 0;   ///< [m]
-  Real modulus = 0;  ///< [Pa]
+  Real radius = 0;        ///< [m]
+  Real modulus = 0;       ///< [Pa]
+  Real conductivity = 0;  ///< [W/m/K]; 0: takes no heat
+  Real effusivity = 0;    ///< [J/m^2/K/s^(1/2)]
+  bool held = false;      ///< votes no step
 };
 
 /// Entities below which a team of threads costs more than it saves.

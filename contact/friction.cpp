@@ -180,7 +180,6 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   const Real limit = step.options->coefficient(speed, normal_force / step.pressed) * normal_force;
   const auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   friction.traction = slid.traction;
-  friction.slips = slid.slips;
   if (!slid.slips && step.dt > 0) {
     const Vec<Dim> drag = -step.damping / step.dt * slip;
     friction.drag = within_limit<Dim>(slid.traction, drag, limit / step.area);

@@ -34,8 +34,8 @@ struct Friction {
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
   std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
-  bool slips = false;                  ///< in the last step
   Real heat = 0;                       ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
+  bool warms = false;                  ///< its heat goes to its nodes
   Real damped = 0;                     ///< [J] by the drag in the last step
   Real stored = 0;                     ///< [J] gained by the spring in the last step
   Real pairs = 0;                      ///< [J] what changes of the contact itself took from motion

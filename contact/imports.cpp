@@ -32,13 +32,15 @@ struct FaceData {
   LocalIndex surface;
   GlobalId id;
   Label body, piece;
-  Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint;
+  Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint, capacity, effusivity;
+  bool held;
 };
 
 template <int Dim>
 FaceData<Dim> data_of(const ContactFace<Dim>& f) {
-  return {f.n_nodes,    f.surface, f.id,         f.body, f.piece, f.stiffness,
-          f.areal_mass, f.depth,   f.area_start, f.phi,  f.zeta,  f.footprint};
+  return {f.n_nodes,   f.surface,    f.id,       f.body,       f.piece,
+          f.stiffness, f.areal_mass, f.depth,    f.area_start, f.phi,
+          f.zeta,      f.footprint,  f.capacity, f.effusivity, f.held};
 }
 
 template <int Dim>
@@ -49,6 +51,7 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
   f.owned = false;
   f.stiffness = d.stiffness, f.areal_mass = d.areal_mass, f.depth = d.depth;
   f.area_start = d.area_start, f.phi = d.phi, f.zeta = d.zeta, f.footprint = d.footprint;
+  f.capacity = d.capacity, f.effusivity = d.effusivity, f.held = d.held;
   return f;
 }
 }  // namespace
@@ -82,6 +85,7 @@ void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
   plan(entities.nodes);
   find_peers(entities.nodes);
   if (entities.nodes.rubs) plan_tractions(entities);
+  if (entities.nodes.warm) plan_temperatures(entities.nodes);
 }
 
 template <int Dim>
@@ -222,6 +226,82 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
     Unpacker unpacker(from);
     while (!unpacker.done()) {
       Letter<Dim> letter;
+      unpacker >> letter;
+      letter.what.node = place_.at({letter.surface, letter.point});
+      received.push_back(letter.what);
+    }
+  }
+  std::sort(received.begin(), received.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  return received;
+}
+
+/// Like plan(), but of all nodes that others own, copies of points here too: what heat makes of
+/// their temperatures in a step only their owners know.
+template <int Dim>
+void ContactImports<Dim>::plan_temperatures(const ContactNodes<Dim>& nodes) {
+  temperatures_.clear();
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    std::vector<GlobalId> ids, owned;
+    std::vector<LocalIndex> places;
+    std::vector<int> owners;
+    auto& sent = temperatures_.emplace_back();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes.surface[i] != static_cast<LocalIndex>(s)) continue;
+      if (nodes.owned[i]) {
+        sent.from.push_back(static_cast<LocalIndex>(i));
+      } else if (surfaces_[s]->points->conducts) {
+        ids.push_back(nodes.id[i]);
+        places.push_back(static_cast<LocalIndex>(i));
+        owners.push_back(ranks_.owner_of(nodes.id[i]));
+      }
+    }
+    std::sort(sent.from.begin(), sent.from.end(), [&](LocalIndex a, LocalIndex b) {
+      return nodes.id[static_cast<std::size_t>(a)] < nodes.id[static_cast<std::size_t>(b)];
+    });
+    for (const LocalIndex i : sent.from) owned.push_back(nodes.id[static_cast<std::size_t>(i)]);
+    sent.plan = plan_ghosts(ranks(), ids, places, owners, owned);
+  }
+}
+
+template <int Dim>
+void ContactImports<Dim>::refresh_temperatures(ContactNodes<Dim>& nodes) const {
+  for (const auto& sent : temperatures_) {
+    refresh_ghosts(
+        ranks(), sent.plan, 1,
+        [&](std::size_t i, Real* out) {
+          *out = nodes.temperature[static_cast<std::size_t>(sent.from[i])];
+        },
+        [&](std::size_t i, const Real* in) { nodes.temperature[i] = *in; });
+  }
+}
+
+template <int Dim>
+std::vector<HeatShare> ContactImports<Dim>::send_heat(const Records<Dim>& records,
+                                                      const ContactNodes<Dim>& nodes) const {
+  std::vector<HeatShare> received;
+  if (ranks().alone()) return received;
+  struct Letter {
+    HeatShare what;
+    LocalIndex surface;
+    GlobalId point;
+  };
+  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  records.visit_heat([&](const HeatFlow<Dim>& flow) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+      const auto at = static_cast<std::size_t>(flow.node[k]);
+      if (nodes.owned[at]) continue;
+      const Letter letter{{flow.key, 0, flow.rate[k]}, nodes.surface[at], nodes.id[at]};
+      to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
+    }
+  });
+  std::vector<Bytes> bytes;
+  bytes.reserve(peers_.size());
+  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
+  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
+    Unpacker unpacker(from);
+    while (!unpacker.done()) {
+      Letter letter;
       unpacker >> letter;
       letter.what.node = place_.at({letter.surface, letter.point});
       received.push_back(letter.what);

@@ -41,6 +41,12 @@ class ContactImports {
   /// others send here, sorted by key. Collective among neighbours.
   std::vector<TractionShare<Dim>> send_tractions(const Records<Dim>& records,
                                                  const Entities<Dim>& entities) const;
+  /// Sends heat to nodes of other ranks home, unsummed; returns what others send here, sorted by
+  /// key. Collective among neighbours.
+  std::vector<HeatShare> send_heat(const Records<Dim>& records,
+                                   const ContactNodes<Dim>& nodes) const;
+  /// Brings the temperatures of nodes that others own up to date. Collective among neighbours.
+  void refresh_temperatures(ContactNodes<Dim>& nodes) const;
   /// Brings the tractions of the faces that others own up to date. Collective among neighbours.
   void refresh_tractions(Entities<Dim>& entities) const;
 
@@ -51,6 +57,7 @@ class ContactImports {
   LocalIndex node_of(LocalIndex surface, GlobalId id, Real mass, const Vec<Dim>& x,
                      const Vec<Dim>& v, Entities<Dim>& entities);
   void plan(const ContactNodes<Dim>& nodes);
+  void plan_temperatures(const ContactNodes<Dim>& nodes);
   void plan_tractions(const Entities<Dim>& entities);
   int owner_of(const Entities<Dim>& entities, const ContactFace<Dim>& face) const;
   void find_peers(const ContactNodes<Dim>& nodes);
@@ -58,9 +65,14 @@ class ContactImports {
   using Name = std::pair<LocalIndex, GlobalId>;  // surface, point
   ContactRanks ranks_;
   std::vector<Surface<Dim>*> surfaces_;
-  std::map<Name, LocalIndex> place_;   // of every node of the entities
-  std::vector<GhostPlan> plans_;       // by surface: points of owners to nodes here
-  std::vector<int> peers_;             // ranks that own nodes here, and ranks with own ones
+  std::map<Name, LocalIndex> place_;  // of every node of the entities
+  std::vector<GhostPlan> plans_;      // by surface: points of owners to nodes here
+  std::vector<int> peers_;            // ranks that own nodes here, and ranks with own ones
+  struct Sent {
+    GhostPlan plan;
+    std::vector<LocalIndex> from;  // own nodes, by their place in the plan
+  };
+  std::vector<Sent> temperatures_;     // by surface: of nodes, from their owners
   GhostPlan tractions_;                // of faces, from their owners
   std::vector<LocalIndex> sent_from_;  // faces that tractions_ names, by their place there
 };

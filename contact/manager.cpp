@@ -141,6 +141,17 @@ WallTime ContactManager<Dim>::take_list_time() {
 }
 
 template <int Dim>
+void ContactManager<Dim>::add_heat(Real dt) {
+  auto& own = *implementation_;
+  auto& nodes = own.entities.nodes;
+  if (!nodes.warm) return;
+  nodes.foresee_temperatures(own.surfaces, dt);
+  own.imports.refresh_temperatures(nodes);
+  own.records.change_heat([&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, dt, flow); });
+  apply_heat<Dim>(own.records, own.imports.send_heat(own.records, nodes), own.surfaces, nodes);
+}
+
+template <int Dim>
 void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
   const auto& nodes = implementation_->entities.nodes;
   const auto add = [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
@@ -154,6 +165,7 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       hash.add(nodes.damping_energy[i]);
       for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
       part.state_hash += hash.value();
+      if (nodes.warm) part.heat.friction.add(nodes.friction_given[i]);
       if (!nodes.rubs) continue;
       part.add(Column::contact_friction, nodes.friction_heat[i]);
       part.add(Column::contact_spring, nodes.friction_stored[i]);

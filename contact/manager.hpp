@@ -20,6 +20,7 @@ struct PairReport {
   std::string name;             ///< the deck's, or "a-b"
   std::array<Real, 3> force{};  ///< [N] on the first body
   Real area = 0;             ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
+  Real heat_rate = 0;        ///< [W] across the contact into the first body, without friction
   Real friction_heat = 0;    ///< [W] over the last step
   Real max_penetration = 0;  ///< [m]
   std::int64_t planes = 0;   ///< common planes and particle contacts that carry force
@@ -58,6 +59,9 @@ class ContactManager {
   void add_forces(Real dt);
   /// What add_forces has spent on its lists since the last call: a part of its own wall time.
   WallTime take_list_time();
+  /// Heat of the contacts of this step, after all other heat but that which holds temperatures.
+  /// Collective among neighbours.
+  void add_heat(Real dt);
   void add_totals(Totals<Dim>& totals) const;
   /// Forces and energies of the owned points that contact moves.
   void save_state(std::vector<StateTable>& tables) const;

@@ -29,7 +29,7 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.stiffness);
   row(friction.n_nodes);
   for (auto& force : friction.force) row(force);
-  row(friction.slips);
+  row(friction.warms);
   row(friction.heat);
 }
 
@@ -114,17 +114,16 @@ void ContactManager<Dim>::Implementation::end_friction() {
     if (friction == nullptr) return;
     const std::size_t at = book_of(entities, friction->key);
     nodes.friction_heat[at] += friction->heat;
+    if (friction->warms) nodes.friction_given[at] += friction->heat;
     nodes.friction_stored[at] += friction->stored;
     nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;
   });
-  // What ended gives its spring's energy away; its forces acted for the first half of the step,
-  // which is heat where it was slipping.
+  // What ended gives its spring's energy away; its forces acted for the first half of the step.
   history.visit_ended([&](const Friction<Dim>& friction) {
     const std::size_t at = book_of(entities, friction.key);
     nodes.friction_stored[at] -= friction.energy();
-    nodes.pair_energy[at] += friction.energy();
-    (friction.slips ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
+    nodes.pair_energy[at] += friction.energy() + friction.taken;
   });
   sum_tractions();
 }

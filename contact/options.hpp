@@ -2,12 +2,34 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/schema.hpp"
 #include "core/search/search.hpp"
 
 namespace brunt {
+
+/// The deck's `heat` of a pair: whether heat passes from body to body where they touch.
+struct NoContactHeat {
+  static constexpr const char* deck_name = "none";
+  static constexpr const char* deck_help = "no heat passes";
+};
+struct PerfectContactHeat {
+  static constexpr const char* deck_name = "perfect";
+  static constexpr const char* deck_help = "both sides have the same temperature";
+};
+struct ContactConductance {
+  static constexpr const char* deck_name = "conductance";
+  static constexpr const char* deck_help = "heat passes by the difference of temperatures";
+  Real per_area = 0;  ///< [W/m^2/K]
+};
+inline void describe(Schema&, NoContactHeat&) {}
+inline void describe(Schema&, PerfectContactHeat&) {}
+inline void describe(Schema& s, ContactConductance& heat) {
+  s.value(heat.per_area, {"W/m^2/K", at_least(0), between(1, 1e8)},
+          "heat through a square metre for a degree of difference");
+}
 
 /// What a pair of bodies may be given; a key not given comes from `default`.
 struct PairOptions {
@@ -16,6 +38,14 @@ struct PairOptions {
   Real damping = 0.1;               ///< zeta: fraction of critical
   std::optional<Varying> friction;  ///< coefficient, constant or over speed or pressure; none: 0
 
+  std::variant<NoContactHeat, PerfectContactHeat, ContactConductance> heat;
+
+  bool passes_heat() const { return heat.index() != 0; }
+  /// [W/m^2/K] through the contact, infinite where it is perfect.
+  Real conductance() const {
+    const auto* given = std::get_if<ContactConductance>(&heat);
+    return given != nullptr ? given->per_area : passes_heat() ? kInfinity : 0.0;
+  }
   bool rubs() const { return friction && !(friction->is_constant() && friction->constant == 0); }
   /// Coefficient of friction at a slip speed [m/s] and a pressure [Pa].
   Real coefficient(Real speed, Real pressure) const {
@@ -26,8 +56,8 @@ struct PairOptions {
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
-  static constexpr const char* kLater[] = {"tied",  "shear_limit", "cohesion",      "tension",
-                                           "joint", "heat",        "friction_heat", "bonded"};
+  static constexpr const char* kLater[] = {"tied",  "shear_limit",   "cohesion", "tension",
+                                           "joint", "friction_heat", "bonded"};
   static constexpr Varying::Over kFrictionOver[] = {Varying::Over::slip_speed,
                                                     Varying::Over::pressure};
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
@@ -36,6 +66,7 @@ inline void describe(Schema& s, PairOptions& pair) {
   s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
          {"1", positive(), between(0.01, 10)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
+  s.one_of({"heat", "whether heat passes between them where they touch"}, pair.heat);
   s.later(kLater);
 }
 

@@ -54,6 +54,8 @@ void Records<Dim>::clear() {
     part.face_on_face.clear();
     part.particle_on_face.clear();
     part.frictions.clear();
+    part.face_heat.clear();
+    part.particle_heat.clear();
     part.vote = StepVote{};
   }
 }
@@ -95,6 +97,34 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
   }
 }
 
+template <int Dim>
+void apply_heat(const Records<Dim>& records, std::span<const HeatShare> elsewhere,
+                const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
+  std::fill(nodes.heat_rate.begin(), nodes.heat_rate.end(), 0.0);
+  auto next = elsewhere.begin();
+  const auto add_next = [&] {
+    nodes.heat_rate[static_cast<std::size_t>(next->node)] += next->rate;
+    ++next;
+  };
+  records.visit_heat([&](const HeatFlow<Dim>& flow) {
+    while (next != elsewhere.end() && next->key < flow.key) add_next();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+      nodes.heat_rate[static_cast<std::size_t>(flow.node[k])] += flow.rate[k];
+    }
+  });
+  while (next != elsewhere.end()) add_next();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes.owned[i]) continue;
+    auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+    if (!points.conducts) continue;
+    points.heat_rate[static_cast<std::size_t>(nodes.point[i])] += nodes.heat_rate[i];
+  }
+}
+
+template void apply_heat<2>(const Records<2>&, std::span<const HeatShare>,
+                            const std::vector<Surface<2>*>&, ContactNodes<2>&);
+template void apply_heat<3>(const Records<3>&, std::span<const HeatShare>,
+                            const std::vector<Surface<3>*>&, ContactNodes<3>&);
 template class Records<2>;
 template class Records<3>;
 template void apply<2>(const Records<2>&, std::span<const Contribution<2>>, Real,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/friction.hpp"
+#include "contact/heat.hpp"
 #include "contact/particle_face.hpp"
 #include "core/step_vote.hpp"
 
@@ -44,6 +45,7 @@ class Records {
   struct Part {
     std::vector<ContactRecord<Dim>> face_on_face, particle_on_face;
     std::vector<Friction<Dim>> frictions;
+    std::vector<HeatFlow<Dim>> face_heat, particle_heat;
     std::vector<ParticleHit<Dim>> hits;  ///< room to work
     StepVote vote;
   };
@@ -68,6 +70,24 @@ class Records {
     };
     for (const auto& part : parts_) show(part, part.face_on_face);
     for (const auto& part : parts_) show(part, part.particle_on_face);
+  }
+  /// In the order of keys.
+  template <class Visit>
+  void visit_heat(const Visit& visit) const {
+    for (const auto& part : parts_) {
+      for (const auto& flow : part.face_heat) visit(flow);
+    }
+    for (const auto& part : parts_) {
+      for (const auto& flow : part.particle_heat) visit(flow);
+    }
+  }
+  template <class Change>
+  void change_heat(const Change& change) {
+    for (auto& part : parts_) {
+      for (auto* flows : {&part.face_heat, &part.particle_heat}) {
+        for (auto& flow : *flows) change(flow);
+      }
+    }
   }
   /// nodes_of(record) names the nodes of each contact anew.
   template <class NodesOf>
@@ -111,6 +131,12 @@ struct Contribution {
 template <int Dim>
 void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes);
+
+/// Sums the heat of all contacts, and of shares from elsewhere (sorted by key), at each node in
+/// key order, and adds it to the points of the groups.
+template <int Dim>
+void apply_heat(const Records<Dim>& records, std::span<const HeatShare> elsewhere,
+                const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes);
 
 template <int Dim>
 template <class Find>

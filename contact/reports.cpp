@@ -12,7 +12,8 @@ namespace {
 struct PairSums {
   std::array<ExactSum, 3> force;  // [N]
   ExactSum area;                  // [m^2]
-  ExactSum heat;                  // [W]
+  ExactSum heat;                  // [W] of friction
+  ExactSum through;               // [W]
   Real max_penetration = 0;       // [m]
   std::int64_t planes = 0;
 };
@@ -21,6 +22,7 @@ void merge(PairSums& into, const PairSums& from) {
   for (std::size_t c = 0; c < 3; ++c) into.force[c].add(from.force[c]);
   into.area.add(from.area);
   into.heat.add(from.heat);
+  into.through.add(from.through);
   into.max_penetration = std::max(into.max_penetration, from.max_penetration);
   into.planes += from.planes;
 }
@@ -83,6 +85,13 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
         sum.max_penetration = std::max(sum.max_penetration, record.penetration);
         ++sum.planes;
       });
+  own.records.visit_heat([&](const HeatFlow<Dim>& flow) {
+    const Label first = std::min(flow.lower_body, flow.upper_body);
+    const Label second = std::max(flow.lower_body, flow.upper_body);
+    const auto known = place.find({first, second});
+    if (known == place.end() || first == second) return;
+    sums[known->second].through.add(flow.upper_body == first ? flow.through : -flow.through);
+  });
   own.ranks.all->reduce_all(std::span(sums), merge);
   std::vector<PairReport> reports;
   for (std::size_t p = 0; p < sums.size(); ++p) {
@@ -90,6 +99,7 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
     report.name = own.pairs.names()[p];
     for (std::size_t c = 0; c < 3; ++c) report.force[c] = sums[p].force[c].value();
     report.area = sums[p].area.value();
+    report.heat_rate = sums[p].through.value();
     report.friction_heat = sums[p].heat.value();
     report.max_penetration = sums[p].max_penetration;
     report.planes = sums[p].planes;

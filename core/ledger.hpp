@@ -34,13 +34,15 @@ enum class Column : int {
 inline constexpr int kColumns = 14;
 std::string_view column_name(Column column);  ///< as in history.csv: "contact.spring", ...
 
-/// Heat [J] of all bodies that conduct, since time 0: stored = plastic + boundary.
+/// Heat [J] of all bodies that conduct, since time 0: stored = plastic + friction + boundary.
 struct HeatSums {
   ExactSum stored;    ///< taken up by points
   ExactSum plastic;   ///< plastic work of these bodies that became heat, as elements booked it
+  ExactSum friction;  ///< that contacts gave to bodies that conduct
   ExactSum boundary;  ///< that boundaries let in
   void add(const HeatSums& part) {
-    stored.add(part.stored), plastic.add(part.plastic), boundary.add(part.boundary);
+    stored.add(part.stored), plastic.add(part.plastic), friction.add(part.friction);
+    boundary.add(part.boundary);
   }
 };
 

@@ -21,7 +21,9 @@ struct Facet {
   /// [m] penetration at which it lets go: depth of the element normal to the face at its birth,
   /// half of it where the element's other face is free too; rigid: 0
   Real depth = 0;
-  bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
+  Real capacity = 0;    ///< [J/m^2/K] rho cp h / 2 of the element behind; 0: takes no heat
+  Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)] sqrt(k rho cp) at time 0
+  bool owned = true;    ///< this rank evaluates the pairs in which it is the lower face
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }
 };
@@ -31,6 +33,8 @@ struct SurfaceParticle {
   LocalIndex point = 0;
   Real radius = 0;
   Real modulus = 0;
+  Real conductivity = 0;  ///< [W/m/K] at time 0; 0: takes no heat
+  Real effusivity = 0;    ///< [J/m^2/K/s^(1/2)] at time 0
 };
 
 /// What a group shows to contact: plain data.
@@ -39,6 +43,7 @@ struct Surface {
   Points<Dim>* points = nullptr;
   std::vector<Facet<Dim>> facets;
   std::vector<SurfaceParticle> particles;
+  bool held = false;  ///< its points never move: it votes no step
 };
 
 }  // namespace brunt

@@ -102,6 +102,7 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
       !sets.empty() && std::all_of(sets.begin(), sets.end(), [](const auto& s) { return s.held; });
   axis_ = axis_nodes(points_, thickness_);
   surface_.points = &points_;
+  surface_.held = held_;
   surface_.facets = outer_facets(blocks_, points_, axis_);
   start_steps();
   const auto conducts = [](const auto& block) { return block.conducts; };

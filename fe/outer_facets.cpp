@@ -61,6 +61,10 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   facet.depth = size / face_area(facet.node, points.x);
   facet.stiffness = block.material->modulus() / facet.depth;
   facet.areal_mass = 0.5 * block.material->density * facet.depth;
+  if (block.conducts) {
+    facet.capacity = facet.areal_mass * block.material->specific_heat;
+    facet.effusivity = block.material->effusivity(block.temperature);
+  }
   return facet;
 }
 

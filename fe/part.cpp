@@ -105,6 +105,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& dea
   }
   points_ = whole.points_.subset(kept, n_owned);
   surface_.points = &points_;
+  surface_.held = held_;
   make_blocks(sets);
   std::vector<GlobalId> ids;
   std::vector<LocalIndex> places;

@@ -20,7 +20,7 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   const bool warm = std::any_of(blocks_.begin(), blocks_.end(), conducts);
   if (warm) set_capacities();
   const auto held = [](const auto& block) { return block.set.held; };
-  held_ = !blocks_.empty() && std::all_of(blocks_.begin(), blocks_.end(), held);
+  held_ = surface_.held = !blocks_.empty() && std::all_of(blocks_.begin(), blocks_.end(), held);
   rearrange();
   seed_votes();
   if (warm) start_conduction();
@@ -51,7 +51,11 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
       state.spacing = spacing[k];
       state.start_volume = state.volume = points_.mass[k] / material.density;
       state.sound_speed = std::sqrt(material.modulus() / material.density);
-      surface_.particles[k] = {i, 0.5 * spacing[k], material.modulus()};
+      auto& shown = surface_.particles[k];
+      shown = {i, 0.5 * spacing[k], material.modulus(), 0, 0};
+      if (!set.conducts) continue;
+      shown.conductivity = material.conductivity.at(set.temperature);
+      shown.effusivity = material.effusivity(set.temperature);
     }
     MaterialState state = material.initial_state(
         set.particle.size(), set.temperature, set.adiabatic || (set.conducts && material.yields()));

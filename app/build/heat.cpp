@@ -19,7 +19,16 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
   const auto heats = [&](const auto& boundary) {
     return boundary.value.body == name && acts_on_heat(boundary.value);
   };
+  const auto& contact = deck.contact;
+  const auto touches = [&](const auto& pair) {
+    const auto& names = pair.value.between;
+    return pair.value.options.passes_heat() &&
+           std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const bool warmed = contact.fallback.passes_heat() ||
+                      std::any_of(contact.pairs.begin(), contact.pairs.end(), touches);
   const bool driven = deck.heat == deck::Heat::conduct ||
+                      (deck.heat == deck::Heat::automatic && warmed) ||
                       (deck.heat == deck::Heat::automatic &&
                        std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
   if (thermal->k && driven) return HeatMode::conducts;

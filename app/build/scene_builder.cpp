@@ -81,12 +81,16 @@ std::vector<RigidMotion<Dim>> motions_of(const LoadedDeck& loaded, const Scene<D
   return motions;
 }
 
-/// True where some pair of bodies, or pieces of a body, may touch. Bodies that never move do not.
+/// True where some pair of bodies, or pieces of a body, may touch. Bodies that never move do so
+/// only where heat passes.
 bool anything_can_touch(const Deck& deck, const ContactOptions& options) {
   const bool all_held = std::all_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
     return body.value.rigid ? !body.value.motion : is_held(deck, body.name);
   });
-  if (all_held) return false;
+  const auto passes = [](const auto& pair) { return pair.second.passes_heat(); };
+  const bool heat = options.fallback.passes_heat() ||
+                    std::any_of(options.pairs.begin(), options.pairs.end(), passes);
+  if (all_held && !heat) return false;
   if (!options.fallback.ignore) return !deck.bodies.empty();
   return std::any_of(options.pairs.begin(), options.pairs.end(),
                      [](const auto& pair) { return !pair.second.ignore; });

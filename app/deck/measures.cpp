@@ -56,6 +56,7 @@ const char* unit_of_column(std::string_view column) {
     const char* unit;
   };
   static constexpr std::array kParts{
+      Ending{".heat_rate", "W"},   Ending{".friction_heat", "W"},   Ending{"heat.drift", "1"},
       Ending{"energy.drift", "1"}, Ending{"energy.", "J"},          Ending{"momentum.", "kg m/s"},
       Ending{".position.", "m"},   Ending{".velocity.", "m/s"},     Ending{".kinetic", "J"},
       Ending{".internal", "J"},    Ending{".hourglass", "J"},       Ending{".heat", "J"},

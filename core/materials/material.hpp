@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -81,6 +82,10 @@ struct Material {
 
   Real modulus() const { return bulk + 4.0 / 3.0 * shear; }  ///< [Pa] M = K + 4G/3
   bool yields() const { return strength->yields(); }
+  /// sqrt(k rho cp) [J/m^2/K/s^(1/2)] at a temperature [K]: how heat of a surface shares itself.
+  Real effusivity(Real temperature) const {
+    return std::sqrt(conductivity.at(temperature) * density * specific_heat);
+  }
 
   /// Fields for n points at rest, padded to whole tiles. Where `adiabatic` and the material is
   /// thermal they have temperature [K], and heat if it yields; a block that conducts asks for the

@@ -1,0 +1,61 @@
+#pragma once
+#include "contact/common_plane.hpp"
+#include "contact/friction.hpp"
+
+namespace brunt {
+
+/// Heat that one contact gives to its nodes: what passes through it, or what friction makes.
+template <int Dim>
+struct HeatFlow {
+  static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
+  static constexpr std::uint32_t kFriction = 16;  ///< ordinals of friction begin here
+  ContactKey key;
+  Label lower_body = 0, upper_body = 0;
+  Real h_area = 0;                              ///< [W/K]; infinite: perfect; 0: friction alone
+  Real lower_capacity = 0, upper_capacity = 0;  ///< [J/K] behind the contact
+  Real through = 0;                             ///< [W] into the upper body, out of the lower one
+  int n_nodes = 0;
+  std::array<LocalIndex, kNodes> node{};
+  std::array<Real, kNodes> weight{};  ///< of the temperature there; of the lower side negative
+  std::array<Real, kNodes> rate{};    ///< [W] into each node
+};
+
+/// Heat that a contact elsewhere gives to one node of this rank.
+struct HeatShare {
+  ContactKey key;
+  LocalIndex node;
+  Real rate;  ///< [W]
+};
+
+/// Heat rate [W] from the lower to the upper side that are so much [K] apart before it flows: h A
+/// times what they are apart after it, by backward Euler: dT / (1/(h A) + dt/C), C = C1 C2/(C1 +
+/// C2). Stable for any step, exact where temperatures are steady, and of one temperature where h is
+/// infinite.
+template <int Dim>
+Real heat_between(const HeatFlow<Dim>& flow, Real difference, Real dt);
+
+/// The way of heat between two faces whose planes touch, by the weights of the middle of `plane`.
+template <int Dim>
+HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& upper,
+                        const CommonPlane<Dim>& plane, Real conductance);
+
+/// The way of heat between a particle and a face, by the record's weights: over half a spacing
+/// inside the particle, nothing inside the face. contacts: of the particle, which share its
+/// capacity.
+template <int Dim>
+HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                        const ContactParticle& particle, const ContactFace<Dim>& face,
+                        Real conductance, int contacts);
+
+/// What passes at the temperatures that the nodes have at the end of a step without it, so that a
+/// perfect contact leaves both sides alike.
+template <int Dim>
+void exchange_heat(const ContactNodes<Dim>& nodes, Real dt, HeatFlow<Dim>& flow);
+
+/// The heat of friction, shared by effusivities (0: that side takes none).
+template <int Dim>
+HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
+                               const Friction<Dim>& friction, Real lower_effusivity,
+                               Real upper_effusivity);
+
+}  // namespace brunt
