@@ -129,6 +129,20 @@ TEST(ParticleFriction, DoesNotDipWhereFacesMeet) {
   }
 }
 
+// Dragged at v, once it slips: mu(v) N.
+TEST(ParticleFriction, DecaysWithTheSpeedOfSlip) {
+  auto scene = pressed<3>(true, 12, 0, Vec3::Zero());
+  const DecayingFriction law{0.4, 0.1, 2};
+  scene.options.fallback.decaying = law;
+  scene.start();
+  for (const Real speed : {1.0, 0.1, 0.5, 2.0}) {
+    Vec3 force;
+    for (int i = 0; i < 10; ++i) force = drag<3>(scene, Vec3(0, speed * 1e-3, 0));
+    const Real wanted = (0.1 + 0.3 * std::exp(-2 * speed)) * kSpring * kPressed;
+    EXPECT_NEAR(force[1], -wanted, 1e-12 * wanted) << speed;
+  }
+}
+
 // C20. The mirrored drag has the mirrored force; turned back, friction falls by k s to -mu N, over
 // 2 mu N / k.
 template <int Dim>
