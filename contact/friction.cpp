@@ -147,6 +147,7 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   Friction<Dim> friction;
   friction.key = key_of(record);
   friction.normal = record.normal;
+  friction.point = step.point;
   friction.n_nodes = record.n_nodes;
   friction.node = record.node;
   friction.area = step.area;

@@ -27,6 +27,7 @@ struct Friction {
   ContactKey key;
   Label body = 0, piece = 0;  ///< the surface on which a particle slides
   Vec<Dim> normal = Vec<Dim>::Zero();
+  Vec<Dim> point = Vec<Dim>::Zero();     ///< [m] where the force acts
   Vec<Dim> traction = Vec<Dim>::Zero();  ///< [Pa] on the upper side, in the plane
   Vec<Dim> drag = Vec<Dim>::Zero();      ///< [Pa] of the damper that acts where it sticks
   Real area = 0;                         ///< [m^2] that carries it

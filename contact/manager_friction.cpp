@@ -23,6 +23,7 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.body);
   row(friction.piece);
   row(friction.normal);
+  row(friction.point);
   row(friction.traction);
   row(friction.drag);
   row(friction.area);
