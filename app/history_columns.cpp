@@ -23,6 +23,13 @@ Real energy_of_rounding(const Scene<Dim>& scene) {
   }
   return 1e-24 * stiffest * mass.value();
 }
+
+/// Torques of contact have three components, or z alone in 2D, or none of a whole ring.
+template <int Dim>
+int first_torque(const Scene<Dim>& scene) {
+  if (scene.geometry == Geometry::axisymmetric) return 3;
+  return Dim == 3 ? 0 : 2;
+}
 }  // namespace
 
 template <int Dim>
@@ -46,6 +53,7 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
     for (const auto& pair : scene.contact->reports()) {
       const std::string head = "contact." + pair.name + ".";
       for (int c = 0; c < Dim; ++c) names_.push_back(head + "force." + kAxes[c]);
+      for (int c = first_torque(scene); c < 3; ++c) names_.push_back(head + "torque." + kAxes[c]);
       for (const char* name : {"area", "heat_rate", "friction_heat", "max_penetration", "planes"})
         names_.push_back(head + name);
     }
@@ -135,8 +143,11 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     }
   }
   if (scene.contact) {
-    for (const auto& pair : scene.contact->reports()) {
+    for (const auto& pair : scene.contact->reports(scene.origin)) {
       for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
+      for (int c = first_torque(scene); c < 3; ++c) {
+        values.push_back(pair.torque[static_cast<std::size_t>(c)]);
+      }
       values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
                                    pair.max_penetration, static_cast<Real>(pair.planes)});
     }

@@ -147,6 +147,7 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   Friction<Dim> friction;
   friction.key = key_of(record);
   friction.normal = record.normal;
+  friction.point = step.point;
   friction.n_nodes = record.n_nodes;
   friction.node = record.node;
   friction.area = step.area;
@@ -180,6 +181,7 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   const Real limit = step.options->coefficient(speed, normal_force / step.pressed) * normal_force;
   const auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   friction.traction = slid.traction;
+  friction.slips = slid.slips;
   if (!slid.slips && step.dt > 0) {
     const Vec<Dim> drag = -step.damping / step.dt * slip;
     friction.drag = within_limit<Dim>(slid.traction, drag, limit / step.area);

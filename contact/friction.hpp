@@ -27,6 +27,7 @@ struct Friction {
   ContactKey key;
   Label body = 0, piece = 0;  ///< the surface on which a particle slides
   Vec<Dim> normal = Vec<Dim>::Zero();
+  Vec<Dim> point = Vec<Dim>::Zero();     ///< [m] where the force acts
   Vec<Dim> traction = Vec<Dim>::Zero();  ///< [Pa] on the upper side, in the plane
   Vec<Dim> drag = Vec<Dim>::Zero();      ///< [Pa] of the damper that acts where it sticks
   Real area = 0;                         ///< [m^2] that carries it
@@ -35,6 +36,7 @@ struct Friction {
   std::array<LocalIndex, kNodes> node{};
   std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
   Real heat = 0;                       ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
+  bool slips = false;                  ///< in the last step
   bool warms = false;                  ///< its heat goes to its nodes
   Real damped = 0;                     ///< [J] by the drag in the last step
   Real stored = 0;                     ///< [J] gained by the spring in the last step

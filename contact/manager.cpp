@@ -145,6 +145,11 @@ void ContactManager<Dim>::add_heat(Real dt) {
   auto& own = *implementation_;
   auto& nodes = own.entities.nodes;
   if (!nodes.warm) return;
+  for (std::size_t i = 0; i < nodes.size() && dt > 0; ++i) {
+    if (nodes.ended_heat[i] == 0) continue;
+    auto& points = *own.surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+    points.heat_rate[static_cast<std::size_t>(nodes.point[i])] += nodes.ended_heat[i] / dt;
+  }
   nodes.foresee_temperatures(own.surfaces, dt);
   own.imports.refresh_temperatures(nodes);
   own.records.change_heat([&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, dt, flow); });

@@ -19,6 +19,8 @@ namespace brunt {
 struct PairReport {
   std::string name;             ///< the deck's, or "a-b"
   std::array<Real, 3> force{};  ///< [N] on the first body
+  /// [N m] on the first body; in 2D z alone, and none where the section is axisymmetric.
+  std::array<Real, 3> torque{};
   Real area = 0;             ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
   Real heat_rate = 0;        ///< [W] across the contact into the first body, without friction
   Real friction_heat = 0;    ///< [W] over the last step
@@ -69,7 +71,8 @@ class ContactManager {
   /// and votes evaluated anew at the positions and mid-step velocities of the last evaluation.
   /// Throws StateError where a row is missing.
   void load_state(const StateTables& tables);
-  std::vector<PairReport> reports() const;
+  /// origin  [m] of the positions, in the coordinates about whose origin torques are taken
+  std::vector<PairReport> reports(const Vec<Dim>& origin = Vec<Dim>::Zero()) const;
   /// Contacts of the last evaluation; positions relative to the scene's origin; normal from
   /// body_a to body_b, force on body_b.
   ContactView view() const;

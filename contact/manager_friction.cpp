@@ -23,12 +23,14 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.body);
   row(friction.piece);
   row(friction.normal);
+  row(friction.point);
   row(friction.traction);
   row(friction.drag);
   row(friction.area);
   row(friction.stiffness);
   row(friction.n_nodes);
   for (auto& force : friction.force) row(force);
+  row(friction.slips);
   row(friction.warms);
   row(friction.heat);
 }
@@ -119,11 +121,19 @@ void ContactManager<Dim>::Implementation::end_friction() {
     nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;
   });
-  // What ended gives its spring's energy away; its forces acted for the first half of the step.
+  // What ended gives its spring's energy away. Its forces acted for the first half of the step:
+  // heat where it was slipping, for the node that holds its books.
+  std::fill(nodes.ended_heat.begin(), nodes.ended_heat.end(), 0.0);
   history.visit_ended([&](const Friction<Dim>& friction) {
     const std::size_t at = book_of(entities, friction.key);
     nodes.friction_stored[at] -= friction.energy();
-    nodes.pair_energy[at] += friction.energy() + friction.taken;
+    nodes.pair_energy[at] += friction.energy();
+    const bool takes = nodes.warm && nodes.capacity[at] > 0;
+    const bool is_heat = friction.slips && (takes || !friction.warms);
+    (is_heat ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
+    if (!is_heat || !takes) return;
+    nodes.ended_heat[at] += friction.taken;
+    nodes.friction_given[at] += friction.taken;
   });
   sum_tractions();
 }

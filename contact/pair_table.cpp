@@ -73,7 +73,7 @@ const PairOptions& PairTable::of(Label a, Label b) const {
 
 PairOptions PairTable::strongest(Label body) const {
   const auto it = strongest_.find(body);
-  return it == strongest_.end() ? PairOptions{true, 0, 0, {}, {}} : it->second;
+  return it == strongest_.end() ? PairOptions{true, 0, 0, {}} : it->second;
 }
 
 template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<2>*>&,

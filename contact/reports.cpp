@@ -4,22 +4,27 @@
 #include <span>
 
 #include "contact/implementation.hpp"
+#include "contact/slide.hpp"
 #include "core/exact_sum.hpp"
 
 namespace brunt {
 
 namespace {
 struct PairSums {
-  std::array<ExactSum, 3> force;  // [N]
-  ExactSum area;                  // [m^2]
-  ExactSum heat;                  // [W] of friction
-  ExactSum through;               // [W]
-  Real max_penetration = 0;       // [m]
+  std::array<ExactSum, 3> force;   // [N]
+  std::array<ExactSum, 3> torque;  // [N m]
+  ExactSum area;                   // [m^2]
+  ExactSum heat;                   // [W] of friction
+  ExactSum through;                // [W]
+  Real max_penetration = 0;        // [m]
   std::int64_t planes = 0;
 };
 
 void merge(PairSums& into, const PairSums& from) {
-  for (std::size_t c = 0; c < 3; ++c) into.force[c].add(from.force[c]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    into.force[c].add(from.force[c]);
+    into.torque[c].add(from.torque[c]);
+  }
   into.area.add(from.area);
   into.heat.add(from.heat);
   into.through.add(from.through);
@@ -38,6 +43,21 @@ Vec<Dim> force_of(const ContactRecord<Dim>& record, const Friction<Dim>* frictio
   Vec<Dim> force = (record.spring + record.damping) * record.normal;
   if (friction != nullptr) force += friction->resultant();
   return force;
+}
+
+Vec3 moment(const Vec3& arm, const Vec3& force) { return arm.cross(force); }
+Vec3 moment(const Vec<2>& arm, const Vec<2>& force) { return {0, 0, cross(arm, force)}; }
+
+/// Its moment about the origin of the coordinates [N m]: friction has a point of its own.
+template <int Dim>
+Vec3 torque_of(const ContactRecord<Dim>& record, const Friction<Dim>* friction,
+               const Vec<Dim>& origin) {
+  const Vec<Dim> push = (record.spring + record.damping) * record.normal;
+  Vec3 torque = moment(Vec<Dim>(origin + record.point), push);
+  if (friction != nullptr) {
+    torque += moment(Vec<Dim>(origin + friction->point), friction->resultant());
+  }
+  return torque;
 }
 
 /// Corners of the polygon under a record: of the one common plane of its faces with its point.
@@ -63,7 +83,7 @@ void append_polygon(const Entities<Dim>& entities, const Section& section,
 }  // namespace
 
 template <int Dim>
-std::vector<PairReport> ContactManager<Dim>::reports() const {
+std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) const {
   const auto& own = *implementation_;
   const auto& pairs = own.pairs.pairs();
   std::map<std::pair<Label, Label>, std::size_t> place;
@@ -80,6 +100,12 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
         const Real sign = first == second ? 0.0 : (record.upper_body == first ? 1.0 : -1.0);
         const Vec<Dim> force = force_of(record, friction);
         for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
+        if (own.section.geometry != Geometry::axisymmetric) {
+          const Vec3 torque = torque_of(record, friction, origin);
+          for (int c = 0; c < 3; ++c) {
+            sum.torque[static_cast<std::size_t>(c)].add(sign * torque[c]);
+          }
+        }
         if (friction != nullptr && own.dt_last > 0) sum.heat.add(friction->heat / own.dt_last);
         sum.area.add(record.area);
         sum.max_penetration = std::max(sum.max_penetration, record.penetration);
@@ -97,7 +123,10 @@ std::vector<PairReport> ContactManager<Dim>::reports() const {
   for (std::size_t p = 0; p < sums.size(); ++p) {
     auto& report = reports.emplace_back();
     report.name = own.pairs.names()[p];
-    for (std::size_t c = 0; c < 3; ++c) report.force[c] = sums[p].force[c].value();
+    for (std::size_t c = 0; c < 3; ++c) {
+      report.force[c] = sums[p].force[c].value();
+      report.torque[c] = sums[p].torque[c].value();
+    }
     report.area = sums[p].area.value();
     report.heat_rate = sums[p].through.value();
     report.friction_heat = sums[p].heat.value();
@@ -130,8 +159,8 @@ ContactView ContactManager<Dim>::view() const {
   return view;
 }
 
-template std::vector<PairReport> ContactManager<2>::reports() const;
-template std::vector<PairReport> ContactManager<3>::reports() const;
+template std::vector<PairReport> ContactManager<2>::reports(const Vec<2>&) const;
+template std::vector<PairReport> ContactManager<3>::reports(const Vec<3>&) const;
 template ContactView ContactManager<2>::view() const;
 template ContactView ContactManager<3>::view() const;
 

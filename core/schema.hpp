@@ -125,6 +125,23 @@ class Schema {
   virtual void names(const Key& key, std::vector<std::string>& value, int size) = 0;
   virtual void varying(const Key& key, std::optional<Varying>& value, const Quantity& quantity,
                        std::span<const Varying::Over> over) = 0;
+  /// A value that may vary, or a law with keys of its own in its place, told apart by their keys:
+  /// friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}. What is read takes the other's place.
+  template <class Law>
+  void varying_or_law(const Key& key, std::optional<Varying>& value, std::optional<Law>& law,
+                      const Quantity& quantity, std::span<const Varying::Over> over) {
+    visit_varying_or_law(
+        key, value, quantity, over, [&] { return law.has_value(); },
+        [&](bool is_law) {
+          value.reset();
+          law.reset();
+          if (is_law) law.emplace();
+        },
+        [&](Schema& s) {
+          Law blank{};
+          describe(s, law ? *law : blank);
+        });
+  }
   /// A vector whose components may vary; an absent component is `free`.
   virtual void components(const Key& key, std::optional<std::vector<std::optional<Varying>>>& value,
                           const Quantity& quantity, std::span<const Varying::Over> over) = 0;
@@ -212,6 +229,11 @@ class Schema {
                             std::function<std::size_t()> index,
                             std::function<void(std::size_t)> choose, Members members,
                             std::function<void(std::size_t, Schema&)> blank) = 0;
+  /// choose(is_law) makes room for what is read.
+  virtual void visit_varying_or_law(const Key& key, std::optional<Varying>& value,
+                                    const Quantity& quantity, std::span<const Varying::Over> over,
+                                    std::function<bool()> is_law, std::function<void(bool)> choose,
+                                    Members members) = 0;
 };
 
 }  // namespace brunt

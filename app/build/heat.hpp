@@ -12,8 +12,9 @@ enum class HeatMode {
 
 /// `off`: none. `adiabatic`: where the material is thermal and yields. `conduct`: conduction where
 /// the material has k, else as adiabatic. `auto`: conduction where the material has k and a
-/// boundary or a contact heats or cools the body, else as adiabatic: within a body of one temperature nothing
-/// else drives heat but plastic work, which hardly moves in the time of an impact.
+/// boundary or a contact heats or cools the body, else as adiabatic: within a body of one
+/// temperature nothing else drives heat but plastic work, which hardly moves in the time of an
+/// impact.
 HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name);
 
 /// True where a body that conducts never moves: `fix` holds all components of all of it for ever.

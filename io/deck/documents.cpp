@@ -97,6 +97,17 @@ Json words_schema(const std::vector<std::string>& words) {
   return Json{{"enum", all}};
 }
 
+Json varying_or_law_schema(const KeyInfo& key) {
+  const Json text{{"type", "string"}}, list{{"type", "array"}};
+  const Json table{
+      {"type", "object"},
+      {"additionalProperties", false},
+      {"properties",
+       {{"table", list}, {"file", text}, {"over", words_schema(key.words)}, {"unit", list}}},
+      {"required", {"over"}}};
+  return Json{{"anyOf", {number_schema(), table, map_schema(key.children)}}};
+}
+
 Json value_schema(const KeyInfo& key) {
   using Type = KeyInfo::Type;
   Json list{{"type", {"array", "object", "string"}}};
@@ -132,8 +143,10 @@ Json value_schema(const KeyInfo& key) {
     case Type::components:
     case Type::direction:
       return list;
-    case Type::per_axis:
     case Type::varying:
+      if (!key.children.empty()) return varying_or_law_schema(key);
+      [[fallthrough]];
+    case Type::per_axis:
       return Json{{"type", {"number", "string", "array", "object"}}};
     case Type::parameters:
       return Json{{"type", "object"}};

@@ -172,4 +172,15 @@ void Echo::visit_one_of(const Key& key, std::span<const Alternative> alternative
   }
 }
 
+void Echo::visit_varying_or_law(const Key& key, std::optional<Varying>& value,
+                                const Quantity& quantity, std::span<const Varying::Over> over,
+                                std::function<bool()> is_law, std::function<void(bool)>,
+                                Members members) {
+  if (is_law()) {
+    put(key.name, members_of(members));
+  } else {
+    varying(key, value, quantity, over);
+  }
+}
+
 }  // namespace brunt

@@ -59,6 +59,9 @@ class Echo final : public Schema {
   void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                     std::function<std::size_t()> index, std::function<void(std::size_t)> choose,
                     Members members, std::function<void(std::size_t, Schema&)> blank) override;
+  void visit_varying_or_law(const Key& key, std::optional<Varying>& value, const Quantity& quantity,
+                            std::span<const Varying::Over> over, std::function<bool()> is_law,
+                            std::function<void(bool)> choose, Members members) override;
 
  private:
   void put(const std::string& key, Node value);

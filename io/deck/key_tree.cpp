@@ -144,6 +144,13 @@ class KeyWalker final : public Schema {
     if (!info.required) info.fallback = alternatives[index()].name;
     info.children = std::move(children);
   }
+  void visit_varying_or_law(const Key& key, std::optional<Varying>&, const Quantity& quantity,
+                            std::span<const Varying::Over> over, std::function<bool()>,
+                            std::function<void(bool)>, Members members) override {
+    KeyInfo& info = add(key, KeyInfo::Type::varying, quantity);
+    take_overs(info, over);
+    info.children = children_of(members);
+  }
 
  private:
   KeyInfo& add(const Key& key, KeyInfo::Type type, const Quantity& quantity = {""}) {
@@ -237,7 +244,8 @@ std::string type_text(const KeyInfo& key) {
     case Type::names:
       return "list of names, " + count_of(key);
     case Type::varying:
-      return "number" + unit + ", may depend on " + word_text(key.words);
+      return "number" + unit + ", may depend on " + word_text(key.words) +
+             (key.children.empty() ? "" : ", or map");
     case Type::components:
       return "list, one an axis, each free or a number" + unit + ", may depend on " +
              word_text(key.words);

@@ -64,6 +64,23 @@ Node csv_row(std::string line, const SourcePlace& place) {
 
 }  // namespace
 
+void Reader::visit_varying_or_law(const Key& key, std::optional<Varying>& value,
+                                  const Quantity& quantity, std::span<const Varying::Over> over,
+                                  std::function<bool()>, std::function<void(bool)> choose,
+                                  Members members) {
+  const Node* node = find(key);
+  if (!node) return;
+  const std::string path = path_of(key.name);
+  const bool is_law =
+      node->is_map() && !node->find("table") && !node->find("file") && !node->find("over");
+  choose(is_law);
+  if (is_law) {
+    read_members(*node, path, members);
+  } else if (auto read = varying_value(*node, path, quantity, over)) {
+    value = std::move(*read);
+  }
+}
+
 std::optional<Node> Reader::table_rows(const Node& node, const std::string& path) {
   if (const Node* table = node.find("table")) {
     if (table->is_list() && !table->items.empty()) return *table;

@@ -75,8 +75,14 @@ bodies:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
 contact:
-  default: {friction: 0.3}
-  pairs: {ab: {between: [a, b], friction: {table: [[0, 0.3], [1 m/s, 0.2]], over: slip_speed}}}
+  default: {friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}, heat: {conductance: 1e4 W/m^2/K}}
+  pairs:
+    ab:
+      between: [a, b]
+      friction: {table: [[0, 0.3], [1 m/s, 0.2]], over: slip_speed}
+      heat: {conductance: 2e4 W/m^2/K}
+    ac: {between: [a, c], friction: {static: 0.4, kinetic: 0.4, decay: 0}}
+    ad: {between: [a, d], friction: 0.3}
 boundaries:
   all: {body: a, where: all, fix: [x]}
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}

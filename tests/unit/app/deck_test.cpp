@@ -110,6 +110,42 @@ TEST(Deck, PairsInheritFromDefault) {
   EXPECT_EQ(deck.contact.fallback.damping, PairOptions{}.damping);
 }
 
+// Friction is a number, a table or a law: what a pair gives takes the place of the default's.
+TEST(Deck, FrictionIsANumberATableOrALaw) {
+  const std::string law = "contact.default.friction={static: 0.3, kinetic: 0.2, decay: 2 s/m}";
+  const auto foot = [&](const std::string& set) {
+    const LoadedDeck loaded = load_deck_text(kTaylor, "deck", {law, set});
+    EXPECT_EQ(load_deck_text(loaded.resolved, "resolved").resolved, loaded.resolved);
+    return loaded.deck.contact.pairs[0].value.options;
+  };
+  const PairOptions inherited = foot("heat=off");
+  EXPECT_EQ(inherited.coefficient(0, 0), 0.3);
+  EXPECT_DOUBLE_EQ(inherited.coefficient(0.5, 0), 0.2 + 0.1 * std::exp(-1));
+  const PairOptions number = foot("contact.pairs.foot.friction=0.5");
+  EXPECT_FALSE(number.decaying);
+  EXPECT_EQ(number.coefficient(3, 0), 0.5);
+  const PairOptions table =
+      foot("contact.pairs.foot.friction={table: [[0, 0.4], [1 MPa, 0.2]], over: pressure}");
+  EXPECT_FALSE(table.decaying);
+  EXPECT_DOUBLE_EQ(table.coefficient(3, 0.5e6), 0.3);
+  const PairOptions own = foot("contact.pairs.foot.friction={static: 0.1, kinetic: 0.1, decay: 0}");
+  EXPECT_EQ(own.coefficient(3, 0), 0.1);
+}
+
+TEST(Deck, WrongFrictionIsToldAtItsPlace) {
+  const auto wrong = [](const std::string& friction, const std::string& message) {
+    expect_problem(problems_of(kTaylor, {"contact.default.friction=" + friction}),
+                   "--set #1: contact.default.friction" + message);
+  };
+  wrong("{static: 0.3, kinetic: 0.2}", ".decay: is missing");
+  wrong("{static: 0.3, kinetik: 0.2, decay: 1 s/m}", ": unknown key 'kinetik'; did you mean");
+  wrong("{static: 0.3, kinetic: 0.2, decay: 1 m/s}", ".decay: expects");
+  wrong("{static: -0.1, kinetic: -0.2, decay: 1 s/m}", ".static: must be at least 0");
+  wrong("{static: 0.2, kinetic: 0.3, decay: 1 s/m}", ".kinetic: must not be above static");
+  wrong("{static: 0.2, over: pressure}", ": unknown key 'static'");
+  wrong("[1, 2]", ": expects");
+}
+
 TEST(Deck, BoundariesVaryOverTime) {
   const Deck deck = load_deck_text(kTaylor, "deck").deck;
   EXPECT_EQ(deck.boundaries[0].name, "0");

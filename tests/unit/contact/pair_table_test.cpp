@@ -35,8 +35,8 @@ TEST(PairTable, RigidBodiesAndSinglePiecesDoNotTouchThemselves) {
 
 TEST(PairTable, OptionsOfTheDeckComeFirst) {
   ContactScene<3> scene;
-  scene.options.fallback = {true, 0.5, 0.1, {}, {}};
-  scene.options.pairs[{1, 4}] = {false, 2.0, 0.3, {}, {}};
+  scene.options.fallback = {true, 0.5, 0.1, {}};
+  scene.options.pairs[{1, 4}] = {false, 2.0, 0.3, {}};
   scene.options.pair_names[{1, 4}] = "shot";
   const PairTable pairs = table(scene);
   EXPECT_EQ(pairs.pairs(), (Pairs{{1, 4}}));
