@@ -26,9 +26,9 @@ struct ContactManager<Dim>::Implementation {
   /// Tables and lists anew at the present positions; what is booked stays with the points' ids.
   /// with_motion: velocities are those of the step under way, else of the last evaluation.
   void renew(Real ahead, bool with_motion);
-  /// Records and votes of the lists at the present motion; friction goes on from `history`, or is
+  /// Records and votes of the lists at the present motion; friction goes on from its past, or is
   /// left out where there is none.
-  void evaluate(Real dt, const StepVote& longest, Real ahead, FrictionHistory<Dim>* history);
+  void evaluate(Real dt, const StepVote& longest, Real ahead, FrictionHistory<Dim>* past);
   /// Makes the records of the last step the past of this one, and books their work at nodes.v.
   void begin_friction(Real dt);
   /// Books what friction did in this step, and what the faces carry from now on. Collective.

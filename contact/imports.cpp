@@ -56,6 +56,24 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
 }
 }  // namespace
 
+/// Sends each peer its letters and hands those of the peers to take(letter), rank by rank.
+/// to  by rank; packed one by one
+template <int Dim>
+template <class Letter, class Take>
+void ContactImports<Dim>::deliver(std::vector<Packer>& to, const Take& take) const {
+  std::vector<Bytes> bytes;
+  bytes.reserve(peers_.size());
+  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
+  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
+    Unpacker unpacker(from);
+    while (!unpacker.done()) {
+      Letter letter;
+      unpacker >> letter;
+      take(letter);
+    }
+  }
+}
+
 template <int Dim>
 void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
                                 std::span<const SearchBox<Dim>> wanted, Entities<Dim>& entities) {
@@ -219,18 +237,10 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
       to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
     }
   });
-  std::vector<Bytes> bytes;
-  bytes.reserve(peers_.size());
-  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
-  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
-    Unpacker unpacker(from);
-    while (!unpacker.done()) {
-      Letter<Dim> letter;
-      unpacker >> letter;
-      letter.what.node = place_.at({letter.surface, letter.point});
-      received.push_back(letter.what);
-    }
-  }
+  deliver<Letter<Dim>>(to, [&](Letter<Dim> letter) {
+    letter.what.node = place_.at({letter.surface, letter.point});
+    received.push_back(letter.what);
+  });
   std::sort(received.begin(), received.end(),
             [](const auto& a, const auto& b) { return a.key < b.key; });
   return received;
@@ -295,18 +305,10 @@ std::vector<HeatShare> ContactImports<Dim>::send_heat(const Records<Dim>& record
       to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
     }
   });
-  std::vector<Bytes> bytes;
-  bytes.reserve(peers_.size());
-  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
-  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
-    Unpacker unpacker(from);
-    while (!unpacker.done()) {
-      Letter letter;
-      unpacker >> letter;
-      letter.what.node = place_.at({letter.surface, letter.point});
-      received.push_back(letter.what);
-    }
-  }
+  deliver<Letter>(to, [&](Letter letter) {
+    letter.what.node = place_.at({letter.surface, letter.point});
+    received.push_back(letter.what);
+  });
   std::sort(received.begin(), received.end(),
             [](const auto& a, const auto& b) { return a.key < b.key; });
   return received;
@@ -371,17 +373,7 @@ std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
     for (int c = 0; c < Dim; ++c) share.force[c] = force[c];
     to[static_cast<std::size_t>(owner_of(entities, upper))] << share;
   });
-  std::vector<Bytes> bytes;
-  bytes.reserve(peers_.size());
-  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
-  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
-    Unpacker unpacker(from);
-    while (!unpacker.done()) {
-      TractionShare<Dim> share;
-      unpacker >> share;
-      received.push_back(share);
-    }
-  }
+  deliver<TractionShare<Dim>>(to, [&](TractionShare<Dim> share) { received.push_back(share); });
   std::sort(received.begin(), received.end(),
             [](const auto& a, const auto& b) { return a.key < b.key; });
   return received;

@@ -6,6 +6,7 @@
 #include "contact/entities.hpp"
 #include "contact/record.hpp"
 #include "core/parallel/ghosts.hpp"
+#include "core/parallel/packing.hpp"
 
 namespace brunt {
 
@@ -57,6 +58,8 @@ class ContactImports {
   LocalIndex node_of(LocalIndex surface, GlobalId id, Real mass, const Vec<Dim>& x,
                      const Vec<Dim>& v, Entities<Dim>& entities);
   void plan(const ContactNodes<Dim>& nodes);
+  template <class Letter, class Take>
+  void deliver(std::vector<Packer>& to, const Take& take) const;
   void plan_temperatures(const ContactNodes<Dim>& nodes);
   void plan_tractions(const Entities<Dim>& entities);
   int owner_of(const Entities<Dim>& entities, const ContactFace<Dim>& face) const;
