@@ -74,30 +74,8 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
     step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
   }
   record.friction = static_cast<std::int32_t>(part.frictions.size());
-  auto& friction = part.frictions.emplace_back(friction_of(entities.nodes, record, step));
-  const Real below = entities.faces[l].effusivity, above = entities.faces[u].effusivity;
-  friction.warms = below + above > 0 && dt > 0;
-  if (!friction.warms) return;
-  part.face_heat.push_back(heat_of_friction(record, step, friction, below, above));
-}
-
-/// What passes between two faces that touch; faces that just meet do.
-template <int Dim>
-void add_heat(const Entities<Dim>& entities, const FaceCandidate& candidate, const Section& section,
-              typename Records<Dim>::Part& part) {
-  constexpr Real kMeets = 1e-6;  // of the smaller face's size
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
-  const Real area = std::min(entities.planes[l].area, entities.planes[u].area);
-  const PlaneNeeds needs{true, kMeets * (Dim == 3 ? std::sqrt(area) : area)};
-  std::array<CommonPlane<Dim>, 4> planes;
-  const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
-  for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
-    if (plane.penetration > candidate.limit) continue;
-    part.face_heat.push_back(
-        heat_path<Dim>(entities.faces[l], entities.faces[u], plane, candidate.conductance));
-  }
+  part.frictions.push_back(friction_of(entities.nodes, record, step));
+  warm_faces(entities, candidate, step, part);
 }
 }  // namespace
 
@@ -112,7 +90,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     if (!entities.reaches[lower].meets(entities.reaches[upper])) continue;
     const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section,
                                      planes, PlaneNeeds{candidate.rubs != nullptr, 0});
-    if (candidate.conductance > 0) add_heat<Dim>(entities, candidate, section, part);
+    const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
       if (plane.penetration > candidate.limit) continue;
@@ -121,6 +99,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       if (candidate.rubs == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, part);
     }
+    if (candidate.heat == nullptr) continue;
+    add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }
 

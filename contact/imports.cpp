@@ -275,14 +275,14 @@ void ContactImports<Dim>::plan_temperatures(const ContactNodes<Dim>& nodes) {
 }
 
 template <int Dim>
-void ContactImports<Dim>::refresh_temperatures(ContactNodes<Dim>& nodes) const {
+void ContactImports<Dim>::refresh_temperatures(std::vector<Real>& temperature) const {
   for (const auto& sent : temperatures_) {
     refresh_ghosts(
         ranks(), sent.plan, 1,
         [&](std::size_t i, Real* out) {
-          *out = nodes.temperature[static_cast<std::size_t>(sent.from[i])];
+          *out = temperature[static_cast<std::size_t>(sent.from[i])];
         },
-        [&](std::size_t i, const Real* in) { nodes.temperature[i] = *in; });
+        [&](std::size_t i, const Real* in) { temperature[i] = *in; });
   }
 }
 

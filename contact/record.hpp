@@ -46,7 +46,7 @@ class Records {
     std::vector<ContactRecord<Dim>> face_on_face, particle_on_face;
     std::vector<Friction<Dim>> frictions;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
-    std::vector<ParticleHit<Dim>> hits;  ///< room to work
+    std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     StepVote vote;
   };
   void clear();

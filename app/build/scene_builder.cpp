@@ -50,6 +50,9 @@ ContactOptions contact_options(const Deck& deck) {
       const std::pair key{std::min(first, other), std::max(first, other)};
       if (any && options.pairs.count(key)) continue;  // a pair named in full has its own options
       options.pairs[key] = pair.options;
+      // Contact counts the share of the body with the lower label.
+      auto& split = options.pairs[key].friction_heat.split;
+      if (split && first > other) split = 1 - *split;
       if (!any) options.pair_names[key] = name;
     }
   }
