@@ -56,6 +56,9 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
       for (int c = first_torque(scene); c < 3; ++c) names_.push_back(head + "torque." + kAxes[c]);
       for (const char* name : {"area", "heat_rate", "friction_heat", "max_penetration", "planes"})
         names_.push_back(head + name);
+      if (!scene.conducts()) continue;
+      for (const char* name : {"temperature.max", "temperature.mean"})
+        names_.push_back(head + name);
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {
@@ -150,6 +153,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
       }
       values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
                                    pair.max_penetration, static_cast<Real>(pair.planes)});
+      if (!scene.conducts()) continue;
+      values.insert(values.end(), {pair.temperature_max, pair.temperature_mean});
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {

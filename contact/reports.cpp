@@ -1,5 +1,6 @@
 /// What the manager shows: sums by pair of bodies, and the contacts of one instant.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <span>
 
@@ -16,6 +17,9 @@ struct PairSums {
   ExactSum area;                   // [m^2]
   ExactSum heat;                   // [W] of friction
   ExactSum through;                // [W]
+  ExactSum warm_area;              // [m^2] of both sides that keep a temperature
+  ExactSum warm_area_temperature;  // [m^2 K]
+  Real hottest = 0;                // [K]
   Real max_penetration = 0;        // [m]
   std::int64_t planes = 0;
 };
@@ -28,6 +32,9 @@ void merge(PairSums& into, const PairSums& from) {
   into.area.add(from.area);
   into.heat.add(from.heat);
   into.through.add(from.through);
+  into.warm_area.add(from.warm_area);
+  into.warm_area_temperature.add(from.warm_area_temperature);
+  into.hottest = std::max(into.hottest, from.hottest);
   into.max_penetration = std::max(into.max_penetration, from.max_penetration);
   into.planes += from.planes;
 }
@@ -60,6 +67,24 @@ Vec3 torque_of(const ContactRecord<Dim>& record, const Friction<Dim>* friction,
   return torque;
 }
 
+/// Takes in the temperatures of both sides of a contact.
+/// temperature  [K] by node
+template <int Dim>
+void add_temperatures(const ContactRecord<Dim>& record, const std::vector<Real>& temperature,
+                      PairSums& sums) {
+  Real side[2] = {0, 0};  // one side has negative weights, the other positive ones
+  for (std::size_t k = 0; k < static_cast<std::size_t>(record.n_nodes); ++k) {
+    const Real w = record.weight[k];
+    side[w < 0 ? 0 : 1] += std::fabs(w) * temperature[static_cast<std::size_t>(record.node[k])];
+  }
+  for (const Real T : side) {
+    if (!(T > 0)) continue;
+    sums.warm_area.add(record.area);
+    sums.warm_area_temperature.add(record.area * T);
+    sums.hottest = std::max(sums.hottest, T);
+  }
+}
+
 /// Corners of the polygon under a record: of the one common plane of its faces with its point.
 template <int Dim>
 void append_polygon(const Entities<Dim>& entities, const Section& section,
@@ -89,6 +114,11 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
   std::map<std::pair<Label, Label>, std::size_t> place;
   for (std::size_t p = 0; p < pairs.size(); ++p) place[pairs[p]] = p;
   std::vector<PairSums> sums(pairs.size());
+  std::vector<Real> temperature;
+  if (own.entities.nodes.warm) {
+    temperature = own.entities.nodes.present_temperatures(own.surfaces);
+    own.imports.refresh_temperatures(temperature);
+  }
   own.records.visit_with_friction(
       [&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
         const Label first = std::min(record.lower_body, record.upper_body);
@@ -110,6 +140,7 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
         sum.area.add(record.area);
         sum.max_penetration = std::max(sum.max_penetration, record.penetration);
         ++sum.planes;
+        if (!temperature.empty()) add_temperatures(record, temperature, sum);
       });
   own.records.visit_heat([&](const HeatFlow<Dim>& flow) {
     const Label first = std::min(flow.lower_body, flow.upper_body);
@@ -130,6 +161,10 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     report.area = sums[p].area.value();
     report.heat_rate = sums[p].through.value();
     report.friction_heat = sums[p].heat.value();
+    report.temperature_max = sums[p].hottest;
+    if (const Real area = sums[p].warm_area.value(); area > 0) {
+      report.temperature_mean = sums[p].warm_area_temperature.value() / area;
+    }
     report.max_penetration = sums[p].max_penetration;
     report.planes = sums[p].planes;
   }

@@ -61,7 +61,8 @@ const char* unit_of_column(std::string_view column) {
       Ending{".position.", "m"},   Ending{".velocity.", "m/s"},     Ending{".kinetic", "J"},
       Ending{".internal", "J"},    Ending{".hourglass", "J"},       Ending{".heat", "J"},
       Ending{".mass", "kg"},       Ending{".force.", "N"},          Ending{".reaction.", "N"},
-      Ending{".area", "m^2"},      Ending{".max_penetration", "m"}, Ending{".planes", "1"}};
+      Ending{".area", "m^2"},      Ending{".max_penetration", "m"}, Ending{".planes", "1"},
+      Ending{".temperature.", "K"}};
   if (column == "time" || column == "dt") return "s";
   for (const Ending& ending : kParts) {
     if (column.find(ending.part) != std::string_view::npos) return ending.unit;
