@@ -27,6 +27,7 @@ HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& u
   flow.lower_capacity = lower.capacity * plane.area;
   flow.upper_capacity = upper.capacity * plane.area;
   const Real open = conductance_of(heat, 0), under = conductance_of(heat, pressure);
+  flow.area = plane.area;
   flow.h_area = under * plane.area;
   if (open != under) flow.h_area = under * pressed + open * (plane.area - pressed);
   const auto take = [&](const ContactFace<Dim>& face, const auto& weight, Real sign) {
@@ -55,6 +56,7 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
   }
   flow.n_nodes = 1 + face.n_nodes;
   const Real share = hit.share * area;
+  flow.area = share;
   flow.lower_capacity = face.capacity * share;
   flow.upper_capacity = nodes.capacity[static_cast<std::size_t>(particle.node)] / contacts;
   flow.h_area =

@@ -12,6 +12,7 @@ struct HeatFlow {
   static constexpr std::uint32_t kFriction = 16;  ///< ordinals of friction begin here
   ContactKey key;
   Label lower_body = 0, upper_body = 0;
+  Real area = 0;                                ///< [m^2] through which heat passes
   Real h_area = 0;                              ///< [W/K]; infinite: perfect; 0: friction alone
   Real lower_capacity = 0, upper_capacity = 0;  ///< [J/K] behind the contact
   Real through = 0;                             ///< [W] into the upper body, out of the lower one

@@ -24,8 +24,9 @@ struct PairReport {
   Real area = 0;           ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
   Real heat_rate = 0;      ///< [W] across the contact into the first body, without friction
   Real friction_heat = 0;  ///< [W] over the last step
-  /// [K] of what touches, of both sides and by the area of each contact: of faces there, of
-  /// particles at their centres; 0 where nothing touches, or keeps no temperature.
+  /// [K] of both sides, by the area of each contact, of all through which heat passes, or where
+  /// none does of all that carry force: of faces there, of particles at their centres. 0 where
+  /// there is none, or none keeps a temperature.
   Real temperature_max = 0, temperature_mean = 0;
   Real max_penetration = 0;  ///< [m]
   std::int64_t planes = 0;   ///< common planes and particle contacts that carry force

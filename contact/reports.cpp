@@ -11,15 +11,26 @@
 namespace brunt {
 
 namespace {
+/// Temperatures of both sides of contacts, where they keep one.
+struct Warmth {
+  ExactSum area;              // [m^2] of both sides
+  ExactSum area_temperature;  // [m^2 K]
+  Real hottest = 0;           // [K]
+
+  void add(const Warmth& other) {
+    area.add(other.area);
+    area_temperature.add(other.area_temperature);
+    hottest = std::max(hottest, other.hottest);
+  }
+};
+
 struct PairSums {
   std::array<ExactSum, 3> force;   // [N]
   std::array<ExactSum, 3> torque;  // [N m]
   ExactSum area;                   // [m^2]
   ExactSum heat;                   // [W] of friction
   ExactSum through;                // [W]
-  ExactSum warm_area;              // [m^2] of both sides that keep a temperature
-  ExactSum warm_area_temperature;  // [m^2 K]
-  Real hottest = 0;                // [K]
+  Warmth touching, passing;        // of contacts with force; of those through which heat passes
   Real max_penetration = 0;        // [m]
   std::int64_t planes = 0;
 };
@@ -32,9 +43,8 @@ void merge(PairSums& into, const PairSums& from) {
   into.area.add(from.area);
   into.heat.add(from.heat);
   into.through.add(from.through);
-  into.warm_area.add(from.warm_area);
-  into.warm_area_temperature.add(from.warm_area_temperature);
-  into.hottest = std::max(into.hottest, from.hottest);
+  into.touching.add(from.touching);
+  into.passing.add(from.passing);
   into.max_penetration = std::max(into.max_penetration, from.max_penetration);
   into.planes += from.planes;
 }
@@ -67,21 +77,22 @@ Vec3 torque_of(const ContactRecord<Dim>& record, const Friction<Dim>* friction,
   return torque;
 }
 
-/// Takes in the temperatures of both sides of a contact.
+/// Takes in the temperatures of both sides of a contact, a record or a flow of heat: weights of one
+/// side are negative.
 /// temperature  [K] by node
-template <int Dim>
-void add_temperatures(const ContactRecord<Dim>& record, const std::vector<Real>& temperature,
-                      PairSums& sums) {
-  Real side[2] = {0, 0};  // one side has negative weights, the other positive ones
-  for (std::size_t k = 0; k < static_cast<std::size_t>(record.n_nodes); ++k) {
-    const Real w = record.weight[k];
-    side[w < 0 ? 0 : 1] += std::fabs(w) * temperature[static_cast<std::size_t>(record.node[k])];
+template <class Contact>
+void add_temperatures(const Contact& contact, const std::vector<Real>& temperature,
+                      Warmth& warmth) {
+  Real side[2] = {0, 0};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.n_nodes); ++k) {
+    const Real w = contact.weight[k];
+    side[w < 0 ? 0 : 1] += std::fabs(w) * temperature[static_cast<std::size_t>(contact.node[k])];
   }
   for (const Real T : side) {
     if (!(T > 0)) continue;
-    sums.warm_area.add(record.area);
-    sums.warm_area_temperature.add(record.area * T);
-    sums.hottest = std::max(sums.hottest, T);
+    warmth.area.add(contact.area);
+    warmth.area_temperature.add(contact.area * T);
+    warmth.hottest = std::max(warmth.hottest, T);
   }
 }
 
@@ -140,13 +151,15 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
         sum.area.add(record.area);
         sum.max_penetration = std::max(sum.max_penetration, record.penetration);
         ++sum.planes;
-        if (!temperature.empty()) add_temperatures(record, temperature, sum);
+        if (!temperature.empty()) add_temperatures(record, temperature, sum.touching);
       });
   own.records.visit_heat([&](const HeatFlow<Dim>& flow) {
     const Label first = std::min(flow.lower_body, flow.upper_body);
     const Label second = std::max(flow.lower_body, flow.upper_body);
     const auto known = place.find({first, second});
-    if (known == place.end() || first == second) return;
+    if (known == place.end()) return;
+    if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
+    if (first == second) return;
     sums[known->second].through.add(flow.upper_body == first ? flow.through : -flow.through);
   });
   own.ranks.all->reduce_all(std::span(sums), merge);
@@ -161,9 +174,11 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     report.area = sums[p].area.value();
     report.heat_rate = sums[p].through.value();
     report.friction_heat = sums[p].heat.value();
-    report.temperature_max = sums[p].hottest;
-    if (const Real area = sums[p].warm_area.value(); area > 0) {
-      report.temperature_mean = sums[p].warm_area_temperature.value() / area;
+    const bool passes = sums[p].passing.area.value() > 0;
+    const Warmth& warmth = passes ? sums[p].passing : sums[p].touching;
+    report.temperature_max = warmth.hottest;
+    if (const Real area = warmth.area.value(); area > 0) {
+      report.temperature_mean = warmth.area_temperature.value() / area;
     }
     report.max_penetration = sums[p].max_penetration;
     report.planes = sums[p].planes;

@@ -9,6 +9,7 @@
 #include "app/build/materials.hpp"
 #include "app/build/scene_checks.hpp"
 #include "app/build/sound_part.hpp"
+#include "app/build/watch.hpp"
 
 namespace brunt {
 
@@ -138,6 +139,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
                                                            scene->body_names, deck.depth);
   }
+  add_watches(loaded, *scene, problems);
   check_measures(loaded, *scene, problems);
   if (!problems.empty()) {
     sort_problems(problems);
