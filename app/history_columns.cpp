@@ -56,6 +56,9 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
       for (int c = first_torque(scene); c < 3; ++c) names_.push_back(head + "torque." + kAxes[c]);
       for (const char* name : {"area", "heat_rate", "friction_heat", "max_penetration", "planes"})
         names_.push_back(head + name);
+      if (!scene.conducts()) continue;
+      for (const char* name : {"temperature.max", "temperature.mean"})
+        names_.push_back(head + name);
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {
@@ -65,6 +68,14 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   }
   for (const auto& boundary : scene.heat.all()) {
     names_.push_back("boundary." + boundary.name + ".heat_rate");
+  }
+  for (const auto& probe : scene.probes) {
+    for (std::size_t f = 0; f < probe.fields.size(); ++f) names_.push_back(column_of(probe, f));
+  }
+  for (const auto& section : scene.sections.all()) {
+    const std::string head = "section." + section.name + ".";
+    for (int c = 0; c < Dim; ++c) names_.push_back(head + "force." + kAxes[c]);
+    for (int c = first_torque(scene); c < 3; ++c) names_.push_back(head + "moment." + kAxes[c]);
   }
   if (scene.conducts()) {
     for (const char* name : {"stored", "plastic", "friction", "boundary", "drift"}) {
@@ -79,17 +90,37 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   }
 }
 
-/// Heat rates of boundaries, and the balance of heat.
+/// Heat rates of boundaries.
 template <int Dim>
-void HistoryColumns<Dim>::add_heat(const Scene<Dim>& scene, const Totals<Dim>& totals,
-                                   std::vector<Real>& values) {
+void HistoryColumns<Dim>::add_heat_rates(const Scene<Dim>& scene, std::vector<Real>& values) {
   for (const auto& boundary : scene.heat.all()) {
     ExactSum rate;
     for (const Real one : boundary.rate) rate.add(one);
     rate = scene.ranks->reduce(rate, [](ExactSum& a, const ExactSum& b) { a.add(b); });
     values.push_back(rate.value());
   }
-  if (!scene.conducts()) return;
+}
+
+/// Probes and sections.
+template <int Dim>
+void HistoryColumns<Dim>::add_watched(const Scene<Dim>& scene, std::vector<Real>& values) {
+  for (const auto& probe : scene.probes) {
+    const auto watched = probe_values(probe, scene.own_view(probe.body), *scene.ranks);
+    values.insert(values.end(), watched.begin(), watched.end());
+  }
+  for (const auto& section : scene.sections.all()) {
+    const auto& points = scene.solids[section.solid]->points();
+    const auto total = scene.sections.force(section, points, scene.origin, *scene.ranks);
+    for (std::size_t c = 0; c < Dim; ++c) values.push_back(total.force[c]);
+    for (int c = first_torque(scene); c < 3; ++c) {
+      values.push_back(total.moment[static_cast<std::size_t>(c)]);
+    }
+  }
+}
+
+/// The balance of heat.
+template <int Dim>
+void HistoryColumns<Dim>::add_heat(const Totals<Dim>& totals, std::vector<Real>& values) {
   ExactSum left = totals.heat.stored;
   const auto& heat = totals.heat;
   for (const auto* from : {&heat.plastic, &heat.friction, &heat.boundary}) left.subtract(*from);
@@ -150,6 +181,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
       }
       values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
                                    pair.max_penetration, static_cast<Real>(pair.planes)});
+      if (!scene.conducts()) continue;
+      values.insert(values.end(), {pair.temperature_max, pair.temperature_mean});
     }
   }
   for (const auto& constraint : scene.supports.constraints()) {
@@ -160,7 +193,9 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
       values.push_back(reaction.value());
     }
   }
-  add_heat(scene, totals, values);
+  add_heat_rates(scene, values);
+  add_watched(scene, values);
+  if (scene.conducts()) add_heat(totals, values);
   row.state_hash = totals.state_hash;
   return row;
 }

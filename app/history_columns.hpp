@@ -31,7 +31,9 @@ class HistoryColumns {
   void load_state(const StateTables& tables);  ///< throws StateError
 
  private:
-  void add_heat(const Scene<Dim>& scene, const Totals<Dim>& totals, std::vector<Real>& values);
+  static void add_heat_rates(const Scene<Dim>& scene, std::vector<Real>& values);
+  static void add_watched(const Scene<Dim>& scene, std::vector<Real>& values);
+  void add_heat(const Totals<Dim>& totals, std::vector<Real>& values);
 
   std::vector<std::string> names_;
   std::vector<std::size_t> whole_;

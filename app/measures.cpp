@@ -56,27 +56,6 @@ Real extent(const BodyView& view, int axis) {
   return high - low;
 }
 
-/// Index of the point, or of the cell by its centre, nearest to a place at time 0.
-std::size_t nearest(const BodyView& start, const std::vector<Real>& at, bool cells) {
-  const auto corners = static_cast<std::size_t>(cells ? start.corners : 1);
-  const std::size_t n = cells ? start.connectivity.size() / corners : start.position.size() / 3;
-  std::size_t best = 0;
-  Real smallest = kInfinity;
-  for (std::size_t e = 0; e < n; ++e) {
-    Real square = 0;
-    for (std::size_t c = 0; c < at.size(); ++c) {
-      Real x = 0;
-      for (std::size_t k = 0; k < corners; ++k) {
-        const auto p = cells ? static_cast<std::size_t>(start.connectivity[e * corners + k]) : e;
-        x += start.position[3 * p + c] / static_cast<Real>(corners);
-      }
-      square += (x - at[c]) * (x - at[c]);
-    }
-    if (square < smallest) smallest = square, best = e;
-  }
-  return best;
-}
-
 Real reduce_history(const deck::HistoryMeasure& measure, const MeasureSource& source) {
   const auto& names = *source.columns;
   const auto found = std::find(names.begin(), names.end(), measure.column);
@@ -147,7 +126,7 @@ struct Evaluate {
     const BodyView view = source.view(m.body);
     const auto dot = m.field.find('.');
     const bool cells = find(view.cell_fields, m.field.substr(0, dot)) != nullptr;
-    return field_values(view, m.field)[nearest(source.start->at(m.body), m.at, cells)];
+    return field_values(view, m.field)[nearest_entity(source.start->at(m.body), m.at, cells)];
   }
   Real operator()(const deck::HistoryMeasure& m) const { return reduce_history(m, source); }
   Real operator()(const deck::RestitutionMeasure& m) const {
@@ -163,6 +142,26 @@ struct Evaluate {
   }
 };
 }  // namespace
+
+std::size_t nearest_entity(const BodyView& start, const std::vector<Real>& at, bool cells) {
+  const auto corners = static_cast<std::size_t>(cells ? start.corners : 1);
+  const std::size_t n = cells ? start.connectivity.size() / corners : start.position.size() / 3;
+  std::size_t best = 0;
+  Real smallest = kInfinity;
+  for (std::size_t e = 0; e < n; ++e) {
+    Real square = 0;
+    for (std::size_t c = 0; c < at.size(); ++c) {
+      Real x = 0;
+      for (std::size_t k = 0; k < corners; ++k) {
+        const auto p = cells ? static_cast<std::size_t>(start.connectivity[e * corners + k]) : e;
+        x += start.position[3 * p + c] / static_cast<Real>(corners);
+      }
+      square += (x - at[c]) * (x - at[c]);
+    }
+    if (square < smallest) smallest = square, best = e;
+  }
+  return best;
+}
 
 std::vector<Real> field_values(const BodyView& view, const std::string& field,
                                std::vector<Real>* weights) {

@@ -253,6 +253,8 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
     summary.warnings.push_back({warning.path, warning.message});
   }
 
+  for (const auto& probe : scene->probes) log->info("{}", place_text(probe));
+
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
   const auto columns = HistoryColumns<Dim>(*scene).names();

@@ -6,6 +6,8 @@
 #include "app/heat.hpp"
 #include "app/loads.hpp"
 #include "app/phases.hpp"
+#include "app/probes.hpp"
+#include "app/sections.hpp"
 #include "app/supports.hpp"
 #include "contact/manager.hpp"
 #include "core/errors.hpp"
@@ -31,6 +33,8 @@ struct Scene {
   Supports<Dim> supports;
   Loads<Dim> loads;
   HeatBoundaries<Dim> heat;
+  Sections<Dim> sections;
+  std::vector<Probe> probes;
   Phases phases;
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank

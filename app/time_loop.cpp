@@ -73,9 +73,12 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
       }
       phases.rebook(Phase::contact, Phase::search, scene.contact->take_list_time());
     }
-    for (auto& solid : scene.solids) {
-      const PhaseTimer timer(phases, phase_of(*solid));
-      solid->add_internal_forces(dt);
+    for (std::size_t s = 0; s < scene.solids.size(); ++s) {
+      auto& solid = *scene.solids[s];
+      const PhaseTimer timer(phases, phase_of(solid));
+      scene.sections.before_internal(s, solid.points());
+      solid.add_internal_forces(dt);
+      scene.sections.after_internal(s, solid.points());
     }
     {
       const PhaseTimer timer(phases, Phase::points);

@@ -168,7 +168,8 @@ template <int Dim>
 SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::size_t face) const {
   const auto& plane = entities.planes[face];
   const Real depth = entities.faces[face].rigid() ? entities.deepest : entities.faces[face].depth;
-  return finite(box_of(plane, 0.5 * depth + kReachPerWarp * plane.warp + 0.5 * skin_));
+  const Real gap = entities.gap(entities.faces[face].body);
+  return finite(box_of(plane, 0.5 * (depth + gap) + kReachPerWarp * plane.warp + 0.5 * skin_));
 }
 
 template <int Dim>
@@ -176,7 +177,8 @@ SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
                                                 std::size_t particle) const {
   const auto& one = entities.particles[particle];
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
-  const Real reach = std::max(kDepthRadii * one.radius, one.radius + speed_reach_);
+  const Real ahead = std::max(speed_reach_, entities.gap(one.body));
+  const Real reach = std::max(kDepthRadii * one.radius, one.radius + ahead);
   return finite(SearchBox<Dim>::about(x, reach + 0.5 * skin_));
 }
 
@@ -196,14 +198,13 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     const auto& a = faces[static_cast<std::size_t>(i)];
     const auto& b = faces[static_cast<std::size_t>(j)];
     const PairOptions& options = pairs.of(a.body, b.body);
-    FaceCandidate candidate;
-    candidate.lower = i, candidate.upper = j;
+    FaceCandidate candidate{i, j};
     candidate.stiffness = options.stiffness * in_series(a.stiffness, b.stiffness);
     candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
                                             in_series(a.areal_mass, b.areal_mass));
     candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
     if (options.rubs()) candidate.rubs = &options;
-    if (a.capacity > 0 && b.capacity > 0) candidate.conductance = options.conductance();
+    if (a.capacity > 0 && b.capacity > 0 && options.passes_heat()) candidate.heat = &options.heat;
     candidate.presses = options.initial_overlap == InitialOverlap::press;
     faces_.push_back(candidate);
   }
@@ -247,7 +248,8 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
         {i, static_cast<LocalIndex>(f), options.stiffness * in_series(own, of_face),
          options.stiffness * own, options.damping, face.rigid() ? held : std::min(held, face.depth),
          options.rubs() ? &options : nullptr,
-         particle.conductivity > 0 && face.capacity > 0 ? options.conductance() : 0.0,
+         particle.conductivity > 0 && face.capacity > 0 && options.passes_heat() ? &options.heat
+                                                                                 : nullptr,
          options.initial_overlap == InitialOverlap::press});
   }
   starts_.push_back(particles_.size());

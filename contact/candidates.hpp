@@ -15,7 +15,7 @@ struct FaceCandidate {
   Real damping = 0;                   ///< [Pa s/m]
   Real limit = 0;                     ///< [m] penetration at which they let go: the smaller depth
   const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
-  Real conductance = 0;               ///< [W/m^2/K]; 0: no heat passes
+  const ContactHeat* heat = nullptr;  ///< how heat passes, where both sides take any
   bool presses = false;               ///< an overlap at time 0 is felt at once
 };
 
@@ -26,7 +26,7 @@ struct ParticleCandidate {
   Real zeta = 0;
   Real limit = 0;                     ///< [m] how far behind the face the particle is held
   const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
-  Real conductance = 0;               ///< [W/m^2/K]; 0: no heat passes
+  const ContactHeat* heat = nullptr;  ///< how heat passes, where both sides take any
   bool presses = false;               ///< an overlap at time 0 is felt at once
 };
 

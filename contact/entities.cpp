@@ -64,12 +64,12 @@ Real area_at_start(const ContactFace<Dim>& face, const Points<Dim>& points) {
 }
 
 template <int Dim>
-SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, const SearchBox<Dim>& box) {
+SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, Real gap, const SearchBox<Dim>& box) {
   SearchBox<Dim> reach;
   for (int c = 0; c < Dim; ++c) {
     const auto k = static_cast<std::size_t>(c);
-    const Real by =
-        kReachPerDepth * depth * std::fabs(plane.normal[c]) + kReachPerWarp * plane.warp;
+    const Real by = kReachPerDepth * depth * std::fabs(plane.normal[c]) +
+                    kReachPerWarp * plane.warp + 0.5 * gap;
     reach.lo[k] = box.lo[k] - by;
     reach.hi[k] = box.hi[k] + by;
   }
@@ -157,6 +157,7 @@ template <int Dim>
 Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
                         const Section& section, const ContactRanks& ranks) {
   nodes.rubs = pairs.rubs();
+  gaps = pairs.gaps();
   for (const auto* surface : surfaces) nodes.warm = nodes.warm || surface->points->conducts;
   std::vector<Real> sizes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -266,7 +267,7 @@ void Entities<Dim>::refresh_planes() {
     face_velocity[f] = sum / face.n_nodes;
     refresh(plane);
     boxes[f] = box_of(plane, 0.0);
-    reaches[f] = grown(plane, face.rigid() ? deepest : face.depth, boxes[f]);
+    reaches[f] = grown(plane, face.rigid() ? deepest : face.depth, gap(face.body), boxes[f]);
   }
 }
 

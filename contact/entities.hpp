@@ -74,6 +74,7 @@ struct Entities {
   StepVote particle_vote;                    ///< bound from the particles' own springs
   Real deepest = 0;                          ///< [m] largest depth of a face of any rank
   Real size = 0;               ///< [m] median size of faces and particles, of all ranks
+  std::vector<Real> gaps;      ///< [m] by body, up to which heat passes to it; empty: none
   bool any_particles = false;  ///< on any rank
 
   /// Makes the tables of what this rank has that may touch anything. Collective.
@@ -88,6 +89,8 @@ struct Entities {
   void inherit_tractions(const Entities& old);
   /// Planes, velocities and boxes of all faces at nodes.x, nodes.v.
   void refresh_planes();
+  /// Widest opening [m] through which heat passes to a body.
+  Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
   /// Bound from the faces' own springs, before anything touches (physics.md A5).
   StepVote stiffness_vote() const;
 };

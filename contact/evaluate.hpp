@@ -1,4 +1,7 @@
 #pragma once
+#include <span>
+#include <utility>
+
 #include "contact/candidates.hpp"
 #include "contact/record.hpp"
 
@@ -30,5 +33,33 @@ void evaluate_particles(const Entities<Dim>& entities,
                         std::span<const std::size_t> starts, const Section& section,
                         const EvaluationStep& step, FrictionHistory<Dim>* history,
                         typename Records<Dim>::Part& part);
+
+/// How many records and flows of heat a part had before the contacts of a pair or a particle.
+struct PartEnds {
+  std::size_t record = 0, flow = 0;
+};
+
+/// Appends what passes between two faces that touch, or nearly do, before the heat of friction of
+/// the same faces. Faces that just meet touch; up to the gap of their pair heat passes without
+/// pressure.
+template <int Dim>
+void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const Section& section, const PartEnds& ends, typename Records<Dim>::Part& part);
+
+/// The same for a particle, whose candidates are first .. last, and whose contacts part.hits are.
+/// area [m^2] of the particle
+template <int Dim>
+void add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
+                       const std::pair<std::size_t, std::size_t>& range, Real area,
+                       const PartEnds& ends, typename Records<Dim>::Part& part);
+
+/// Appends the heat that the last friction of the part gives to two faces, or to a particle and a
+/// face, and notes how much of it they take.
+template <int Dim>
+void warm_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
+template <int Dim>
+void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
+                   const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
 
 }  // namespace brunt

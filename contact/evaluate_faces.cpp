@@ -79,12 +79,10 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
     step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
   }
   record.friction = static_cast<std::int32_t>(part.frictions.size());
-  auto& friction = part.frictions.emplace_back(friction_of(entities.nodes, record, step));
-  touch.slips = touch.slips || (friction.slips && candidate.rubs->cohesion > 0);
-  const Real below = entities.faces[l].effusivity, above = entities.faces[u].effusivity;
-  friction.warms = below + above > 0 && dt > 0;
-  if (!friction.warms) return;
-  part.face_heat.push_back(heat_of_friction(record, step, friction, below, above));
+  part.frictions.push_back(friction_of(entities.nodes, record, step));
+  const bool slid = part.frictions.back().slips && candidate.rubs->cohesion > 0;
+  touch.slips = touch.slips || slid;
+  warm_faces(entities, candidate, step, part);
 }
 
 /// Faces that are nearer than this, of the size of the smaller one, meet.
@@ -164,23 +162,6 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
   }
   return common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{rubs, -touch.overlap});
 }
-
-/// What passes between two faces that touch; faces that just meet do.
-template <int Dim>
-void add_heat(const Entities<Dim>& entities, const FaceCandidate& candidate, const Section& section,
-              typename Records<Dim>::Part& part) {
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
-  const PlaneNeeds needs{true, meeting_distance(entities.planes[l], entities.planes[u])};
-  Planes<Dim> planes;
-  const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
-  for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
-    if (plane.penetration > candidate.limit) continue;
-    part.face_heat.push_back(
-        heat_path<Dim>(entities.faces[l], entities.faces[u], plane, candidate.conductance));
-  }
-}
 }  // namespace
 
 template <int Dim>
@@ -203,7 +184,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const int n = step.touches.time_zero && !candidate.presses
                       ? 0
                       : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
-    if (candidate.conductance > 0) add_heat<Dim>(entities, candidate, section, part);
+    const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
       if (plane.penetration > candidate.limit) continue;
@@ -214,6 +195,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     }
     touch.key = {0, 0, first, second};
     if (touch.matters()) part.face_touches.push_back(touch);
+    if (candidate.heat == nullptr) continue;
+    add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }
 

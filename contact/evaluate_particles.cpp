@@ -115,10 +115,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   auto& friction = part.frictions.emplace_back(friction_of(entities.nodes, record, step));
   friction.body = face.body, friction.piece = face.piece;
-  friction.warms = face.effusivity + now.particle.effusivity > 0 && dt > 0;
-  if (!friction.warms) return;
-  part.particle_heat.push_back(
-      heat_of_friction(record, step, friction, face.effusivity, now.particle.effusivity));
+  warm_particle(now.particle, face, step, part);
 }
 
 /// Adds an overlap to what the particle has on the same surface, in the order of surfaces.
@@ -159,7 +156,7 @@ void track_overlaps(const ContactParticle& particle, std::span<const ParticleCan
     for (auto& hit : part.hits) {
       if (surface_of(hit.body, hit.piece) != touch.key.second) continue;
       hit.overlap -= touch.overlap;
-      hit.kept = hit.kept && hit.overlap > 0;
+      hit.pushes = hit.overlap > 0;
     }
   }
 }
@@ -173,19 +170,11 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   track_overlaps<Dim>(now.particle, candidates, step.touches, part);
   Real squared_frequency = 0, zeta = 0;
-  const auto kept =
-      std::count_if(part.hits.begin(), part.hits.end(), [](const auto& hit) { return hit.kept; });
   for (auto& hit : part.hits) {
-    if (!hit.kept) continue;
+    if (!hit.kept || !hit.pushes) continue;
     const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
     part.particle_on_face.push_back(
         record_of(entities, now, candidate, hit, dt, squared_frequency));
-    if (candidate.conductance > 0) {
-      part.particle_heat.push_back(
-          heat_path<Dim>(entities.nodes, part.particle_on_face.back(), now.particle,
-                         entities.faces[static_cast<std::size_t>(candidate.face)],
-                         candidate.conductance, static_cast<int>(kept)));
-    }
     if (candidate.rubs != nullptr && history != nullptr) {
       add_friction(entities, now, candidate, hit, section, dt, *history, part);
     }
@@ -212,6 +201,7 @@ void evaluate_particles(const Entities<Dim>& entities,
     const Present<Dim> now{particle, x, entities.nodes.v[node], entities.nodes.mass[node],
                            section.breadth(x[0])};
     part.hits.clear();
+    const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
     for (std::size_t i = starts[s]; i < starts[s + 1]; ++i) {
       const auto f = static_cast<std::size_t>(candidates[i].face);
       const auto& plane = entities.planes[f];
@@ -226,8 +216,12 @@ void evaluate_particles(const Entities<Dim>& entities,
       hit.candidate = static_cast<LocalIndex>(i);
       hit.nearest = nearest_point<Dim>(plane, x);
     }
-    if (part.hits.empty()) continue;
-    record_hits(entities, now, candidates, section, step, history, part);
+    if (!part.hits.empty()) {
+      record_hits(entities, now, candidates, section, step, history, part);
+    }
+    if (!entities.nodes.warm) continue;
+    add_particle_heat<Dim>(entities, candidates, {starts[s], starts[s + 1]},
+                           std::pow(2 * particle.radius, Dim - 1) * now.breadth, ends, part);
   }
 }
 

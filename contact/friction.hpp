@@ -37,7 +37,7 @@ struct Friction {
   std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
   Real heat = 0;                       ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
   bool slips = false;                  ///< in the last step
-  bool warms = false;                  ///< its heat goes to its nodes
+  Real warmth = 0;                     ///< [1] share of its heat that goes to its nodes
   Real damped = 0;                     ///< [J] by the drag in the last step
   Real stored = 0;                     ///< [J] gained by the spring in the last step
   Real pairs = 0;                      ///< [J] what changes of the contact itself took from motion

@@ -1,5 +1,8 @@
 #include "contact/heat.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "contact/record.hpp"
 
 namespace brunt {
@@ -8,19 +11,25 @@ template <int Dim>
 Real heat_between(const HeatFlow<Dim>& flow, Real difference, Real dt) {
   const Real lower = flow.lower_capacity, upper = flow.upper_capacity;
   if (!(lower > 0) || !(upper > 0) || !(dt > 0)) return 0;
-  const Real both = lower * upper / (lower + upper);
+  // A surface that is held takes any heat: its capacity is infinite.
+  const Real smaller = std::min(lower, upper), larger = std::max(lower, upper);
+  const Real both = std::isinf(larger) ? smaller : lower * upper / (lower + upper);
   return difference / (1 / flow.h_area + dt / both);
 }
 
 template <int Dim>
 HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& upper,
-                        const CommonPlane<Dim>& plane, Real conductance) {
+                        const CommonPlane<Dim>& plane, const ContactHeat& heat, Real pressed,
+                        Real pressure) {
   HeatFlow<Dim> flow;
   flow.key = {0, plane.ordinal, lower.id, upper.id};
   flow.lower_body = lower.body, flow.upper_body = upper.body;
   flow.lower_capacity = lower.capacity * plane.area;
   flow.upper_capacity = upper.capacity * plane.area;
-  flow.h_area = conductance * plane.area;
+  const Real open = conductance_of(heat, 0), under = conductance_of(heat, pressure);
+  flow.area = plane.area;
+  flow.h_area = under * plane.area;
+  if (open != under) flow.h_area = under * pressed + open * (plane.area - pressed);
   const auto take = [&](const ContactFace<Dim>& face, const auto& weight, Real sign) {
     for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
       const auto k = static_cast<std::size_t>(flow.n_nodes++);
@@ -34,18 +43,24 @@ HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& u
 }
 
 template <int Dim>
-HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
-                        const ContactParticle& particle, const ContactFace<Dim>& face,
-                        Real conductance, int contacts) {
+HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>& touch,
+                        const ContactHeat& heat) {
+  const auto& [particle, face, hit, area, pressure, contacts] = touch;
   HeatFlow<Dim> flow;
-  flow.key = key_of(record);
-  flow.lower_body = record.lower_body, flow.upper_body = record.upper_body;
-  flow.n_nodes = record.n_nodes;
-  flow.node = record.node;
-  flow.weight = record.weight;
-  flow.lower_capacity = face.capacity * record.area;
+  flow.key = {1, 0, particle.id, face.id};
+  flow.lower_body = face.body, flow.upper_body = particle.body;
+  flow.node[0] = particle.node, flow.weight[0] = 1;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    flow.node[c + 1] = face.node[c];
+    flow.weight[c + 1] = -hit.nearest.weight[c];
+  }
+  flow.n_nodes = 1 + face.n_nodes;
+  const Real share = hit.share * area;
+  flow.area = share;
+  flow.lower_capacity = face.capacity * share;
   flow.upper_capacity = nodes.capacity[static_cast<std::size_t>(particle.node)] / contacts;
-  flow.h_area = record.area / (1 / conductance + particle.radius / particle.conductivity);
+  flow.h_area =
+      share / (1 / conductance_of(heat, pressure) + particle.radius / particle.conductivity);
   return flow;
 }
 
@@ -62,10 +77,24 @@ void exchange_heat(const ContactNodes<Dim>& nodes, Real dt, HeatFlow<Dim>& flow)
   }
 }
 
+FrictionShares friction_shares(const FrictionHeat& heat, const WarmedSide& lower,
+                               const WarmedSide& upper) {
+  Real of_lower = 0;
+  if (heat.split) {
+    of_lower = lower.body < upper.body ? *heat.split : 1 - *heat.split;
+    if (lower.body == upper.body) of_lower = 0.5;
+  } else if (const Real both = lower.effusivity + upper.effusivity; both > 0) {
+    of_lower = lower.effusivity / both;
+  } else {
+    of_lower = lower.takes ? 1 : 0;
+  }
+  return {lower.takes ? heat.fraction * of_lower : 0.0,
+          upper.takes ? heat.fraction * (1 - of_lower) : 0.0};
+}
+
 template <int Dim>
 HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
-                               const Friction<Dim>& friction, Real lower_effusivity,
-                               Real upper_effusivity) {
+                               const Friction<Dim>& friction, const FrictionShares& shares) {
   HeatFlow<Dim> flow;
   flow.key = key_of(record);
   flow.key.ordinal += HeatFlow<Dim>::kFriction;
@@ -73,33 +102,32 @@ HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const FrictionS
   flow.n_nodes = record.n_nodes;
   flow.node = record.node;
   const Real power = friction.heat / step.dt;
-  const Real lower = power * (lower_effusivity / (lower_effusivity + upper_effusivity));
   const auto give = [&](const ContactSide& side, Real rate) {
     for (int i = side.first; i < side.last; ++i) {
       const auto k = static_cast<std::size_t>(i);
       flow.rate[k] = step.weight[k] * rate;
     }
   };
-  give(step.lower, lower);
-  give(step.upper, power - lower);
+  give(step.lower, shares.lower * power);
+  give(step.upper, shares.upper * power);
   return flow;
 }
 
 template Real heat_between<2>(const HeatFlow<2>&, Real, Real);
 template HeatFlow<2> heat_path<2>(const ContactFace<2>&, const ContactFace<2>&,
-                                  const CommonPlane<2>&, Real);
-template HeatFlow<2> heat_path<2>(const ContactNodes<2>&, const ContactRecord<2>&,
-                                  const ContactParticle&, const ContactFace<2>&, Real, int);
+                                  const CommonPlane<2>&, const ContactHeat&, Real, Real);
+template HeatFlow<2> heat_path<2>(const ContactNodes<2>&, const ParticleTouch<2>&,
+                                  const ContactHeat&);
 template void exchange_heat<2>(const ContactNodes<2>&, Real, HeatFlow<2>&);
+template HeatFlow<2> heat_of_friction<2>(const ContactRecord<2>&, const FrictionStep<2>&,
+                                         const Friction<2>&, const FrictionShares&);
 template Real heat_between<3>(const HeatFlow<3>&, Real, Real);
 template HeatFlow<3> heat_path<3>(const ContactFace<3>&, const ContactFace<3>&,
-                                  const CommonPlane<3>&, Real);
-template HeatFlow<3> heat_path<3>(const ContactNodes<3>&, const ContactRecord<3>&,
-                                  const ContactParticle&, const ContactFace<3>&, Real, int);
+                                  const CommonPlane<3>&, const ContactHeat&, Real, Real);
+template HeatFlow<3> heat_path<3>(const ContactNodes<3>&, const ParticleTouch<3>&,
+                                  const ContactHeat&);
 template void exchange_heat<3>(const ContactNodes<3>&, Real, HeatFlow<3>&);
-template HeatFlow<2> heat_of_friction<2>(const ContactRecord<2>&, const FrictionStep<2>&,
-                                         const Friction<2>&, Real, Real);
 template HeatFlow<3> heat_of_friction<3>(const ContactRecord<3>&, const FrictionStep<3>&,
-                                         const Friction<3>&, Real, Real);
+                                         const Friction<3>&, const FrictionShares&);
 
 }  // namespace brunt

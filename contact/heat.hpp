@@ -1,6 +1,7 @@
 #pragma once
 #include "contact/common_plane.hpp"
 #include "contact/friction.hpp"
+#include "contact/particle_face.hpp"
 
 namespace brunt {
 
@@ -11,6 +12,7 @@ struct HeatFlow {
   static constexpr std::uint32_t kFriction = 16;  ///< ordinals of friction begin here
   ContactKey key;
   Label lower_body = 0, upper_body = 0;
+  Real area = 0;                                ///< [m^2] through which heat passes
   Real h_area = 0;                              ///< [W/K]; infinite: perfect; 0: friction alone
   Real lower_capacity = 0, upper_capacity = 0;  ///< [J/K] behind the contact
   Real through = 0;                             ///< [W] into the upper body, out of the lower one
@@ -34,28 +36,54 @@ struct HeatShare {
 template <int Dim>
 Real heat_between(const HeatFlow<Dim>& flow, Real difference, Real dt);
 
-/// The way of heat between two faces whose planes touch, by the weights of the middle of `plane`.
+/// The way of heat between two faces, by the weights of the middle of `plane`, of which an area
+/// `pressed` [m^2] is under `pressure` [Pa] and the rest under none.
 template <int Dim>
 HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& upper,
-                        const CommonPlane<Dim>& plane, Real conductance);
+                        const CommonPlane<Dim>& plane, const ContactHeat& heat, Real pressed,
+                        Real pressure);
 
-/// The way of heat between a particle and a face, by the record's weights: over half a spacing
-/// inside the particle, nothing inside the face. contacts: of the particle, which share its
-/// capacity.
+/// A particle that heat reaches from a face.
 template <int Dim>
-HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
-                        const ContactParticle& particle, const ContactFace<Dim>& face,
-                        Real conductance, int contacts);
+struct ParticleTouch {
+  const ContactParticle& particle;
+  const ContactFace<Dim>& face;
+  const ParticleHit<Dim>& hit;
+  Real area = 0;      ///< [m^2] of it
+  Real pressure = 0;  ///< [Pa]
+  int contacts = 1;   ///< of the particle, which share its capacity
+};
+
+/// The way of heat between a particle and a face, by the weights of the nearest point: over half a
+/// spacing inside the particle, nothing inside the face.
+template <int Dim>
+HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>& touch,
+                        const ContactHeat& heat);
 
 /// What passes at the temperatures that the nodes have at the end of a step without it, so that a
 /// perfect contact leaves both sides alike.
 template <int Dim>
 void exchange_heat(const ContactNodes<Dim>& nodes, Real dt, HeatFlow<Dim>& flow);
 
-/// The heat of friction, shared by effusivities (0: that side takes none).
+/// A side that friction warms.
+struct WarmedSide {
+  Label body = 0;
+  bool takes = false;   ///< it keeps a temperature
+  Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)]
+};
+/// What of the heat of friction goes to each side [1]; the rest leaves the scene.
+struct FrictionShares {
+  Real lower = 0, upper = 0;
+  Real sum() const { return lower + upper; }
+};
+/// Split by effusivities all goes to a side alone that takes some; a split by number is of the body
+/// with the lower label, and half each within a body.
+FrictionShares friction_shares(const FrictionHeat& heat, const WarmedSide& lower,
+                               const WarmedSide& upper);
+
+/// The heat of friction, as far as it stays.
 template <int Dim>
 HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
-                               const Friction<Dim>& friction, Real lower_effusivity,
-                               Real upper_effusivity);
+                               const Friction<Dim>& friction, const FrictionShares& shares);
 
 }  // namespace brunt

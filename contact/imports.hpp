@@ -46,8 +46,8 @@ class ContactImports {
   /// key. Collective among neighbours.
   std::vector<HeatShare> send_heat(const Records<Dim>& records,
                                    const ContactNodes<Dim>& nodes) const;
-  /// Brings the temperatures of nodes that others own up to date. Collective among neighbours.
-  void refresh_temperatures(ContactNodes<Dim>& nodes) const;
+  /// Brings the temperatures [K] of nodes that others own up to date. Collective among neighbours.
+  void refresh_temperatures(std::vector<Real>& temperature) const;
   /// Brings the tractions of the faces that others own up to date. Collective among neighbours.
   void refresh_tractions(Entities<Dim>& entities) const;
 

@@ -35,14 +35,14 @@ void ContactImports<Dim>::plan_temperatures(const ContactNodes<Dim>& nodes) {
 }
 
 template <int Dim>
-void ContactImports<Dim>::refresh_temperatures(ContactNodes<Dim>& nodes) const {
+void ContactImports<Dim>::refresh_temperatures(std::vector<Real>& temperature) const {
   for (const auto& sent : temperatures_) {
     refresh_ghosts(
         ranks(), sent.plan, 1,
         [&](std::size_t i, Real* out) {
-          *out = nodes.temperature[static_cast<std::size_t>(sent.from[i])];
+          *out = temperature[static_cast<std::size_t>(sent.from[i])];
         },
-        [&](std::size_t i, const Real* in) { nodes.temperature[i] = *in; });
+        [&](std::size_t i, const Real* in) { temperature[i] = *in; });
   }
 }
 
@@ -143,8 +143,8 @@ template void ContactImports<2>::plan_temperatures(const ContactNodes<2>&);
 template void ContactImports<3>::plan_temperatures(const ContactNodes<3>&);
 template void ContactImports<2>::plan_tractions(const Entities<2>&);
 template void ContactImports<3>::plan_tractions(const Entities<3>&);
-template void ContactImports<2>::refresh_temperatures(ContactNodes<2>&) const;
-template void ContactImports<3>::refresh_temperatures(ContactNodes<3>&) const;
+template void ContactImports<2>::refresh_temperatures(std::vector<Real>&) const;
+template void ContactImports<3>::refresh_temperatures(std::vector<Real>&) const;
 template void ContactImports<2>::refresh_tractions(Entities<2>&) const;
 template void ContactImports<3>::refresh_tractions(Entities<3>&) const;
 template std::vector<HeatShare> ContactImports<2>::send_heat(const Records<2>&,

@@ -163,7 +163,7 @@ void ContactManager<Dim>::add_heat(Real dt) {
     points.heat_rate[static_cast<std::size_t>(nodes.point[i])] += nodes.ended_heat[i] / dt;
   }
   nodes.foresee_temperatures(own.surfaces, dt);
-  own.imports.refresh_temperatures(nodes);
+  own.imports.refresh_temperatures(nodes.temperature);
   own.records.change_heat([&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, dt, flow); });
   apply_heat<Dim>(own.records, own.imports.send_heat(own.records, nodes), own.surfaces, nodes);
 }

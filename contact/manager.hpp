@@ -21,9 +21,13 @@ struct PairReport {
   std::array<Real, 3> force{};  ///< [N] on the first body
   /// [N m] on the first body; in 2D z alone, and none where the section is axisymmetric.
   std::array<Real, 3> torque{};
-  Real area = 0;             ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
-  Real heat_rate = 0;        ///< [W] across the contact into the first body, without friction
-  Real friction_heat = 0;    ///< [W] over the last step
+  Real area = 0;           ///< [m^2] of planes under pressure, or dp^(Dim-1) a particle contact
+  Real heat_rate = 0;      ///< [W] across the contact into the first body, without friction
+  Real friction_heat = 0;  ///< [W] over the last step
+  /// [K] of both sides, by the area of each contact, of all through which heat passes, or where
+  /// none does of all that carry force: of faces there, of particles at their centres. 0 where
+  /// there is none, or none keeps a temperature.
+  Real temperature_max = 0, temperature_mean = 0;
   Real max_penetration = 0;  ///< [m]
   std::int64_t planes = 0;   ///< common planes and particle contacts that carry force
 };

@@ -23,7 +23,7 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.n_nodes);
   for (auto& force : friction.force) row(force);
   row(friction.slips);
-  row(friction.warms);
+  row(friction.warmth);
   row(friction.heat);
 }
 
@@ -78,7 +78,7 @@ void ContactManager<Dim>::Implementation::end_friction() {
     if (friction == nullptr) return;
     const std::size_t at = book_of(entities, friction->key);
     nodes.friction_heat[at] += friction->heat;
-    if (friction->warms) nodes.friction_given[at] += friction->heat;
+    if (friction->warmth > 0) nodes.friction_given[at] += friction->warmth * friction->heat;
     nodes.friction_stored[at] += friction->stored;
     nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;
@@ -97,11 +97,11 @@ void ContactManager<Dim>::Implementation::end_friction() {
     nodes.friction_stored[at] -= friction.energy();
     nodes.pair_energy[at] += friction.energy();
     const bool takes = nodes.warm && nodes.capacity[at] > 0;
-    const bool is_heat = friction.slips && (takes || !friction.warms);
+    const bool is_heat = friction.slips && (takes || friction.warmth == 0);
     (is_heat ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
     if (!is_heat || !takes) return;
-    nodes.ended_heat[at] += friction.taken;
-    nodes.friction_given[at] += friction.taken;
+    nodes.ended_heat[at] += friction.warmth * friction.taken;
+    nodes.friction_given[at] += friction.warmth * friction.taken;
   });
   sum_tractions();
 }

@@ -69,6 +69,18 @@ void ContactNodes<Dim>::foresee_temperatures(const std::vector<Surface<Dim>*>& s
 }
 
 template <int Dim>
+std::vector<Real> ContactNodes<Dim>::present_temperatures(
+    const std::vector<Surface<Dim>*>& surfaces) const {
+  std::vector<Real> present(size(), 0.0);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
+    if (!owned[i] || !points.conducts) continue;
+    present[i] = points.temperature[static_cast<std::size_t>(point[i])];
+  }
+  return present;
+}
+
+template <int Dim>
 void ContactNodes<Dim>::inherit(const ContactNodes& old) {
   const auto name_of = [](const ContactNodes& nodes, std::size_t i) {
     return std::pair(nodes.surface[i], nodes.id[i]);

@@ -40,6 +40,8 @@ struct ContactNodes {
                         const Vec<Dim>& velocity);
   /// Takes x and v of the points that are here from the groups.
   void read_motion(const std::vector<Surface<Dim>*>& surfaces);
+  /// Temperatures [K] of owned points now, by node; 0 elsewhere, and where none is kept.
+  std::vector<Real> present_temperatures(const std::vector<Surface<Dim>*>& surfaces) const;
   /// The temperatures that owned points will have after dt by the heat they have so far.
   void foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
   /// Takes over what outlives a step from the same points in an older table.

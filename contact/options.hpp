@@ -3,34 +3,12 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "core/schema.hpp"
+#include "contact/heat_options.hpp"
 #include "core/search/search.hpp"
 
 namespace brunt {
-
-/// The deck's `heat` of a pair: whether heat passes from body to body where they touch.
-struct NoContactHeat {
-  static constexpr const char* deck_name = "none";
-  static constexpr const char* deck_help = "no heat passes";
-};
-struct PerfectContactHeat {
-  static constexpr const char* deck_name = "perfect";
-  static constexpr const char* deck_help = "both sides have the same temperature";
-};
-struct ContactConductance {
-  static constexpr const char* deck_name = "conductance";
-  static constexpr const char* deck_help = "heat passes by the difference of temperatures";
-  Real per_area = 0;  ///< [W/m^2/K]
-};
-inline void describe(Schema&, NoContactHeat&) {}
-inline void describe(Schema&, PerfectContactHeat&) {}
-inline void describe(Schema& s, ContactConductance& heat) {
-  s.value(heat.per_area, {"W/m^2/K", at_least(0), between(1, 1e8)},
-          "heat through a square metre for a degree of difference");
-}
 
 /// Friction that falls from its value at rest to that of fast sliding.
 ///   mu = kinetic + (static - kinetic) exp(-decay |v|)
@@ -69,16 +47,12 @@ struct PairOptions {
   Real tension = 0;   ///< [Pa] tensile strength of faces that touch at time 0
   InitialOverlap initial_overlap = InitialOverlap::track;
 
-  std::variant<NoContactHeat, PerfectContactHeat, ContactConductance> heat{};
+  ContactHeat heat{};
+  FrictionHeat friction_heat{};
 
   bool bonds() const { return cohesion > 0 || tension > 0; }
 
   bool passes_heat() const { return heat.index() != 0; }
-  /// [W/m^2/K] through the contact, infinite where it is perfect.
-  Real conductance() const {
-    const auto* given = std::get_if<ContactConductance>(&heat);
-    return given != nullptr ? given->per_area : passes_heat() ? kInfinity : 0.0;
-  }
   bool rubs() const {
     if (bonds()) return true;
     if (decaying) return decaying->at_rest > 0;
@@ -94,8 +68,7 @@ struct PairOptions {
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
-  static constexpr const char* kLater[] = {"tied", "shear_limit", "joint", "friction_heat",
-                                           "bonded"};
+  static constexpr const char* kLater[] = {"tied", "shear_limit", "joint", "bonded"};
   static constexpr const char* kInitialOverlap[] = {"track", "press"};
   static constexpr Varying::Over kFrictionOver[] = {Varying::Over::slip_speed,
                                                     Varying::Over::pressure};
@@ -117,6 +90,7 @@ inline void describe(Schema& s, PairOptions& pair) {
             "(press)"},
            pair.initial_overlap, kInitialOverlap);
   s.one_of({"heat", "whether heat passes between them where they touch"}, pair.heat);
+  s.object({"friction_heat", "what becomes of the heat of friction"}, pair.friction_heat);
   s.later(kLater);
 }
 

@@ -57,7 +57,10 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       const auto given = options.pair_names.find({a, b});
       names_.push_back(given != options.pair_names.end() ? given->second
                                                          : body_names[a] + "-" + body_names[b]);
+      const Real gap = gap_of(pair.heat);
+      if (gap > 0) gaps_.resize(std::max(gaps_.size(), std::size_t{b} + 1), 0.0);
       for (const Label body : {a, b}) {
+        if (gap > 0) gaps_[body] = std::max(gaps_[body], gap);
         auto [it, is_new] = strongest_.try_emplace(body, pair);
         it->second.stiffness = std::max(it->second.stiffness, pair.stiffness);
         it->second.damping = std::max(it->second.damping, pair.damping);

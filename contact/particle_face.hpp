@@ -39,6 +39,7 @@ struct ParticleHit {
   NearestPoint<Dim> nearest;
   bool inside = false;  ///< the particle's centre lies behind the surface
   bool kept = true;     ///< one of the contacts of this particle
+  bool pushes = true;   ///< and it overlaps by more than it is left from time 0
   Vec<Dim> direction;   ///< unit, of the force on the particle
   Real overlap = 0;     ///< [m] radius minus signed distance
   Real share = 1;       ///< of its spring, where several push the same way

@@ -49,7 +49,7 @@ class Records {
     std::vector<Friction<Dim>> frictions;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
     std::vector<FirstTouch> face_touches, particle_touches;
-    std::vector<ParticleHit<Dim>> hits;  ///< room to work
+    std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     StepVote vote;
   };
   void clear();

@@ -1,5 +1,6 @@
 /// What the manager shows: sums by pair of bodies, and the contacts of one instant.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <span>
 
@@ -10,12 +11,26 @@
 namespace brunt {
 
 namespace {
+/// Temperatures of both sides of contacts, where they keep one.
+struct Warmth {
+  ExactSum area;              // [m^2] of both sides
+  ExactSum area_temperature;  // [m^2 K]
+  Real hottest = 0;           // [K]
+
+  void add(const Warmth& other) {
+    area.add(other.area);
+    area_temperature.add(other.area_temperature);
+    hottest = std::max(hottest, other.hottest);
+  }
+};
+
 struct PairSums {
   std::array<ExactSum, 3> force;   // [N]
   std::array<ExactSum, 3> torque;  // [N m]
   ExactSum area;                   // [m^2]
   ExactSum heat;                   // [W] of friction
   ExactSum through;                // [W]
+  Warmth touching, passing;        // of contacts with force; of those through which heat passes
   Real max_penetration = 0;        // [m]
   std::int64_t planes = 0;
 };
@@ -28,6 +43,8 @@ void merge(PairSums& into, const PairSums& from) {
   into.area.add(from.area);
   into.heat.add(from.heat);
   into.through.add(from.through);
+  into.touching.add(from.touching);
+  into.passing.add(from.passing);
   into.max_penetration = std::max(into.max_penetration, from.max_penetration);
   into.planes += from.planes;
 }
@@ -60,6 +77,25 @@ Vec3 torque_of(const ContactRecord<Dim>& record, const Friction<Dim>* friction,
   return torque;
 }
 
+/// Takes in the temperatures of both sides of a contact, a record or a flow of heat: weights of one
+/// side are negative.
+/// temperature  [K] by node
+template <class Contact>
+void add_temperatures(const Contact& contact, const std::vector<Real>& temperature,
+                      Warmth& warmth) {
+  Real side[2] = {0, 0};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.n_nodes); ++k) {
+    const Real w = contact.weight[k];
+    side[w < 0 ? 0 : 1] += std::fabs(w) * temperature[static_cast<std::size_t>(contact.node[k])];
+  }
+  for (const Real T : side) {
+    if (!(T > 0)) continue;
+    warmth.area.add(contact.area);
+    warmth.area_temperature.add(contact.area * T);
+    warmth.hottest = std::max(warmth.hottest, T);
+  }
+}
+
 /// Corners of the polygon under a record: of the one common plane of its faces with its point.
 template <int Dim>
 void append_polygon(const Entities<Dim>& entities, const Section& section,
@@ -90,6 +126,11 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
   std::map<std::pair<Label, Label>, std::size_t> place;
   for (std::size_t p = 0; p < pairs.size(); ++p) place[pairs[p]] = p;
   std::vector<PairSums> sums(pairs.size());
+  std::vector<Real> temperature;
+  if (own.entities.nodes.warm) {
+    temperature = own.entities.nodes.present_temperatures(own.surfaces);
+    own.imports.refresh_temperatures(temperature);
+  }
   own.records.visit_with_friction(
       [&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
         const Label first = std::min(record.lower_body, record.upper_body);
@@ -111,12 +152,15 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
         sum.area.add(record.area);
         sum.max_penetration = std::max(sum.max_penetration, record.penetration);
         ++sum.planes;
+        if (!temperature.empty()) add_temperatures(record, temperature, sum.touching);
       });
   own.records.visit_heat([&](const HeatFlow<Dim>& flow) {
     const Label first = std::min(flow.lower_body, flow.upper_body);
     const Label second = std::max(flow.lower_body, flow.upper_body);
     const auto known = place.find({first, second});
-    if (known == place.end() || first == second) return;
+    if (known == place.end()) return;
+    if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
+    if (first == second) return;
     sums[known->second].through.add(flow.upper_body == first ? flow.through : -flow.through);
   });
   own.ranks.all->reduce_all(std::span(sums), merge);
@@ -131,6 +175,12 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     report.area = sums[p].area.value();
     report.heat_rate = sums[p].through.value();
     report.friction_heat = sums[p].heat.value();
+    const bool passes = sums[p].passing.area.value() > 0;
+    const Warmth& warmth = passes ? sums[p].passing : sums[p].touching;
+    report.temperature_max = warmth.hottest;
+    if (const Real area = warmth.area.value(); area > 0) {
+      report.temperature_mean = warmth.area_temperature.value() / area;
+    }
     report.max_penetration = sums[p].max_penetration;
     report.planes = sums[p].planes;
   }

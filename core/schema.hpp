@@ -69,11 +69,19 @@ struct Named {
 
 /// One of several maps, told apart by their key: strength: {j2: {...}}. An alternative type T has
 ///   static constexpr const char* deck_name, deck_help;
-/// and describe(Schema&, T&). An alternative without keys is written as its bare name.
+/// and describe(Schema&, T&). An alternative without keys is written as its bare name. One with
+///   static constexpr bool deck_open = true;
+/// is told by the first of its own keys, which has its name: heat: {conductance: 1e4, gap: 1 mm}.
 struct Alternative {
   const char* name;
   const char* help;
+  bool open = false;  ///< its keys stand where its name would
 };
+template <class T>
+constexpr Alternative alternative_of() {
+  if constexpr (requires { T::deck_open; }) return {T::deck_name, T::deck_help, T::deck_open};
+  return {T::deck_name, T::deck_help, false};
+}
 
 class Schema {
  public:
@@ -180,7 +188,7 @@ class Schema {
   /// shape: {box: {...}, translate: [...]}.
   template <class... Ts>
   void one_of(const Key& key, std::variant<Ts...>& value) {
-    static constexpr Alternative alternatives[] = {{Ts::deck_name, Ts::deck_help}...};
+    static constexpr Alternative alternatives[] = {alternative_of<Ts>()...};
     visit_one_of(
         key, alternatives, [&] { return value.index(); },
         [&](std::size_t index) {

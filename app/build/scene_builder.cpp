@@ -9,6 +9,7 @@
 #include "app/build/materials.hpp"
 #include "app/build/scene_checks.hpp"
 #include "app/build/sound_part.hpp"
+#include "app/build/watch.hpp"
 
 namespace brunt {
 
@@ -50,6 +51,9 @@ ContactOptions contact_options(const Deck& deck) {
       const std::pair key{std::min(first, other), std::max(first, other)};
       if (any && options.pairs.count(key)) continue;  // a pair named in full has its own options
       options.pairs[key] = pair.options;
+      // Contact counts the share of the body with the lower label.
+      auto& split = options.pairs[key].friction_heat.split;
+      if (split && first > other) split = 1 - *split;
       if (!any) options.pair_names[key] = name;
     }
   }
@@ -135,6 +139,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
                                                            scene->body_names, deck.depth);
   }
+  add_watches(loaded, *scene, problems);
   check_measures(loaded, *scene, problems);
   if (!problems.empty()) {
     sort_problems(problems);

@@ -65,8 +65,14 @@ LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& 
     };
     // A column of a body or boundary that is left out cannot be told from one that is not there.
     return std::none_of(gone.begin(), gone.end(), names) &&
-           source.find("boundary.") == std::string::npos &&
-           !is_wrong("measures." + measure.name, wrong);
+           source.find("boundary.") == std::string::npos && !source.starts_with("probe.") &&
+           !source.starts_with("section.") && !is_wrong("measures." + measure.name, wrong);
+  });
+  keep(deck.probes, [&](const auto& probe) {
+    return kept.contains(probe.value.body) && !is_wrong("probes." + probe.name, wrong);
+  });
+  keep(deck.sections, [&](const auto& section) {
+    return kept.contains(section.value.body) && !is_wrong("sections." + section.name, wrong);
   });
   if (is_wrong("gravity", wrong)) deck.gravity.clear();
   deck.damping.reset();

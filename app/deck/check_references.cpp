@@ -93,6 +93,12 @@ void check_names_of_bodies(const Deck& deck, Findings& findings) {
         },
         measure.kind);
   }
+  for (const auto& [name, probe] : deck.probes) {
+    check_name("probes." + name + ".body", "body", probe.body, bodies, findings);
+  }
+  for (const auto& [name, section] : deck.sections) {
+    check_name("sections." + name + ".body", "body", section.body, bodies, findings);
+  }
   if (deck.stop.at_rest) {
     check_name("stop.at_rest.body", "body", deck.stop.at_rest->body, bodies, findings);
   }

@@ -108,7 +108,7 @@ void describe(Schema& s, Ranks& ranks) {
 void describe(Schema& s, Deck& deck) {
   static constexpr const char* kGeometries[] = {"3d", "plane-strain", "axisymmetric"};
   static constexpr const char* kHeats[] = {"auto", "off|false", "adiabatic", "conduct"};
-  static constexpr const char* kLater[] = {"symmetry", "probes", "sections"};
+  static constexpr const char* kLater[] = {"symmetry"};
   s.text({"title", "a line for the log and the report"}, deck.title);
   s.choice({"geometry", "three dimensions, or two in x and y; axisymmetric: x is the radius"},
            deck.geometry, kGeometries);
@@ -132,6 +132,8 @@ void describe(Schema& s, Deck& deck) {
          {"m/s^2", {}, between(-1e4, 1e4)}, Schema::kVector);
   s.object({"damping", "mass-proportional, to settle"}, deck.damping);
   s.named({"measures", "numbers that the run is asked for, by name"}, deck.measures);
+  s.named({"probes", "fields of one point or element in history.csv, by name"}, deck.probes);
+  s.named({"sections", "forces through planes of a body in history.csv, by name"}, deck.sections);
   s.object({"stop", "what ends the run before its time"}, deck.stop);
   s.object({"output", "what is written, and when"}, deck.output);
   s.object({"ranks", "how work is spread over several processes"}, deck.ranks);

@@ -10,6 +10,7 @@
 #include "app/deck/boundaries.hpp"
 #include "app/deck/materials.hpp"
 #include "app/deck/measures.hpp"
+#include "app/deck/probes.hpp"
 #include "contact/options.hpp"
 #include "core/errors.hpp"
 #include "core/schema.hpp"
@@ -98,6 +99,8 @@ struct Deck {
   std::vector<Real> gravity;  ///< [m/s^2]; empty: none
   std::optional<deck::Damping> damping;
   std::vector<Named<deck::Measure>> measures;
+  std::vector<Named<deck::Probe>> probes;
+  std::vector<Named<deck::Section>> sections;
   deck::Stop stop;
   deck::Output output;
   deck::Ranks ranks;

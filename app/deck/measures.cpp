@@ -56,13 +56,21 @@ const char* unit_of_column(std::string_view column) {
     const char* unit;
   };
   static constexpr std::array kParts{
-      Ending{".heat_rate", "W"},   Ending{".friction_heat", "W"},   Ending{"heat.drift", "1"},
-      Ending{"energy.drift", "1"}, Ending{"energy.", "J"},          Ending{"momentum.", "kg m/s"},
-      Ending{".position.", "m"},   Ending{".velocity.", "m/s"},     Ending{".kinetic", "J"},
-      Ending{".internal", "J"},    Ending{".hourglass", "J"},       Ending{".heat", "J"},
-      Ending{".mass", "kg"},       Ending{".force.", "N"},          Ending{".reaction.", "N"},
-      Ending{".area", "m^2"},      Ending{".max_penetration", "m"}, Ending{".planes", "1"}};
+      Ending{".heat_rate", "W"},    Ending{".friction_heat", "W"},   Ending{"heat.drift", "1"},
+      Ending{"energy.drift", "1"},  Ending{"energy.", "J"},          Ending{"momentum.", "kg m/s"},
+      Ending{".position.", "m"},    Ending{".velocity.", "m/s"},     Ending{".kinetic", "J"},
+      Ending{".internal", "J"},     Ending{".hourglass", "J"},       Ending{".heat", "J"},
+      Ending{".mass", "kg"},        Ending{".force.", "N"},          Ending{".reaction.", "N"},
+      Ending{".area", "m^2"},       Ending{".max_penetration", "m"}, Ending{".planes", "1"},
+      Ending{".temperature.", "K"}, Ending{".moment.", "N m"},       Ending{".torque.", "N m"}};
   if (column == "time" || column == "dt") return "s";
+  if (column.starts_with("probe.")) {
+    const std::size_t field = column.find('.', std::string_view("probe.").size());
+    const char* unit = field == std::string_view::npos
+                           ? nullptr
+                           : unit_of_field(std::string(column.substr(field + 1)));
+    return unit != nullptr ? unit : "any";
+  }
   for (const Ending& ending : kParts) {
     if (column.find(ending.part) != std::string_view::npos) return ending.unit;
   }

@@ -71,6 +71,10 @@ Json number_schema() { return {{"type", {"number", "string"}}}; }
 Json one_of_schema(const KeyInfo& key) {
   Json any = Json::array(), words = Json::array(), properties = Json::object();
   for (const KeyInfo& alternative : key.children) {
+    if (alternative.in_line) {
+      any.push_back(map_schema(alternative.children));
+      continue;
+    }
     words.push_back(alternative.name);
     properties[alternative.name] = schema_of(alternative);
   }

@@ -160,6 +160,10 @@ void Echo::visit_one_of(const Key& key, std::span<const Alternative> alternative
                         Members members, std::function<void(std::size_t, Schema&)>) {
   const std::string name = alternatives[index()].name;
   Node node = members_of(members);
+  if (alternatives[index()].open) {
+    put(key.name, std::move(node));
+    return;
+  }
   const bool bare = node.is_map() && node.entries.empty();
   if (*key.name == '\0') {
     put(name, std::move(node));

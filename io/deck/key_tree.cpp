@@ -137,6 +137,7 @@ class KeyWalker final : public Schema {
       alternative.help = alternatives[i].help;
       alternative.children = children_of([&](Schema& s) { blank(i, s); });
       if (alternative.children.empty()) alternative.type = KeyInfo::Type::empty;
+      alternative.in_line = alternatives[i].open;
       children.push_back(std::move(alternative));
     }
     KeyInfo& info = add(key, KeyInfo::Type::one_of);

@@ -250,6 +250,13 @@ void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternati
                 (near.empty() ? "" : "; did you mean '" + near + "'?"));
     return;
   }
+  const auto opens = [&](const Alternative& one) { return one.open && node->find(one.name); };
+  const auto open = std::find_if(alternatives.begin(), alternatives.end(), opens);
+  if (open != alternatives.end()) {
+    choose(index_of(open->name));
+    read_members(*node, path, members);
+    return;
+  }
   const Entry* chosen = chosen_alternative(key, *node, path, names);
   if (!chosen || (is_inline && not_applicable_)) return;
   choose(index_of(chosen->key));

@@ -75,7 +75,8 @@ bodies:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
 contact:
-  default: {friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}, heat: {conductance: 1e4 W/m^2/K}}
+  default: {friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}, heat: {conductance: 1e4 W/m^2/K, gap: 1 mm},
+            friction_heat: {fraction: 0.5, split: 0.3}}
   pairs:
     ab:
       between: [a, b]
@@ -92,6 +93,8 @@ boundaries:
   hot: {body: a, where: {side: max-x}, temperature: 400}
   warm: {body: a, where: {side: min-x}, flux: 1000, convection: {h: 10, T: 300},
          radiation: {emissivity: 0.8, T: 300}}
+probes: {tip: {body: a, at: [0, 0, 0], fields: [temperature, stress.xx]}}
+sections: {neck: {body: a, plane: {axis: x, at: 1.5}}}
 gravity: [0, 0, -9.81]
 damping: {rate: 100, until: 1 ms}
 measures:

@@ -1,0 +1,135 @@
+#include "app/build/watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/measures.hpp"
+
+namespace brunt {
+
+namespace {
+/// The label of a body, or none: that is told by the deck's own checks.
+std::optional<Label> label_of(const Deck& deck, const std::string& name) {
+  const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
+                                  [&](const auto& body) { return body.name == name; });
+  if (found == deck.bodies.end()) return std::nullopt;
+  return static_cast<Label>(found - deck.bodies.begin());
+}
+
+bool has(const std::vector<Field>& fields, const std::string& name) {
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const Field& field) { return field.name == name; });
+}
+
+std::string names_of(const BodyView& view) {
+  std::string list;
+  for (const auto* fields : {&view.point_fields, &view.cell_fields}) {
+    for (const auto& field : *fields) list += (list.empty() ? "" : ", ") + field.name;
+  }
+  return list;
+}
+
+GlobalId id_at(const std::vector<Field>& fields, std::size_t place) {
+  const auto ids = std::find_if(fields.begin(), fields.end(),
+                                [](const Field& field) { return field.name == "id"; });
+  return static_cast<GlobalId>(ids->values[place]);
+}
+
+/// Distance [m] of a point, or of the centre of a cell.
+Real distance(const BodyView& view, const std::vector<Real>& at, bool cell, std::size_t place) {
+  const auto corners = static_cast<std::size_t>(cell ? view.corners : 1);
+  Real square = 0;
+  for (std::size_t c = 0; c < at.size(); ++c) {
+    Real x = 0;
+    for (std::size_t k = 0; k < corners; ++k) {
+      const auto p =
+          cell ? static_cast<std::size_t>(view.connectivity[place * corners + k]) : place;
+      x += view.position[3 * p + c] / static_cast<Real>(corners);
+    }
+    square += (x - at[c]) * (x - at[c]);
+  }
+  return std::sqrt(square);
+}
+
+/// Returns what is wrong, "" where nothing is.
+std::string find_probe(const deck::Probe& given, const BodyView& view, Probe& probe) {
+  for (const auto& field : given.fields) {
+    const std::string name = field.substr(0, field.find('.'));
+    const bool at_point = has(view.point_fields, name), in_cell = has(view.cell_fields, name);
+    if (!at_point && !in_cell) {
+      return "'" + given.body + "' has no field '" + name + "'; it has " + names_of(view);
+    }
+    probe.fields.push_back(field);
+    probe.of_cell.push_back(at_point ? 0 : 1);
+  }
+  const auto find = [&](bool cell, GlobalId& id, Real& far) {
+    const std::size_t place = nearest_entity(view, given.at, cell);
+    id = id_at(cell ? view.cell_fields : view.point_fields, place);
+    far = distance(view, given.at, cell, place);
+  };
+  find(false, probe.point, probe.point_distance);
+  const auto& of_cell = probe.of_cell;
+  if (std::find(of_cell.begin(), of_cell.end(), 1) != of_cell.end()) {
+    find(true, probe.cell, probe.cell_distance);
+  }
+  return "";
+}
+
+/// Points within a tenth of the body's size behind the plane lie on it, and before the section.
+Real tolerance_of(const deck::Body& body, Real at) {
+  constexpr Real kRounding = 1e-9;
+  if (!body.size || body.size->empty()) return kRounding * std::fabs(at);
+  return 0.1 * *std::min_element(body.size->begin(), body.size->end());
+}
+
+template <int Dim>
+std::string find_section(const deck::Section& given, const deck::Body& body,
+                         const Scene<Dim>& scene, MaterialSection<Dim>& section) {
+  if (body.rigid) return "'" + given.body + "' is rigid: no stress of it is known";
+  section.axis = static_cast<int>(given.plane.axis);
+  section.at = given.plane.at + tolerance_of(body, given.plane.at) - scene.origin[section.axis];
+  std::size_t before = 0, beyond = 0;
+  for (std::size_t s = 0; s < scene.solids.size(); ++s) {
+    const auto& points = scene.solids[s]->points();
+    for (std::size_t i = 0; i < points.x_start.size(); ++i) {
+      if (points.body[i] != section.body) continue;
+      section.solid = s;
+      ++(points.x_start[i][section.axis] > section.at ? beyond : before);
+    }
+  }
+  if (before == 0 || beyond == 0) return "does not cut '" + given.body + "' at time 0";
+  return "";
+}
+}  // namespace
+
+template <int Dim>
+void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckProblem>& problems) {
+  const Deck& deck = loaded.deck;
+  const auto tell = [&](const std::string& path, const std::string& wrong) {
+    if (!wrong.empty()) problems.push_back(loaded.places.problem(path, wrong));
+    return !wrong.empty();
+  };
+  for (const auto& [name, given] : deck.probes) {
+    const auto body = label_of(deck, given.body);
+    if (!body) continue;
+    Probe probe;
+    probe.name = name, probe.body = *body;
+    if (tell("probes." + name + ".fields", find_probe(given, scene.own_view(*body), probe)))
+      continue;
+    scene.probes.push_back(std::move(probe));
+  }
+  for (const auto& [name, given] : deck.sections) {
+    const auto body = label_of(deck, given.body);
+    if (!body) continue;
+    MaterialSection<Dim> section;
+    section.name = name, section.body = *body;
+    const auto wrong = find_section(given, deck.bodies[*body].value, scene, section);
+    if (tell("sections." + name + ".plane", wrong)) continue;
+    scene.sections.add(std::move(section));
+  }
+}
+
+template void add_watches<2>(const LoadedDeck&, Scene<2>&, std::vector<DeckProblem>&);
+template void add_watches<3>(const LoadedDeck&, Scene<3>&, std::vector<DeckProblem>&);
+
+}  // namespace brunt

@@ -1,0 +1,26 @@
+#pragma once
+/// What is watched in every row of history.csv, as the deck gives it.
+#include <string>
+#include <vector>
+
+#include "app/deck/boundaries.hpp"
+
+namespace brunt::deck {
+
+/// Fields at the point (point fields) or element (element fields) nearest to a place at time 0.
+struct Probe {
+  std::string body;
+  std::vector<Real> at;             ///< [m]
+  std::vector<std::string> fields;  ///< "temperature", "stress.xx"
+};
+
+/// The force that material carries through a plane of it at time 0.
+struct Section {
+  std::string body;
+  WherePlane plane;
+};
+
+void describe(Schema& s, Probe& probe);
+void describe(Schema& s, Section& section);
+
+}  // namespace brunt::deck

@@ -1,0 +1,72 @@
+#include "app/probes.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "app/measures.hpp"
+#include "io/deck/number.hpp"
+
+namespace brunt {
+
+namespace {
+/// Index of the entity with an id among those that the view owns; -1 where it is not here.
+std::ptrdiff_t place_of(const BodyView& view, bool cell, GlobalId id) {
+  const auto& fields = cell ? view.cell_fields : view.point_fields;
+  const auto ids = std::find_if(fields.begin(), fields.end(),
+                                [](const Field& field) { return field.name == "id"; });
+  if (ids == fields.end()) return -1;
+  const auto at = std::find(ids->values.begin(), ids->values.end(), static_cast<Real>(id));
+  if (at == ids->values.end()) return -1;
+  const auto place = at - ids->values.begin();
+  const bool copy =
+      !cell && !view.point_owned.empty() && view.point_owned[static_cast<std::size_t>(place)] == 0;
+  return copy ? -1 : place;
+}
+
+/// What one rank knows of a value.
+struct Known {
+  Real value = std::numeric_limits<Real>::quiet_NaN();
+  bool here = false;
+};
+}  // namespace
+
+std::string place_text(const Probe& probe) {
+  const auto any = [&](char cell) {
+    return std::find(probe.of_cell.begin(), probe.of_cell.end(), cell) != probe.of_cell.end();
+  };
+  std::string text = "probe " + probe.name + ":";
+  if (any(0)) {
+    text += " point " + std::to_string(probe.point) + " at a distance of " +
+            shortest_text(probe.point_distance) + " m";
+  }
+  if (any(1)) {
+    text += std::string(any(0) ? ", " : " ") + "element " + std::to_string(probe.cell) +
+            ", its centre at a distance of " + shortest_text(probe.cell_distance) + " m";
+  }
+  return text;
+}
+
+std::string column_of(const Probe& probe, std::size_t field) {
+  return "probe." + probe.name + "." + probe.fields[field];
+}
+
+std::vector<Real> probe_values(const Probe& probe, const BodyView& mine,
+                               const Communicator& ranks) {
+  std::vector<Known> known(probe.fields.size());
+  for (std::size_t f = 0; f < known.size(); ++f) {
+    const bool cell = probe.of_cell[f] != 0;
+    const auto place = place_of(mine, cell, cell ? probe.cell : probe.point);
+    if (place < 0) continue;
+    known[f].value = field_values(mine, probe.fields[f])[static_cast<std::size_t>(place)];
+    known[f].here = true;
+  }
+  ranks.reduce_all(std::span(known), [](Known& a, const Known& b) {
+    if (!a.here) a = b;
+  });
+  std::vector<Real> values;
+  for (const Known& one : known) values.push_back(one.value);
+  return values;
+}
+
+}  // namespace brunt

@@ -1,0 +1,164 @@
+/// Where heat passes between what touches, and what friction warms.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/evaluate.hpp"
+
+namespace brunt {
+
+template <int Dim>
+void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const Section& section, const PartEnds& ends,
+                   typename Records<Dim>::Part& part) {
+  constexpr Real kMeets = 1e-6;  // of the smaller face's size
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  const Real area = std::min(entities.planes[l].area, entities.planes[u].area);
+  const Real meets = kMeets * (Dim == 3 ? std::sqrt(area) : area);
+  const PlaneNeeds needs{true, std::max(meets, gap_of(*candidate.heat))};
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
+  const auto middle = static_cast<std::ptrdiff_t>(part.face_heat.size());
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.penetration - needs.opening > candidate.limit) continue;
+    Real pressed = 0, pressure = 0;
+    for (std::size_t r = ends.record; r < part.face_on_face.size(); ++r) {
+      const auto& record = part.face_on_face[r];
+      if (record.ordinal != plane.ordinal) continue;
+      pressed = std::min(record.area, plane.area);
+      pressure = (record.spring + record.damping) / record.area;
+    }
+    part.face_heat.push_back(heat_path<Dim>(entities.faces[l], entities.faces[u], plane,
+                                            *candidate.heat, pressed, pressure));
+  }
+  // What passes has smaller ordinals than the heat of friction.
+  std::rotate(part.face_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
+              part.face_heat.begin() + middle, part.face_heat.end());
+}
+
+namespace {
+/// Faces that are near enough to the particle for heat, by the gaps of their pairs, and what of
+/// them it is nearest to: a function of the state, whatever else the lists hold.
+template <int Dim>
+void find_near_faces(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
+                     const std::pair<std::size_t, std::size_t>& range, Real widest,
+                     std::vector<ParticleHit<Dim>>& hits) {
+  hits.clear();
+  const auto& particle =
+      entities.particles[static_cast<std::size_t>(candidates[range.first].particle)];
+  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
+  for (std::size_t i = range.first; i < range.second; ++i) {
+    const auto& candidate = candidates[i];
+    const auto f = static_cast<std::size_t>(candidate.face);
+    if (candidate.heat == nullptr || entities.planes[f].area == 0) continue;
+    const Real reach = particle.radius + gap_of(*candidate.heat);
+    const Real farthest = std::max(reach, candidate.limit);
+    if (!entities.boxes[f].meets(SearchBox<Dim>::about(x, farthest))) continue;
+    ParticleHit<Dim> hit;
+    hit.plane = &entities.planes[f];
+    hit.node = entities.faces[f].node;
+    hit.body = entities.faces[f].body, hit.piece = entities.faces[f].piece;
+    hit.limit = candidate.limit;
+    hit.candidate = static_cast<LocalIndex>(i);
+    hit.nearest = nearest_point<Dim>(entities.planes[f], x);
+    const bool behind = hit.nearest.normal.dot(x - hit.nearest.point) < 0;
+    if (hit.nearest.distance <= (behind ? farthest : reach)) hits.push_back(hit);
+  }
+  if (!hits.empty()) choose_hits<Dim>(x, particle.radius + widest, hits);
+}
+}  // namespace
+
+template <int Dim>
+void add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
+                       const std::pair<std::size_t, std::size_t>& range, Real area,
+                       const PartEnds& ends, typename Records<Dim>::Part& part) {
+  bool any = false;
+  Real widest = 0;
+  for (std::size_t i = range.first; i < range.second; ++i) {
+    if (candidates[i].heat == nullptr) continue;
+    any = true;
+    widest = std::max(widest, gap_of(*candidates[i].heat));
+  }
+  if (!any) return;
+  const auto& particle =
+      entities.particles[static_cast<std::size_t>(candidates[range.first].particle)];
+  if (widest > 0) find_near_faces<Dim>(entities, candidates, range, widest, part.near_hits);
+  const auto& hits = widest > 0 ? part.near_hits : part.hits;
+  const auto heat_of = [&](const ParticleHit<Dim>& hit) {
+    return candidates[static_cast<std::size_t>(hit.candidate)].heat;
+  };
+  const auto contacts = std::count_if(hits.begin(), hits.end(), [&](const auto& hit) {
+    return hit.kept && heat_of(hit) != nullptr;
+  });
+  for (const auto& hit : hits) {
+    if (!hit.kept || heat_of(hit) == nullptr) continue;
+    const auto f =
+        static_cast<std::size_t>(candidates[static_cast<std::size_t>(hit.candidate)].face);
+    ParticleTouch<Dim> touch{particle, entities.faces[f], hit, area, 0, static_cast<int>(contacts)};
+    for (std::size_t r = ends.record; r < part.particle_on_face.size(); ++r) {
+      const auto& record = part.particle_on_face[r];
+      if (record.second != touch.face.id) continue;
+      touch.pressure = (record.spring + record.damping) / (hit.share * area);
+    }
+    part.particle_heat.push_back(heat_path<Dim>(entities.nodes, touch, *heat_of(hit)));
+  }
+  std::sort(part.particle_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
+            part.particle_heat.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+}
+
+namespace {
+template <int Dim>
+void warm(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
+          const FrictionShares& shares, Friction<Dim>& friction,
+          std::vector<HeatFlow<Dim>>& flows) {
+  if (!(step.dt > 0)) return;
+  friction.warmth = shares.sum();
+  if (friction.warmth > 0) flows.push_back(heat_of_friction(record, step, friction, shares));
+}
+
+template <int Dim>
+WarmedSide side_of(const ContactFace<Dim>& face) {
+  return {face.body, face.capacity > 0, face.effusivity};
+}
+}  // namespace
+
+template <int Dim>
+void warm_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  warm(part.face_on_face.back(), step,
+       friction_shares(step.options->friction_heat, side_of(lower), side_of(upper)),
+       part.frictions.back(), part.face_heat);
+}
+
+template <int Dim>
+void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
+                   const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
+  const WarmedSide upper{particle.body, particle.conductivity > 0, particle.effusivity};
+  warm(part.particle_on_face.back(), step,
+       friction_shares(step.options->friction_heat, side_of(face), upper), part.frictions.back(),
+       part.particle_heat);
+}
+
+template void add_face_heat<2>(const Entities<2>&, const FaceCandidate&, const Section&,
+                               const PartEnds&, Records<2>::Part&);
+template void add_particle_heat<2>(const Entities<2>&, std::span<const ParticleCandidate>,
+                                   const std::pair<std::size_t, std::size_t>&, Real,
+                                   const PartEnds&, Records<2>::Part&);
+template void warm_faces<2>(const Entities<2>&, const FaceCandidate&, const FrictionStep<2>&,
+                            Records<2>::Part&);
+template void warm_particle<2>(const ContactParticle&, const ContactFace<2>&,
+                               const FrictionStep<2>&, Records<2>::Part&);
+template void add_face_heat<3>(const Entities<3>&, const FaceCandidate&, const Section&,
+                               const PartEnds&, Records<3>::Part&);
+template void add_particle_heat<3>(const Entities<3>&, std::span<const ParticleCandidate>,
+                                   const std::pair<std::size_t, std::size_t>&, Real,
+                                   const PartEnds&, Records<3>::Part&);
+template void warm_faces<3>(const Entities<3>&, const FaceCandidate&, const FrictionStep<3>&,
+                            Records<3>::Part&);
+template void warm_particle<3>(const ContactParticle&, const ContactFace<3>&,
+                               const FrictionStep<3>&, Records<3>::Part&);
+
+}  // namespace brunt
