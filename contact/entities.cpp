@@ -47,6 +47,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.areal_mass = facet.areal_mass;
   face.depth = facet.depth;
   face.capacity = facet.capacity, face.effusivity = facet.effusivity;
+  face.compliance = facet.compliance;
   return face;
 }
 
@@ -141,6 +142,42 @@ StepVote vote_of_particles(const PairTable& pairs, const Section& section,
     if (!(k > 0)) continue;
     const Real step = 2 * std::sqrt(mass / k) * lag_factor(it->second.damping);
     vote.take({step, "contact stiffness", particle.body, particle.id});
+  }
+  return vote;
+}
+
+/// Bounds of free rigid bodies on the springs of all their faces at once, in every direction: of
+/// K = sum k A J^T J the largest eigenvalue of M^-1 K is at most sum k A |J M^-1 J^T|, and so of
+/// their dampers. Their share in a spring between two bodies is bounded by their own, as for
+/// elements: 1/(1/k1 + 1/k2) (u1 - u2)^2 <= k1 u1^2 + k2 u2^2.
+template <int Dim>
+StepVote vote_of_rigid(const Section& section, const Entities<Dim>& entities) {
+  struct Springs {
+    Label body = 0;
+    Real squared_frequency = 0, damping = 0;  // [1/s^2], [1/s] c/m
+  };
+  std::map<Label, Springs> pieces;
+  for (const auto& face : entities.faces) {
+    if (!(face.compliance > 0)) continue;
+    Real middle = 0;  // [m] x of the face
+    for (int c = 0; c < face.n_nodes; ++c) {
+      const auto node = static_cast<std::size_t>(face.node[static_cast<std::size_t>(c)]);
+      middle += entities.nodes.x[node][0] / face.n_nodes;
+    }
+    const Real area =
+        std::max(face.area_start, face.footprint) * section.breadth(std::fabs(middle));
+    const Real k = face.phi * face.stiffness;
+    auto& piece = pieces[face.piece];
+    piece.body = face.body;
+    piece.squared_frequency += k * area * face.compliance;
+    piece.damping += damping_coefficient(face.zeta, k, face.areal_mass) * area * face.compliance;
+  }
+  StepVote vote;
+  for (const auto& [piece, springs] : pieces) {
+    const Real frequency = std::sqrt(springs.squared_frequency);
+    if (!(frequency > 0)) continue;
+    const Real zeta = springs.damping / (2 * frequency);
+    vote.take({2 / frequency * lag_factor(zeta), "contact stiffness", springs.body, piece});
   }
   return vote;
 }
@@ -289,7 +326,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
   set_options(pairs, diameters, *this);
-  particle_vote = vote_of_particles(pairs, section, *this);
+  constant_vote = vote_of_particles(pairs, section, *this);
+  constant_vote.take(vote_of_rigid(section, *this));
   add_faces({});
 }
 
@@ -361,14 +399,14 @@ void Entities<Dim>::refresh_planes() {
 
 template <int Dim>
 StepVote Entities<Dim>::stiffness_vote() const {
-  StepVote vote = particle_vote;
+  StepVote vote = constant_vote;
 #pragma omp parallel if (faces.size() > kWorthThreads)
   {
     StepVote part;
 #pragma omp for schedule(static) nowait
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const auto& face = faces[f];
-      if (face.rigid() || face.held || !(face.area_start > 0)) continue;
+      if (face.everywhere() || face.held || !(face.area_start > 0)) continue;
       const Real area = std::max(planes[f].area, face.footprint);
       const Real elements = std::sqrt(2 * face.areal_mass / face.stiffness);
       const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);
