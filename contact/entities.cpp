@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "contact/law.hpp"
+#include "contact/own_springs.hpp"
 #include "core/parallel/packing.hpp"
 
 namespace brunt {
@@ -120,66 +121,6 @@ void set_options(const PairTable& pairs, const std::map<Label, Real>& diameter,
     const auto it = footprint.find(face.body);
     if (it != footprint.end()) face.footprint = it->second;
   }
-}
-
-/// Smallest 2 sqrt(m/k) of the particles on their own springs.
-template <int Dim>
-StepVote vote_of_particles(const PairTable& pairs, const Section& section,
-                           const Entities<Dim>& entities) {
-  StepVote vote;
-  std::map<Label, PairOptions> options;
-  for (const auto& particle : entities.particles) {
-    const auto node = static_cast<std::size_t>(particle.node);
-    const Real mass = entities.nodes.mass[node];
-    if (!(mass > 0) || particle.held) continue;
-    auto it = options.find(particle.body);
-    if (it == options.end()) {
-      it = options.emplace(particle.body, pairs.strongest(particle.body)).first;
-    }
-    const Real k = it->second.stiffness * particle.modulus *
-                   section.breadth(entities.nodes.x[node][0]) *
-                   (Dim == 3 ? 2 * particle.radius : 1.0);
-    if (!(k > 0)) continue;
-    const Real step = 2 * std::sqrt(mass / k) * lag_factor(it->second.damping);
-    vote.take({step, "contact stiffness", particle.body, particle.id});
-  }
-  return vote;
-}
-
-/// Bounds of free rigid bodies on the springs of all their faces at once, in every direction: of
-/// K = sum k A J^T J the largest eigenvalue of M^-1 K is at most sum k A |J M^-1 J^T|, and so of
-/// their dampers. Their share in a spring between two bodies is bounded by their own, as for
-/// elements: 1/(1/k1 + 1/k2) (u1 - u2)^2 <= k1 u1^2 + k2 u2^2.
-template <int Dim>
-StepVote vote_of_rigid(const Section& section, const Entities<Dim>& entities) {
-  struct Springs {
-    Label body = 0;
-    Real squared_frequency = 0, damping = 0;  // [1/s^2], [1/s] c/m
-  };
-  std::map<Label, Springs> pieces;
-  for (const auto& face : entities.faces) {
-    if (!(face.compliance > 0)) continue;
-    Real middle = 0;  // [m] x of the face
-    for (int c = 0; c < face.n_nodes; ++c) {
-      const auto node = static_cast<std::size_t>(face.node[static_cast<std::size_t>(c)]);
-      middle += entities.nodes.x[node][0] / face.n_nodes;
-    }
-    const Real area =
-        std::max(face.area_start, face.footprint) * section.breadth(std::fabs(middle));
-    const Real k = face.phi * face.stiffness;
-    auto& piece = pieces[face.piece];
-    piece.body = face.body;
-    piece.squared_frequency += k * area * face.compliance;
-    piece.damping += damping_coefficient(face.zeta, k, face.areal_mass) * area * face.compliance;
-  }
-  StepVote vote;
-  for (const auto& [piece, springs] : pieces) {
-    const Real frequency = std::sqrt(springs.squared_frequency);
-    if (!(frequency > 0)) continue;
-    const Real zeta = springs.damping / (2 * frequency);
-    vote.take({2 / frequency * lag_factor(zeta), "contact stiffness", springs.body, piece});
-  }
-  return vote;
 }
 
 template <class Entity>
@@ -326,8 +267,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
   set_options(pairs, diameters, *this);
-  constant_vote = vote_of_particles(pairs, section, *this);
-  constant_vote.take(vote_of_rigid(section, *this));
+  constant_vote = vote_of_particles<Dim>(pairs, section, *this);
+  constant_vote.take(vote_of_rigid<Dim>(section, *this));
   add_faces({});
 }
 
