@@ -10,7 +10,8 @@
 namespace brunt {
 
 namespace {
-constexpr Real kLargestTurn = 0.2;  // [rad] of a step
+constexpr Real kLargestTurn = 0.2;           // [rad] of a step
+constexpr std::size_t kWorthThreads = 1000;  // points
 
 template <int Dim>
 Vec3 in_space(const Vec<Dim>& v) {
@@ -81,7 +82,7 @@ void FreeBodies<Dim>::place_points(const Velocity& velocity) {
   auto& points = *points_;
   std::vector<Mat3> rotation;
   for (const auto& body : bodies_) rotation.push_back(body.state.rotation());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chosen_.size() > kWorthThreads)
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
     const auto i = static_cast<std::size_t>(chosen_[k]);
     const auto& body = bodies_[body_of_[k]];
