@@ -156,10 +156,10 @@ TEST(Rigid, CubeOnAPlateKeepsMomentaAndEnergy) {
     }
     EXPECT_LT(watch.worst, 1e-12 * momentum * 0.01) << angle;
     EXPECT_LT(result.worst_drift, 1e-12) << angle;
-    // What the chords of points leave is the square of a step's angle, 1e-7 of the energy; all
-    // steps are alike but the last one, which `end` shortens.
+    // What the chords of points leave is the angle of a step, 3e-4, times what forces change in it,
+    // a twentieth; all steps are alike but the last one, which `end` shortens.
     const auto integration = result.column("energy.integration");
-    EXPECT_LT(std::fabs(integration[integration.size() - 2]), 1e-6 * 0.28) << angle;
+    EXPECT_LT(std::fabs(integration[integration.size() - 2]), 1.5e-5 * 0.28) << angle;
   }
 }
 
