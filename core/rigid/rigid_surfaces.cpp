@@ -47,6 +47,7 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Deal& deal,
     }
   }
   auto here = std::make_unique<RigidSurfaces>(points_.subset(order, n_owned), std::move(facets));
+  here->shows_facets_ = ranks.is_root();
   if (shares_.empty()) return here;
   std::vector<Real> shares;
   for (const LocalIndex i : order) shares.push_back(shares_[static_cast<std::size_t>(i)]);
@@ -78,7 +79,7 @@ BodyView RigidSurfaces<Dim>::view(Label body) const {
   // A surface of triangles and quads is written as quads with a repeated last corner.
   view.corners = Dim == 2 ? 2 : 4;
   for (const auto& facet : surface_.facets) {
-    if (facet.body != body || !facet.owned) continue;
+    if (facet.body != body || !shows_facets_) continue;
     for (int c = 0; c < view.corners; ++c) {
       const int corner = std::min(c, facet.n_nodes() - 1);
       view.connectivity.push_back(local[static_cast<std::size_t>(facet.node[corner])]);

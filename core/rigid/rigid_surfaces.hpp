@@ -60,6 +60,7 @@ class RigidSurfaces final : public Solid<Dim> {
   Points<Dim> points_;
   Surface<Dim> surface_;
   std::vector<Real> shares_;
+  bool shows_facets_ = true;  // one rank writes all of them, in their order
   GhostPlan ghosts_;  // none: every rank moves all rigid points
 };
 
