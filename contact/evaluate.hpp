@@ -8,11 +8,13 @@ namespace brunt {
 struct EvaluationStep {
   Real dt = 0;
   Real longest = 0;
+  TouchStep touches;
 };
 
 /// Evaluates the candidates and appends a record for each that carries force, in their order.
 /// F = k volume + c area closing speed at the centre of pressure, not below 0 (contact.md 2.5);
 /// friction goes on from its past, or from what both faces carried (2.6). No past: no friction.
+/// What is left of first touches goes to part.face_touches.
 template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
                     const Section& section, const EvaluationStep& step,

@@ -81,4 +81,22 @@ class ContactImports {
   std::vector<LocalIndex> sent_from_;  // faces that tractions_ names, by their place there
 };
 
+/// Sends each peer its letters and hands those of the peers to take(letter), rank by rank.
+/// to  by rank; packed one by one
+template <int Dim>
+template <class Letter, class Take>
+void ContactImports<Dim>::deliver(std::vector<Packer>& to, const Take& take) const {
+  std::vector<Bytes> bytes;
+  bytes.reserve(peers_.size());
+  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
+  for (const Bytes& from : ranks().exchange(peers_, bytes)) {
+    Unpacker unpacker(from);
+    while (!unpacker.done()) {
+      Letter letter;
+      unpacker >> letter;
+      take(letter);
+    }
+  }
+}
+
 }  // namespace brunt

@@ -22,6 +22,8 @@ class PairTable {
   PairOptions strongest(Label body) const;
   /// True if any of these pairs has friction.
   bool rubs() const { return rubs_; }
+  /// True if in any of these pairs an overlap at time 0 is felt at once.
+  bool presses() const { return presses_; }
   /// Pairs of bodies that may touch, first <= second, with the names that history.csv uses.
   const std::vector<std::pair<Label, Label>>& pairs() const { return pairs_; }
   const std::vector<std::string>& names() const { return names_; }
@@ -33,6 +35,7 @@ class PairTable {
   std::vector<std::pair<Label, Label>> pairs_;
   std::vector<std::string> names_;
   bool rubs_ = false;
+  bool presses_ = false;
 };
 
 }  // namespace brunt

@@ -1,0 +1,159 @@
+/// What contacts elsewhere need to know of nodes and faces besides motion, and what they send back
+/// besides forces: temperatures and heat, tractions.
+#include <algorithm>
+
+#include "contact/imports.hpp"
+
+namespace brunt {
+
+/// Like plan(), but of all nodes that others own, copies of points here too: what heat makes of
+/// their temperatures in a step only their owners know.
+template <int Dim>
+void ContactImports<Dim>::plan_temperatures(const ContactNodes<Dim>& nodes) {
+  temperatures_.clear();
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    std::vector<GlobalId> ids, owned;
+    std::vector<LocalIndex> places;
+    std::vector<int> owners;
+    auto& sent = temperatures_.emplace_back();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes.surface[i] != static_cast<LocalIndex>(s)) continue;
+      if (nodes.owned[i]) {
+        sent.from.push_back(static_cast<LocalIndex>(i));
+      } else if (surfaces_[s]->points->conducts) {
+        ids.push_back(nodes.id[i]);
+        places.push_back(static_cast<LocalIndex>(i));
+        owners.push_back(ranks_.owner_of(nodes.id[i]));
+      }
+    }
+    std::sort(sent.from.begin(), sent.from.end(), [&](LocalIndex a, LocalIndex b) {
+      return nodes.id[static_cast<std::size_t>(a)] < nodes.id[static_cast<std::size_t>(b)];
+    });
+    for (const LocalIndex i : sent.from) owned.push_back(nodes.id[static_cast<std::size_t>(i)]);
+    sent.plan = plan_ghosts(ranks(), ids, places, owners, owned);
+  }
+}
+
+template <int Dim>
+void ContactImports<Dim>::refresh_temperatures(ContactNodes<Dim>& nodes) const {
+  for (const auto& sent : temperatures_) {
+    refresh_ghosts(
+        ranks(), sent.plan, 1,
+        [&](std::size_t i, Real* out) {
+          *out = nodes.temperature[static_cast<std::size_t>(sent.from[i])];
+        },
+        [&](std::size_t i, const Real* in) { nodes.temperature[i] = *in; });
+  }
+}
+
+template <int Dim>
+std::vector<HeatShare> ContactImports<Dim>::send_heat(const Records<Dim>& records,
+                                                      const ContactNodes<Dim>& nodes) const {
+  std::vector<HeatShare> received;
+  if (ranks().alone()) return received;
+  struct Letter {
+    HeatShare what;
+    LocalIndex surface;
+    GlobalId point;
+  };
+  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  records.visit_heat([&](const HeatFlow<Dim>& flow) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+      const auto at = static_cast<std::size_t>(flow.node[k]);
+      if (nodes.owned[at]) continue;
+      const Letter letter{{flow.key, 0, flow.rate[k]}, nodes.surface[at], nodes.id[at]};
+      to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
+    }
+  });
+  deliver<Letter>(to, [&](Letter letter) {
+    letter.what.node = place_.at({letter.surface, letter.point});
+    received.push_back(letter.what);
+  });
+  std::sort(received.begin(), received.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  return received;
+}
+
+/// A face belongs to the owner of its first corner.
+template <int Dim>
+int ContactImports<Dim>::owner_of(const Entities<Dim>& entities,
+                                  const ContactFace<Dim>& face) const {
+  return ranks_.owner_of(entities.nodes.id[static_cast<std::size_t>(face.node[0])]);
+}
+
+template <int Dim>
+void ContactImports<Dim>::plan_tractions(const Entities<Dim>& entities) {
+  std::vector<GlobalId> ids, owned;
+  std::vector<LocalIndex> places;
+  std::vector<int> owners;
+  sent_from_.clear();
+  for (std::size_t f = 0; f < entities.faces.size(); ++f) {
+    const auto& face = entities.faces[f];
+    if (face.rigid()) continue;  // stands on every rank, and carries nothing on
+    if (face.owned) {
+      owned.push_back(face.id);
+      sent_from_.push_back(static_cast<LocalIndex>(f));
+    } else {
+      ids.push_back(face.id);
+      places.push_back(static_cast<LocalIndex>(f));
+      owners.push_back(owner_of(entities, face));
+    }
+  }
+  tractions_ = plan_ghosts(ranks(), ids, places, owners, owned);
+}
+
+template <int Dim>
+void ContactImports<Dim>::refresh_tractions(Entities<Dim>& entities) const {
+  if (!entities.nodes.rubs) return;
+  refresh_ghosts(
+      ranks(), tractions_, 1 + Dim,
+      [&](std::size_t i, Real* out) {
+        const auto& from = entities.tractions[static_cast<std::size_t>(sent_from_[i])];
+        out[0] = from.area;
+        for (int c = 0; c < Dim; ++c) out[1 + c] = from.force[c];
+      },
+      [&](std::size_t i, const Real* in) {
+        entities.tractions[i].area = in[0];
+        for (int c = 0; c < Dim; ++c) entities.tractions[i].force[c] = in[1 + c];
+      });
+}
+
+template <int Dim>
+std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
+    const Records<Dim>& records, const Entities<Dim>& entities) const {
+  std::vector<TractionShare<Dim>> received;
+  if (ranks().alone()) return received;
+  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+    if (friction == nullptr || friction->key.of_particle) return;
+    const auto& upper = entities.faces[entities.face_with(friction->key.second)];
+    if (upper.owned || upper.rigid()) return;
+    TractionShare<Dim> share{friction->key, friction->area, {}};
+    const Vec<Dim> force = friction->slider();
+    for (int c = 0; c < Dim; ++c) share.force[c] = force[c];
+    to[static_cast<std::size_t>(owner_of(entities, upper))] << share;
+  });
+  deliver<TractionShare<Dim>>(to, [&](TractionShare<Dim> share) { received.push_back(share); });
+  std::sort(received.begin(), received.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  return received;
+}
+
+template void ContactImports<2>::plan_temperatures(const ContactNodes<2>&);
+template void ContactImports<3>::plan_temperatures(const ContactNodes<3>&);
+template void ContactImports<2>::plan_tractions(const Entities<2>&);
+template void ContactImports<3>::plan_tractions(const Entities<3>&);
+template void ContactImports<2>::refresh_temperatures(ContactNodes<2>&) const;
+template void ContactImports<3>::refresh_temperatures(ContactNodes<3>&) const;
+template void ContactImports<2>::refresh_tractions(Entities<2>&) const;
+template void ContactImports<3>::refresh_tractions(Entities<3>&) const;
+template std::vector<HeatShare> ContactImports<2>::send_heat(const Records<2>&,
+                                                             const ContactNodes<2>&) const;
+template std::vector<HeatShare> ContactImports<3>::send_heat(const Records<3>&,
+                                                             const ContactNodes<3>&) const;
+template std::vector<TractionShare<2>> ContactImports<2>::send_tractions(const Records<2>&,
+                                                                         const Entities<2>&) const;
+template std::vector<TractionShare<3>> ContactImports<3>::send_tractions(const Records<3>&,
+                                                                         const Entities<3>&) const;
+
+}  // namespace brunt

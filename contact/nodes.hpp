@@ -1,0 +1,49 @@
+#pragma once
+#include <vector>
+
+#include "core/surface.hpp"
+
+namespace brunt {
+
+/// Entities below which a team of threads costs more than it saves.
+inline constexpr std::size_t kWorthThreads = 1000;
+
+/// The points that contact moves, of all groups, side by side, with what must outlive a step.
+/// Corners of imported faces may be points that this rank does not have.
+template <int Dim>
+struct ContactNodes {
+  std::vector<LocalIndex> surface;  ///< whose points
+  std::vector<LocalIndex> point;    ///< index there; -1: only another rank has it
+  std::vector<char> owned;          ///< this rank sums and books its forces
+  std::vector<GlobalId> id;
+  std::vector<Real> mass;                           ///< [kg]
+  std::vector<Vec<Dim>> x;                          ///< [m] at the last evaluation
+  std::vector<Vec<Dim>> v;                          ///< [m/s] at the last evaluation
+  std::vector<Vec<Dim>> spring, damping;            ///< [N] forces of this evaluation
+  std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
+  std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
+  bool rubs = false;                 ///< some pair has friction; else the fields below are empty
+  std::vector<Vec<Dim>> friction;    ///< [N] of this evaluation
+  bool warm = false;                 ///< some points conduct; else the fields below are empty
+  std::vector<Real> temperature;     ///< [K] at the end of the step, but for contact
+  std::vector<Real> capacity;        ///< [J/K]; 0: takes no heat
+  std::vector<Real> heat_rate;       ///< [W] of this evaluation
+  std::vector<Real> ended_heat;      ///< [J] of friction that ended in this step
+  std::vector<Real> friction_given;  ///< [J] of friction, to any nodes, booked since time 0
+  std::vector<Real> friction_heat, friction_stored, friction_damped,
+      pair_energy;  ///< [J] booked since time 0
+
+  std::size_t size() const { return point.size(); }
+  LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
+  /// A point of another rank; [kg], [m], [m/s].
+  LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
+                        const Vec<Dim>& velocity);
+  /// Takes x and v of the points that are here from the groups.
+  void read_motion(const std::vector<Surface<Dim>*>& surfaces);
+  /// The temperatures that owned points will have after dt by the heat they have so far.
+  void foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
+  /// Takes over what outlives a step from the same points in an older table.
+  void inherit(const ContactNodes& old);
+};
+
+}  // namespace brunt
