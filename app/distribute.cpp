@@ -33,6 +33,7 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks, std::unique_ptr<co
     auto part = solid->part(*scene.deal, ranks);
     scene.supports.follow(solid->points(), part->points());
     scene.loads.follow(solid->points(), part->points());
+    if (scene.rigid) scene.rigid->follow(solid->points(), part->points());
     scene.heat.follow(solid->points(), part->points());
     whole.push_back(std::exchange(solid, std::move(part)));
   }

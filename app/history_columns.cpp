@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/rigid_reports.hpp"
+
 namespace brunt {
 
 namespace {
@@ -16,6 +18,9 @@ Real energy_of_rounding(const Scene<Dim>& scene) {
   ExactSum mass;
   for (const auto& solid : scene.solids) {
     for (const Real m : solid->points().mass) mass.add(m);
+  }
+  if (scene.rigid) {
+    for (const auto& body : scene.rigid->all()) mass.add(body.state.mass);
   }
   Real stiffest = 0;  // [m^2/s^2] c^2
   for (const auto& material : scene.materials) {
@@ -40,6 +45,8 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   }
   names_.insert(names_.end(), {"energy.total", "energy.drift"});
   for (int c = 0; c < Dim; ++c) names_.push_back(std::string("momentum.") + kAxes[c]);
+  const auto rigid = rigid_reports(scene, 0);
+  Label label = 0;
   for (const auto& body : scene.body_names) {
     const std::string head = "body." + body + ".";
     names_.push_back(head + "mass");
@@ -48,6 +55,14 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
     }
     for (const char* name : {"kinetic", "internal", "hourglass", "heat"})
       names_.push_back(head + name);
+    const auto found = rigid.find(label++);
+    if (found == rigid.end()) continue;
+    const auto add = [&](const char* name, int first, int last) {
+      for (int c = first; c < last; ++c) names_.push_back(head + name + kAxes[c]);
+    };
+    const int turning = found->second.one_piece ? first_torque(scene) : 3;
+    add("rotation.", turning, 3), add("spin.", turning, 3);
+    add("force.", 0, Dim), add("torque.", first_torque(scene), 3);
   }
   if (scene.contact) {
     for (const auto& pair : scene.contact->reports()) {
@@ -161,6 +176,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     for (const auto& body : totals.bodies) momentum.add(body.momentum[c]);
     values.push_back(momentum.value());
   }
+  const auto rigid = rigid_reports(scene, clock.time());
+  Label label = 0;
   for (const auto& body : totals.bodies) {
     const Real mass = body.mass.value();
     values.push_back(mass);
@@ -172,6 +189,15 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
       values.push_back(sum->value());
     }
+    const auto found = rigid.find(label++);
+    if (found == rigid.end()) continue;
+    const auto add = [&](const Vec3& vector, int first, int last) {
+      for (int c = first; c < last; ++c) values.push_back(vector[c]);
+    };
+    const auto& report = found->second;
+    const int turning = report.one_piece ? first_torque(scene) : 3;
+    add(report.rotation, turning, 3), add(report.spin, turning, 3);
+    add(report.force, 0, Dim), add(report.torque, first_torque(scene), 3);
   }
   if (scene.contact) {
     for (const auto& pair : scene.contact->reports(scene.origin)) {

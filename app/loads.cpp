@@ -19,6 +19,14 @@ void Loads<Dim>::act_on(Points<Dim>& points) {
 }
 
 template <int Dim>
+void Loads<Dim>::act_on(FreeBodies<Dim>& bodies) {
+  const std::size_t n = bodies.all().size();
+  const std::vector<Vec3> none(n, Vec3::Zero());
+  const std::vector<Real> zero(n, 0.0);
+  rigid_ = Rigid{&bodies, none, none, zero, zero, true};
+}
+
+template <int Dim>
 void Loads<Dim>::apply(AppliedForce<Dim> force) {
   force.last.assign(force.chosen.size(), Vec<Dim>::Zero());
   force.work.assign(force.chosen.size(), 0.0);
@@ -49,6 +57,36 @@ void Loads<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
   }
 }
 
+/// Weight, and drag of every point of a body: -rate m v and, about its centre, -rate L.
+template <int Dim>
+void Loads<Dim>::push_rigid(Real time, Real dt) {
+  auto& rigid = *rigid_;
+  const auto bodies = rigid.bodies->all();
+  const Real halves = rigid.fresh ? 0.5 : 1.0;
+  const Real rate = rate_ > 0 && time <= until_ ? rate_ : 0.0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    auto& body = bodies[b];
+    const auto& state = body.state;
+    if (has_gravity_) {
+      Vec3 weight = Vec3::Zero();
+      weight.template head<Dim>() = state.mass * gravity_;
+      body.load_force += weight;
+      rigid.load_work[b] += halves * dt * weight.dot(state.v);
+    }
+    if (rate_ == 0) continue;
+    const Vec3 drag = -rate * state.mass * state.v;
+    const Vec3 torque = body.turns ? Vec3(-rate * state.momentum) : Vec3::Zero();
+    body.load_force += drag;
+    body.load_torque += torque;
+    rigid.damping_work[b] +=
+        0.5 * dt *
+        (state.v.dot(drag + rigid.last_drag[b]) + body.start_spin.dot(rigid.last_torque[b]) +
+         body.end_spin.dot(torque));
+    rigid.last_drag[b] = drag, rigid.last_torque[b] = torque;
+  }
+  rigid.fresh = false;
+}
+
 template <int Dim>
 void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
   for (auto& body : bodies_) {
@@ -74,6 +112,7 @@ void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
     }
     body.fresh = false;
   }
+  if (rigid_) push_rigid(time, dt);
   for (auto& load : forces_) {
     auto& points = *load.points;
     for (std::size_t j = 0; j < load.chosen.size(); ++j) {
@@ -99,6 +138,13 @@ StepVote Loads<Dim>::stable_step(Real time) const {
 }
 
 template <int Dim>
+void Loads<Dim>::add_rigid_totals(Totals<Dim>& totals) const {
+  if (!rigid_) return;
+  for (const Real work : rigid_->load_work) totals.add(Column::boundary, -work);
+  for (const Real work : rigid_->damping_work) totals.add(Column::damping, -work);
+}
+
+template <int Dim>
 void Loads<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& body : bodies_) {
     for (const Real work : body.load_work) totals.add(Column::boundary, -work);
@@ -118,6 +164,13 @@ void visit_body(Row& row, Body& body, std::size_t i) {
   if (body.damping_work.empty()) return;
   row(body.damping_work[i]);
   row(body.last_damping[i]);
+}
+
+template <class Row, class Rigid>
+void visit_rigid(Row& row, Rigid& rigid, std::size_t b) {
+  row(rigid.load_work[b]), row(rigid.damping_work[b]);
+  row(rigid.last_drag[b]), row(rigid.last_torque[b]);
+  row(rigid.fresh);
 }
 
 template <class Row, class Force>
@@ -141,6 +194,11 @@ void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
         [&](std::size_t i) { return body.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_body(row, body, i); }, tables);
   }
+  if (rigid_) {
+    save_rows(
+        "loads.rigid", rigid_->load_work.size(), [](std::size_t b) { return GlobalId{b}; },
+        [&](auto& row, std::size_t b) { visit_rigid(row, *rigid_, b); }, tables);
+  }
   for (const auto& force : forces_) {
     save_chosen(
         table_of(force.name), *force.points, force.chosen,
@@ -160,6 +218,11 @@ void Loads<Dim>::load_state(const StateTables& tables) {
         "loads.points", static_cast<std::size_t>(body.points->n_owned),
         [&](std::size_t i) { return body.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_body(row, body, i); }, tables);
+  }
+  if (rigid_) {
+    load_rows(
+        "loads.rigid", rigid_->load_work.size(), [](std::size_t b) { return GlobalId{b}; },
+        [&](auto& row, std::size_t b) { visit_rigid(row, *rigid_, b); }, tables);
   }
   for (auto& force : forces_) {
     load_chosen(

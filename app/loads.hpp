@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/supports.hpp"
+#include "core/rigid/free_bodies.hpp"
 
 namespace brunt {
 
@@ -26,7 +27,8 @@ class Loads {
   void gravity(const Vec<Dim>& g) { gravity_ = g, has_gravity_ = true; }
   void damp(Real rate, Real until) { rate_ = rate, until_ = until; }  ///< [1/s], [s]
   void apply(AppliedForce<Dim> force);
-  void act_on(Points<Dim>& points);  ///< a group whose points feel gravity and damping
+  void act_on(Points<Dim>& points);      ///< a group whose points feel gravity and damping
+  void act_on(FreeBodies<Dim>& bodies);  ///< they feel both as a whole
   /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
   void follow(const Points<Dim>& old, Points<Dim>& now);
   bool empty() const { return !has_gravity_ && rate_ == 0 && forces_.empty(); }
@@ -35,6 +37,8 @@ class Loads {
   void add_forces(Real time, Real dt, const Vec<Dim>& origin);
   StepVote stable_step(Real time) const;
   void add_totals(Totals<Dim>& totals) const;
+  /// The same of rigid bodies, which every rank has: one of them adds it.
+  void add_rigid_totals(Totals<Dim>& totals) const;
   /// Work of the owned points that loads act on, and the forces that the next step starts with.
   void save_state(std::vector<StateTable>& tables) const;
   /// Throws StateError where a row is missing.
@@ -47,10 +51,18 @@ class Loads {
     std::vector<Real> load_work, damping_work;
     bool fresh = true;
   };
+  struct Rigid {
+    FreeBodies<Dim>* bodies;
+    std::vector<Vec3> last_drag, last_torque;  // [N], [N m] of damping at the last full step
+    std::vector<Real> load_work, damping_work;
+    bool fresh = true;
+  };
+  void push_rigid(Real time, Real dt);
   bool has_gravity_ = false;
   Vec<Dim> gravity_ = Vec<Dim>::Zero();
   Real rate_ = 0, until_ = kInfinity;
   std::vector<Body> bodies_;
+  std::optional<Rigid> rigid_;
   std::vector<AppliedForce<Dim>> forces_;
 };
 

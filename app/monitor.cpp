@@ -26,6 +26,13 @@ Real center(const Scene<Dim>& scene, Label body, int axis) {
       moment.add(points.mass[i] * points.x[i][axis]);
     }
   }
+  if (scene.rigid && scene.ranks->is_root()) {
+    for (const auto& one : scene.rigid->all()) {
+      if (one.body != body) continue;
+      mass.add(one.state.mass);
+      moment.add(one.state.mass * one.state.x[axis]);
+    }
+  }
   scene.ranks->reduce_all(std::span<ExactSum>(sums),
                           [](ExactSum& a, const ExactSum& b) { a.add(b); });
   return moment.value() / mass.value() + scene.origin[axis];

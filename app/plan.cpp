@@ -13,6 +13,22 @@
 namespace brunt {
 
 namespace {
+/// How a rigid body moves; of one that follows its forces also what it weighs.
+template <int Dim>
+std::string rigid_text(const deck::Body& body, const Scene<Dim>& scene, Label label) {
+  if (!deck::follows_forces(body)) return body.motion ? "moves as told" : "held";
+  ExactSum mass;
+  std::size_t pieces = 0;
+  for (const auto& one : scene.rigid->all()) {
+    if (one.body != label) continue;
+    mass.add(one.state.mass);
+    ++pieces;
+  }
+  std::string text = body.motion ? "moves in part as told" : "free";
+  if (pieces > 1) text += ", " + std::to_string(pieces) + " pieces";
+  return text + ", " + deck::short_text(mass.value()) + " kg of " + body.material;
+}
+
 template <int Dim>
 void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
   for (std::size_t b = 0; b < scene.body_names.size(); ++b) {
@@ -26,7 +42,8 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
       elements = view.connectivity.size() / static_cast<std::size_t>(view.corners);
     if (body.rigid) {
       std::printf("  %-16s rigid, %s: %zu facet%s\n", scene.body_names[b].c_str(),
-                  body.motion ? "moves as told" : "held", elements, elements == 1 ? "" : "s");
+                  rigid_text(body, scene, static_cast<Label>(b)).c_str(), elements,
+                  elements == 1 ? "" : "s");
     } else if (body.method == deck::Method::fe) {
       std::printf("  %-16s finite elements: %zu elements, %zu nodes, material %s\n",
                   scene.body_names[b].c_str(), elements, points, body.material.c_str());

@@ -18,6 +18,7 @@ StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
     vote.take(heat_step(solid->points()));
   }
   if (contact) vote.take(contact->stable_step(dt_last));
+  if (rigid) vote.take(rigid->stable_step());
   vote.take(loads.stable_step(time));
   return vote;
 }
@@ -132,6 +133,11 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
   if (contact) contact->add_totals(totals);
   supports.add_totals(totals);
   loads.add_totals(totals);
+  if (rigid) rigid->add_totals(totals);
+  if (rigid && ranks->is_root()) {
+    rigid->add_body_totals(dt, totals);
+    loads.add_rigid_totals(totals);
+  }
   heat.add_totals(totals);
   if (!ranks->alone()) sum_over_ranks(totals, *ranks);
   for (const auto& body : totals.bodies) totals.columns[0].add(body.kinetic);
@@ -228,6 +234,7 @@ template <int Dim>
 void Scene<Dim>::save_state(std::vector<StateTable>& tables) const {
   for (const auto& solid : solids) solid->save_state(tables);
   supports.save_state(tables);
+  if (rigid) rigid->save_state(tables);
   loads.save_state(tables);
   heat.save_state(tables);
   if (contact) contact->save_state(tables);
@@ -238,6 +245,7 @@ void Scene<Dim>::load_state(const StateTables& tables) {
   for (auto& solid : solids) solid->load_state(tables);
   for (auto& solid : solids) solid->rearrange();
   supports.load_state(tables);
+  if (rigid) rigid->load_state(tables);
   loads.load_state(tables);
   heat.load_state(tables);
   if (contact) contact->load_state(tables);

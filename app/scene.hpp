@@ -12,6 +12,7 @@
 #include "contact/manager.hpp"
 #include "core/errors.hpp"
 #include "core/materials/material.hpp"
+#include "core/rigid/free_bodies.hpp"
 #include "core/solid.hpp"
 
 namespace brunt {
@@ -32,6 +33,7 @@ struct Scene {
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
   Supports<Dim> supports;
   Loads<Dim> loads;
+  std::unique_ptr<FreeBodies<Dim>> rigid;  ///< absent where all rigid bodies move as told
   HeatBoundaries<Dim> heat;
   Sections<Dim> sections;
   std::vector<Probe> probes;

@@ -21,10 +21,10 @@ bool acts(const Constraint<Dim>& constraint, Real time) {
 }  // namespace
 
 template <int Dim>
-void Supports<Dim>::move_rigid(RigidSurfaces<Dim>& surfaces,
-                               std::vector<RigidMotion<Dim>> motions) {
+void Supports<Dim>::move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions,
+                               std::set<Label> free) {
   auto& points = surfaces.points();
-  Rigid rigid{&points, std::move(motions), {}, {}, {}};
+  Rigid rigid{&points, std::move(motions), std::move(free), {}, {}, {}};
   rigid.motions.push_back({});  // the last one: held
   name_motions(rigid);
   rigid_.push_back(std::move(rigid));
@@ -34,6 +34,10 @@ template <int Dim>
 void Supports<Dim>::name_motions(Rigid& rigid) {
   rigid.motion_of_point.clear();
   for (const Label body : rigid.points->body) {
+    if (rigid.free.contains(body)) {
+      rigid.motion_of_point.push_back(kFree);
+      continue;
+    }
     std::size_t which = 0;
     while (which + 1 < rigid.motions.size() && rigid.motions[which].body != body) ++which;
     rigid.motion_of_point.push_back(which);
@@ -74,6 +78,7 @@ template <int Dim>
 void Supports<Dim>::start() {
   for (auto& rigid : rigid_) {
     for (std::size_t i = 0; i < rigid.motion_of_point.size(); ++i) {
+      if (rigid.motion_of_point[i] == kFree) continue;
       const auto& motion = rigid.motions[rigid.motion_of_point[i]];
       Vec3 arm = Vec3::Zero();
       arm.template head<Dim>() = rigid.points->x_start[i] - motion.center;
@@ -108,6 +113,7 @@ void Supports<Dim>::impose_rigid(Rigid& rigid, Real time, Real dt) {
 #pragma omp parallel for schedule(static)
   for (LocalIndex point = 0; point < points.size(); ++point) {  // copies move as told too
     const auto i = static_cast<std::size_t>(point);
+    if (rigid.motion_of_point[i] == kFree) continue;
     const auto& motion = rigid.motions[rigid.motion_of_point[i]];
     const Vec<Dim> now = motion.position(points.x_start[i], time);
     const Vec<Dim> before = motion.position(points.x_start[i], time - dt);
@@ -142,6 +148,7 @@ template <int Dim>
 void Supports<Dim>::take_reactions(Real time, Real dt) {
   for (auto& rigid : rigid_) {
     for (std::size_t i = 0; i < rigid.work.size(); ++i) {
+      if (rigid.motion_of_point[i] == kFree) continue;
       const Vec<Dim> reaction = -rigid.points->f[i];
       rigid.work[i] += 0.5 * dt * rigid.points->v[i].dot(rigid.reaction[i] + reaction);
       rigid.reaction[i] = reaction;

@@ -2,6 +2,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,9 @@ template <int Dim>
 class Supports {
  public:
   explicit Supports(Vec<Dim> origin) : origin_(std::move(origin)) {}
-  void move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions);
+  /// free  bodies of these surfaces that are not held or moved here (core/rigid/free_bodies.hpp)
+  void move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions,
+                  std::set<Label> free = {});
   void constrain(Constraint<Dim> constraint);
   /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
   void follow(const Points<Dim>& old, Points<Dim>& now);
@@ -50,14 +53,19 @@ class Supports {
   void load_state(const StateTables& tables);
   const std::vector<Constraint<Dim>>& constraints() const { return constraints_; }
 
- private:
+  /// Rigid surfaces that are held or moved as told.
   struct Rigid {
     Points<Dim>* points;
-    std::vector<RigidMotion<Dim>> motions;  // by label; absent: held
-    std::vector<std::size_t> motion_of_point;
+    std::vector<RigidMotion<Dim>> motions;     // by label; absent: held
+    std::set<Label> free;                      // bodies that somebody else moves
+    std::vector<std::size_t> motion_of_point;  // kFree: somebody else moves it
     std::vector<Vec<Dim>> reaction;
     std::vector<Real> work;
   };
+  const std::vector<Rigid>& rigid() const { return rigid_; }
+
+ private:
+  static constexpr auto kFree = static_cast<std::size_t>(-1);
   static void name_motions(Rigid& rigid);
   void impose_rigid(Rigid& rigid, Real time, Real dt);
   void impose_constraint(Constraint<Dim>& constraint, Real time, Real dt);

@@ -38,6 +38,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
                    Balance<Dim>* balance) {
   Phases& phases = scene.phases;
   scene.supports.start();
+  if (scene.rigid) scene.rigid->start();
   scene.heat.start();
   scene.refresh_motion();
   scene.rearrange();
@@ -56,6 +57,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
       const PhaseTimer timer(phases, Phase::points);
       for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
       scene.supports.impose(clock.time() + dt, dt);
+      if (scene.rigid) scene.rigid->predict(clock.time() + dt, dt, clock.dt());
       scene.refresh_motion();
     }
     for (auto& solid : scene.solids) {
@@ -87,8 +89,10 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
     if (scene.conducts()) scene.add_heat(clock.time() + dt, dt);
     {
       const PhaseTimer timer(scene.phases, Phase::points);
+      if (scene.rigid) scene.rigid->collect_forces(*scene.ranks, clock.time() + dt, dt);
       scene.supports.take_reactions(clock.time() + dt, dt);
       for (auto& solid : scene.solids) correct(solid->points(), dt);
+      if (scene.rigid) scene.rigid->correct(dt);
     }
     clock.advance(dt);
     observer.step_done(scene, clock);

@@ -147,7 +147,8 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
     std::vector<SearchBox<Dim>> offered, wanted;
     for (std::size_t f = 0; f < entities.faces.size(); ++f) {
       offered.push_back(box_of_face(entities, f));
-      if (entities.faces[f].owned && !entities.faces[f].rigid()) wanted.push_back(offered.back());
+      const auto& face = entities.faces[f];
+      if (face.owned && !face.everywhere()) wanted.push_back(offered.back());
     }
     for (std::size_t p = 0; p < entities.particles.size(); ++p) {
       wanted.push_back(box_of_particle(entities, p));

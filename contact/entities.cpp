@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "contact/law.hpp"
+#include "contact/own_springs.hpp"
 #include "core/parallel/packing.hpp"
 
 namespace brunt {
@@ -47,6 +48,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.areal_mass = facet.areal_mass;
   face.depth = facet.depth;
   face.capacity = facet.capacity, face.effusivity = facet.effusivity;
+  face.compliance = facet.compliance;
   return face;
 }
 
@@ -121,30 +123,6 @@ void set_options(const PairTable& pairs, const std::map<Label, Real>& diameter,
   }
 }
 
-/// Smallest 2 sqrt(m/k) of the particles on their own springs.
-template <int Dim>
-StepVote vote_of_particles(const PairTable& pairs, const Section& section,
-                           const Entities<Dim>& entities) {
-  StepVote vote;
-  std::map<Label, PairOptions> options;
-  for (const auto& particle : entities.particles) {
-    const auto node = static_cast<std::size_t>(particle.node);
-    const Real mass = entities.nodes.mass[node];
-    if (!(mass > 0) || particle.held) continue;
-    auto it = options.find(particle.body);
-    if (it == options.end()) {
-      it = options.emplace(particle.body, pairs.strongest(particle.body)).first;
-    }
-    const Real k = it->second.stiffness * particle.modulus *
-                   section.breadth(entities.nodes.x[node][0]) *
-                   (Dim == 3 ? 2 * particle.radius : 1.0);
-    if (!(k > 0)) continue;
-    const Real step = 2 * std::sqrt(mass / k) * lag_factor(it->second.damping);
-    vote.take({step, "contact stiffness", particle.body, particle.id});
-  }
-  return vote;
-}
-
 template <class Entity>
 void sort_by_id(std::vector<Entity>& entities) {
   std::sort(entities.begin(), entities.end(), [](const Entity& a, const Entity& b) {
@@ -201,7 +179,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
   set_options(pairs, diameters, *this);
-  particle_vote = vote_of_particles(pairs, section, *this);
+  constant_vote = vote_of_particles<Dim>(pairs, section, *this);
+  constant_vote.take(vote_of_rigid<Dim>(section, *this));
   add_faces({});
 }
 
@@ -273,14 +252,14 @@ void Entities<Dim>::refresh_planes() {
 
 template <int Dim>
 StepVote Entities<Dim>::stiffness_vote() const {
-  StepVote vote = particle_vote;
+  StepVote vote = constant_vote;
 #pragma omp parallel if (faces.size() > kWorthThreads)
   {
     StepVote part;
 #pragma omp for schedule(static) nowait
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const auto& face = faces[f];
-      if (face.rigid() || face.held || !(face.area_start > 0)) continue;
+      if (face.everywhere() || face.held || !(face.area_start > 0)) continue;
       const Real area = std::max(planes[f].area, face.footprint);
       const Real elements = std::sqrt(2 * face.areal_mass / face.stiffness);
       const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);

@@ -30,8 +30,11 @@ struct ContactFace {
   Real footprint = 0;   ///< [m^2] of the largest particle that may touch it
   Real capacity = 0;    ///< [J/m^2/K] behind it; 0: takes no heat
   Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)]
+  Real compliance = 0;  ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
   bool held = false;    ///< votes no step
-  bool rigid() const { return stiffness == 0; }
+  bool rigid() const { return stiffness == 0; }  ///< held or moved as told
+  /// Faces of rigid bodies stand on every rank.
+  bool everywhere() const { return rigid() || compliance > 0; }
 };
 
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.
@@ -71,8 +74,8 @@ struct Entities {
   std::vector<SearchBox<Dim>> boxes;         ///< of planes
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
-  StepVote particle_vote;                    ///< bound from the particles' own springs
-  Real deepest = 0;                          ///< [m] largest depth of a face of any rank
+  StepVote constant_vote;      ///< bound from the springs of particles and of free rigid bodies
+  Real deepest = 0;            ///< [m] largest depth of a face of any rank
   Real size = 0;               ///< [m] median size of faces and particles, of all ranks
   std::vector<Real> gaps;      ///< [m] by body, up to which heat passes to it; empty: none
   bool any_particles = false;  ///< on any rank

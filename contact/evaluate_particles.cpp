@@ -77,8 +77,9 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& 
     const Real w = hit.nearest.weight[k];
     record.add(face.node[k], -w);
     velocity += w * nodes.v[node];
-    if (!face.rigid()) compliance += w * w / nodes.mass[node];
+    if (!face.everywhere()) compliance += w * w / nodes.mass[node];
   }
+  if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
   const ParticleSpring spring{candidate.stiffness * now.breadth,

@@ -19,7 +19,8 @@ struct TractionShare {
 };
 
 /// Faces of other ranks that may touch what this rank evaluates, and the way of forces back to the
-/// owners of their nodes (contact.md 2.7). Rigid faces stand on every rank and are never imported.
+/// owners of their nodes (contact.md 2.7). Faces of rigid bodies stand on every rank and are never
+/// imported.
 template <int Dim>
 class ContactImports {
  public:

@@ -23,9 +23,12 @@ struct Facet {
   Real depth = 0;
   Real capacity = 0;    ///< [J/m^2/K] rho cp h / 2 of the element behind; 0: takes no heat
   Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)] sqrt(k rho cp) at time 0
-  bool owned = true;    ///< this rank evaluates the pairs in which it is the lower face
+  /// [1/kg] the most with which a free rigid body gives way to a force at one of its corners, of
+  /// all directions, turning too; 0: its points move by themselves, or as told
+  Real compliance = 0;
+  bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
-  bool rigid() const { return stiffness == 0; }
+  bool rigid() const { return stiffness == 0; }  ///< held or moved as told
 };
 
 /// A particle that can touch faces. radius [m] = half its spacing; modulus M = K + 4G/3 [Pa].

@@ -55,8 +55,10 @@ BodyGeometry<Dim> make_body(const Deck& deck, const deck::Body& body, Label& nex
     auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(surface.nodes);
     geometry.facets = std::move(surface.facets);
-    geometry.piece_names = {""};
-    piece = {0};
+    // What is held or moves as told is one surface, whatever it is made of.
+    const bool by_piece = deck::follows_forces(body);
+    geometry.piece_names = by_piece ? std::move(surface.piece_names) : std::vector<std::string>{""};
+    piece = by_piece ? std::move(surface.piece) : std::vector<Label>(geometry.facets.size(), 0);
   } else if (body.method == deck::Method::fe) {
     auto mesh = mesh_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(mesh.nodes);

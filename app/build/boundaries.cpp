@@ -255,6 +255,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     for (auto& solid : scene.solids) {
       if (solid->n_elements() + solid->n_particles() > 0) scene.loads.act_on(solid->points());
     }
+    if (scene.rigid) scene.loads.act_on(*scene.rigid);
   }
 }
 

@@ -17,7 +17,7 @@ struct Skin {
   std::vector<std::array<Vec<Dim>, Dim>> simplices;
   std::vector<Vec<Dim>> points;  // of the skin, or all particles
   Vec<Dim> low = Vec<Dim>::Constant(kInfinity), high = Vec<Dim>::Constant(-kInfinity);
-  Real size = kInfinity;  // [m] of an element or a spacing; rigid: none
+  Real size = kInfinity;  // [m] of an element or a spacing; held or told: none
   bool particles = false, plane = false, rigid = false;
 
   Vec<Dim> center() const { return 0.5 * (low + high); }
@@ -83,8 +83,10 @@ std::vector<Skin<Dim>> skins_of(const Deck& deck, Scene<Dim>& scene) {
           skin.simplices.push_back({at(facet.node[0]), at(facet.node[2]), at(facet.node[3])});
         }
       }
+      // A free rigid body may be one facet a side: contact takes it for elements of this depth.
       const Real edge = (at(facet.node[1]) - at(facet.node[0])).norm();
-      if (!facet.rigid()) skin.size = std::min(skin.size, edge);
+      const Real size = facet.compliance > 0 ? 2 * facet.depth : edge;
+      if (!facet.rigid()) skin.size = std::min(skin.size, size);
       for (int k = 0; k < facet.n_nodes(); ++k) {
         const LocalIndex node = facet.node[static_cast<std::size_t>(k)];
         if (used[facet.body].emplace(node, true).second) skin.points.push_back(at(node));
@@ -99,7 +101,7 @@ std::vector<Skin<Dim>> skins_of(const Deck& deck, Scene<Dim>& scene) {
   for (std::size_t b = 0; b < skins.size(); ++b) {
     const auto& body = deck.bodies[b].value;
     auto& skin = skins[b];
-    skin.rigid = body.rigid;
+    skin.rigid = body.rigid && !deck::follows_forces(body);
     skin.plane = std::holds_alternative<Plane>(body.shape.kind);
     if (skin.particles && body.size) skin.size = body.size->front();
     for (const auto& p : skin.points) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "app/build/heat.hpp"
+#include "app/build/materials.hpp"
 #include "core/geometry/curve.hpp"
 #include "fe/finite_elements.hpp"
 #include "sph/particles.hpp"
@@ -111,15 +112,6 @@ std::vector<std::size_t> choose(const LoadedDeck& loaded,
   return chosen;
 }
 
-const Material* material_of(const LoadedDeck& loaded,
-                            const std::vector<std::unique_ptr<Material>>& materials,
-                            const deck::Body& body) {
-  for (std::size_t m = 0; m < loaded.deck.materials.size(); ++m) {
-    if (loaded.deck.materials[m].name == body.material) return materials[m].get();
-  }
-  return nullptr;
-}
-
 bool is_adiabatic(const Deck& deck, const Named<deck::Body>& body) {
   return heat_mode(deck, body.value, body.name) == HeatMode::adiabatic;
 }
@@ -164,7 +156,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     const auto& geometry = bodies[b];
     const auto& body = loaded.deck.bodies[geometry.label].value;
     const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
-    const Material* material = material_of(loaded, scene.materials, body);
+    const Material* material = material_of(loaded.deck, scene.materials, body);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ElementSet<Dim>& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
@@ -218,7 +210,7 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
     const auto& geometry = bodies[gathered.from[k].body];
     const auto& body = loaded.deck.bodies[geometry.label].value;
     const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
-    const Material* material = material_of(loaded, scene.materials, body);
+    const Material* material = material_of(loaded.deck, scene.materials, body);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
@@ -251,7 +243,9 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   auto gathered = gather(loaded, scene, bodies, chosen, next);
   std::vector<Facet<Dim>> facets;
   for (const std::size_t b : chosen) {
-    for (const auto& corners : bodies[b].facets) {
+    // Facets of a piece side by side.
+    for (const std::size_t f : order_of({bodies[b].piece.begin(), bodies[b].piece.end()})) {
+      const auto& corners = bodies[b].facets[f];
       Facet<Dim> facet;
       for (std::size_t c = 0; c < corners.size(); ++c) {
         facet.node[c] =
@@ -259,12 +253,13 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
       }
       facet.id = next.element++ << 3;
       facet.body = bodies[b].label;
-      facet.piece = bodies[b].piece.front();
+      facet.piece = bodies[b].piece[f];
+      for (int c = 0; c < facet.n_nodes(); ++c) {
+        const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
+        gathered.points.piece[node] = facet.piece;
+      }
       facets.push_back(facet);
     }
-  }
-  for (std::size_t k = 0; k < gathered.from.size(); ++k) {
-    gathered.points.piece[k] = bodies[gathered.from[k].body].piece.front();
   }
   return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
 }

@@ -30,4 +30,13 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
   return materials;
 }
 
+const Material* material_of(const Deck& deck,
+                            const std::vector<std::unique_ptr<Material>>& materials,
+                            const deck::Body& body) {
+  for (std::size_t m = 0; m < deck.materials.size(); ++m) {
+    if (deck.materials[m].name == body.material) return materials[m].get();
+  }
+  return nullptr;
+}
+
 }  // namespace brunt

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/build/bodies.hpp"
 #include "app/build/boundaries.hpp"
 #include "app/build/groups.hpp"
 #include "app/build/materials.hpp"
+#include "app/build/rigid.hpp"
 #include "app/build/scene_checks.hpp"
 #include "app/build/sound_part.hpp"
 #include "app/build/watch.hpp"
@@ -60,36 +62,31 @@ ContactOptions contact_options(const Deck& deck) {
   return options;
 }
 
+/// Rigid bodies that move as told; those that follow their forces come second.
 template <int Dim>
-std::vector<RigidMotion<Dim>> motions_of(const LoadedDeck& loaded, const Scene<Dim>& scene) {
+void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
+               std::unique_ptr<RigidSurfaces<Dim>> surfaces, std::vector<DeckProblem>& problems) {
   std::vector<RigidMotion<Dim>> motions;
-  for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
+  std::set<Label> free;
+  for (Label b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& body = loaded.deck.bodies[b].value;
-    if (!body.rigid || !body.motion) continue;
-    RigidMotion<Dim> motion;
-    motion.body = static_cast<Label>(b);
-    for (std::size_t c = 0; c < body.motion->velocity.size() && c < Dim; ++c) {
-      motion.velocity[static_cast<int>(c)] = body.motion->velocity[c];
+    if (deck::follows_forces(body)) {
+      free.insert(b);
+    } else if (body.rigid && body.motion) {
+      motions.push_back(motion_of<Dim>(body, b, scene.origin));
     }
-    motion.center = -scene.origin;
-    if (body.motion->spin) {
-      const auto& spin = *body.motion->spin;
-      motion.spin = spin.rate;
-      if (Dim == 3) motion.axis = Vec3(spin.axis[0], spin.axis[1], spin.axis[2]).normalized();
-      for (std::size_t c = 0; c < spin.about.size() && c < Dim; ++c) {
-        motion.center[static_cast<int>(c)] += spin.about[c];
-      }
-    }
-    motions.push_back(motion);
   }
-  return motions;
+  scene.rigid = make_free_bodies(loaded, scene, *surfaces, problems);
+  scene.supports.move_rigid(*surfaces, std::move(motions), std::move(free));
+  scene.solids.push_back(std::move(surfaces));
 }
 
 /// True where some pair of bodies, or pieces of a body, may touch. Bodies that never move do so
 /// only where heat passes.
 bool anything_can_touch(const Deck& deck, const ContactOptions& options) {
   const bool all_held = std::all_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
-    return body.value.rigid ? !body.value.motion : is_held(deck, body.name);
+    const bool still = !body.value.motion && !deck::follows_forces(body.value);
+    return body.value.rigid ? still : is_held(deck, body.name);
   });
   const auto passes = [](const auto& pair) { return pair.second.passes_heat(); };
   const bool heat = options.fallback.passes_heat() ||
@@ -126,8 +123,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     if (particles) scene->solids.push_back(std::move(particles));
   }
   if (auto rigid = make_rigid(loaded, *scene, bodies, next)) {
-    scene->supports.move_rigid(*rigid, motions_of(loaded, *scene));
-    scene->solids.push_back(std::move(rigid));
+    add_rigid(loaded, *scene, std::move(rigid), problems);
   }
   add_boundaries(loaded, *scene, problems);
   check_constraints(loaded, *scene, problems);

@@ -41,7 +41,8 @@ LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& 
     if (!is_wrong("materials." + material.name, wrong)) materials.insert(material.name);
   }
   keep(deck.bodies, [&](const auto& body) {
-    const bool made = body.value.rigid || materials.contains(body.value.material);
+    const bool needs_none = body.value.rigid && body.value.material.empty();
+    const bool made = needs_none || materials.contains(body.value.material);
     const bool sound = made && !is_wrong("bodies." + body.name, wrong);
     (sound ? kept : gone).insert(body.name);
     return sound;

@@ -1,6 +1,7 @@
 #include "app/deck/bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brunt::deck {
 
@@ -23,6 +24,13 @@ void describe_particles(Schema& s, Body& body) {
 }
 }  // namespace
 
+bool follows_forces(const Body& body) {
+  if (!body.rigid) return false;
+  if (!body.motion) return !body.material.empty();
+  return std::any_of(body.motion->velocity.begin(), body.motion->velocity.end(),
+                     [](Real component) { return std::isnan(component); });
+}
+
 void describe(Schema& s, Spin& spin) {
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {
     in3d.direction({"axis", "axis of the spin", Need::required}, spin.axis);
@@ -35,8 +43,9 @@ void describe(Schema& s, Spin& spin) {
 
 void describe(Schema& s, Motion& motion) {
   static constexpr const char* kLater[] = {"temperature"};
-  s.list({"velocity", "velocity, kept for ever"}, motion.velocity, kVelocity, Schema::kVector);
-  s.object({"spin", "rotation, kept for ever"}, motion.spin);
+  s.list({"velocity", "velocity, kept for ever; a component that is free follows its forces"},
+         motion.velocity, kVelocity, Schema::kVector, true);
+  s.object({"spin", "rotation, kept for ever; without it the body does not turn"}, motion.spin);
   s.later(kLater);
   s.require(!motion.velocity.empty() || motion.spin, "", "needs a velocity, a spin or both");
 }
@@ -58,7 +67,10 @@ void describe(Schema& s, Body& body) {
   s.real({"temperature", "temperature at time 0; default: ambient"}, body.temperature,
          {"K", at_least(0), between(50, 5000)});
   s.section(body.rigid, "only for rigid: true", [&](Schema& rigid) {
-    rigid.object({"motion", "what a rigid body is told to do; without it is held"}, body.motion);
+    rigid.object({"motion",
+                  "what a rigid body is told to do; without it is free where it has a material, "
+                  "and held where it has none"},
+                 body.motion);
   });
   s.section(!is_sph, "only for method: fe",
             [&](Schema& fe) { describe_finite_elements(fe, body); });
@@ -66,9 +78,10 @@ void describe(Schema& s, Body& body) {
   s.later(kLater);
   s.require(!body.rigid || !is_sph, "rigid",
             "a rigid body of particles is not in this version; take method: sph out");
-  s.require(!body.rigid || body.material.empty() || body.motion, "material",
-            "a rigid body that moves freely is not in this version: without motion and material "
-            "it is held, with motion it moves as told");
+  s.require(!follows_forces(body) || !body.material.empty(), "motion",
+            "a component that is free follows its forces, and that takes a mass: name a material");
+  s.require(!follows_forces(body) || !std::holds_alternative<Plane>(body.shape.kind), "shape",
+            "a plane has no volume and no mass to move by: take the material out, and it is held");
   s.require(body.rigid || is_sph || body.size.has_value() != body.cells.has_value(),
             body.cells ? "cells" : "",
             body.cells ? "stands beside size: keep one of them"

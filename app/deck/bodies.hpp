@@ -23,7 +23,7 @@ struct Spin {
 
 /// What a rigid body is told to do.
 struct Motion {
-  std::vector<Real> velocity;  ///< [m/s]; empty: none
+  std::vector<Real> velocity;  ///< [m/s]; NaN: this component follows its forces; empty: none
   std::optional<Spin> spin;
 };
 
@@ -37,11 +37,15 @@ struct Body {
   std::vector<Real> velocity;             ///< [m/s] at time 0; empty: at rest
   std::optional<Spin> spin;               ///< at time 0
   std::optional<Real> temperature;        ///< [K] at time 0; none: ambient
-  std::optional<Motion> motion;           ///< rigid bodies only; none: held
-  ElementOptions element;                 ///< FE that deforms
-  Lattice lattice = Lattice::cubic;       ///< SPH
-  SphOptions sph;                         ///< SPH
+  /// Rigid bodies only; none: held, or free where there is a material.
+  std::optional<Motion> motion;
+  ElementOptions element;            ///< FE that deforms
+  Lattice lattice = Lattice::cubic;  ///< SPH
+  SphOptions sph;                    ///< SPH
 };
+
+/// True for a rigid body of which something follows its forces.
+bool follows_forces(const Body& body);
 
 void describe(Schema& s, Spin& spin);
 void describe(Schema& s, Motion& motion);

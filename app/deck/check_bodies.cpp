@@ -122,13 +122,27 @@ void check_axisymmetric(const std::string& path, const Body& body, Findings& fin
   std::visit(AxisymmetricShape{path, findings}, body.shape.kind);
 }
 
-void check_rigid(const std::string& path, const Body& body, Findings& findings) {
-  const auto refuse = [&](const char* key, const char* instead) {
+void check_rigid(Geometry geometry, const std::string& path, const Body& body, Findings& findings) {
+  const auto refuse = [&](const char* key, const std::string& instead) {
+    const char* how = body.motion ? "" : "; with a `material` it is free, and starts so";
     findings.wrong(path + "." + key,
-                   std::string("a rigid body does not start, it is moved: write ") + instead);
+                   "a rigid body does not start, it is moved: write " + instead + how);
   };
-  if (!body.velocity.empty()) refuse("velocity", "motion: {velocity: [...]}");
+  if (follows_forces(body) && geometry == Geometry::axisymmetric && !body.velocity.empty() &&
+      body.velocity[0] != 0) {
+    findings.wrong(path + ".velocity.0", "a rigid ring moves along its axis, y, alone: write 0");
+  }
+  if (follows_forces(body) && !body.motion) return;  // free altogether
   if (body.spin) refuse("spin", "motion: {spin: {...}}");
+  if (!follows_forces(body)) {
+    if (!body.velocity.empty()) refuse("velocity", "motion: {velocity: [...]}");
+    return;
+  }
+  for (std::size_t c = 0; c < body.velocity.size(); ++c) {
+    if (std::isnan(body.motion->velocity[c]) || body.velocity[c] == 0) continue;
+    findings.wrong(path + ".velocity." + std::to_string(c),
+                   "motion tells this component, and only a free one starts: write 0");
+  }
 }
 
 void check_element(const Deck& deck, const std::string& path, const Body& body,
@@ -169,7 +183,7 @@ void check_bodies(const Deck& deck, Findings& findings) {
     if (!findings.sound(path)) continue;
     if (deck.geometry == Geometry::axisymmetric) check_axisymmetric(path, body, findings);
     if (body.rigid) {
-      check_rigid(path, body, findings);
+      check_rigid(deck.geometry, path, body, findings);
     } else {
       check_element(deck, path, body, findings);
     }
@@ -182,11 +196,13 @@ void check_bodies(const Deck& deck, Findings& findings) {
   if (!findings.sound("bodies") || !findings.stands("bodies")) return;
   if (deck.bodies.empty()) {
     findings.wrong("bodies", "there is no body: add one, with `shape`, `material` and `size`");
-  } else if (std::all_of(deck.bodies.begin(), deck.bodies.end(),
-                         [](const auto& body) { return body.value.rigid; })) {
+  } else if (std::all_of(deck.bodies.begin(), deck.bodies.end(), [](const auto& body) {
+               return body.value.rigid && !follows_forces(body.value);
+             })) {
     findings.wrong("bodies",
-                   "all bodies are rigid, and nothing is left to compute: one that deforms has "
-                   "`material` and `size`, and no rigid: true");
+                   "all bodies are rigid and none is free, and nothing is left to compute: one "
+                   "that deforms has `material` and `size`, and no rigid: true; one that is free "
+                   "has a `material` and no motion");
   }
 }
 

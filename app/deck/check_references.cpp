@@ -49,9 +49,11 @@ void check_materials_of_bodies(const Deck& deck, Findings& findings) {
   }
 }
 
-bool is_rigid(const Deck& deck, const std::string& name) {
-  return std::any_of(deck.bodies.begin(), deck.bodies.end(),
-                     [&](const auto& body) { return body.name == name && body.value.rigid; });
+/// True for a rigid body that nothing moves but what it is told.
+bool is_told(const Deck& deck, const std::string& name) {
+  return std::any_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
+    return body.name == name && body.value.rigid && !follows_forces(body.value);
+  });
 }
 
 void check_pairs(const Deck& deck, Findings& findings) {
@@ -71,8 +73,9 @@ void check_pairs(const Deck& deck, Findings& findings) {
       findings.wrong(path, second == "any"
                                ? "[any, any] are all pairs: write contact.default instead"
                                : "the named body comes first: [" + second + ", any]");
-    } else if (is_rigid(deck, first) && is_rigid(deck, second)) {
-      findings.warn(path, "rigid bodies do not push each other: the pair does nothing");
+    } else if (is_told(deck, first) && is_told(deck, second)) {
+      findings.warn(
+          path, "rigid bodies that follow no forces do not push each other: the pair does nothing");
     }
   }
 }

@@ -24,6 +24,8 @@ template <int Dim>
 struct FacetMesh {
   std::vector<Vec<Dim>> nodes;  ///< [m]
   std::vector<std::array<int, Facet<Dim>::kNodes>> facets;
+  std::vector<Label> piece;              ///< of each facet, from 0; a brick has its own
+  std::vector<std::string> piece_names;  ///< "" for the one piece of a plain body
 };
 
 /// Particles of one body.

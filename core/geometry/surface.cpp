@@ -16,7 +16,13 @@ template <int Dim>
 FacetMesh<Dim> outside(const Mesh<Dim>& mesh) {
   FacetMesh<Dim> surface;
   std::vector<int> kept(mesh.nodes.size(), -1);
+  std::vector<Label> piece(mesh.nodes.size(), 0);  // pieces share no nodes
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    for (const int node : mesh.elements[e]) piece[static_cast<std::size_t>(node)] = mesh.piece[e];
+  }
+  surface.piece_names = mesh.piece_names;
   for (auto face : outer_faces(mesh)) {
+    surface.piece.push_back(piece[static_cast<std::size_t>(face[0])]);
     for (auto& node : face) {
       int& place = kept[static_cast<std::size_t>(node)];
       if (place < 0) {
@@ -218,6 +224,8 @@ FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Ge
     return outside(mesh_shape<Dim>(shape, or_coarse(sizing, shape), geometry));
   }
   place_all<Dim>(shape, surface.nodes);
+  surface.piece.assign(surface.facets.size(), 0);
+  surface.piece_names = {""};
   return surface;
 }
 

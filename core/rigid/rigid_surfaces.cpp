@@ -22,8 +22,7 @@ RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> fa
   surface_.facets = std::move(facets);
 }
 
-/// All points and facets stand on every rank and move as told; their forces and work are kept by
-/// the owner of each point.
+/// All points and facets stand on every rank; forces and work are kept by the owner of each point.
 template <int Dim>
 std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Deal& deal,
                                                      const Communicator& ranks) const {
@@ -40,12 +39,20 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Deal& deal,
   }
   auto facets = surface_.facets;
   for (auto& facet : facets) {
+    facet.owned = deal.of(points_.id[static_cast<std::size_t>(facet.node[0])]) == ranks.rank();
+  }
+  for (auto& facet : facets) {
     for (auto& node : facet.node) {
       if (node >= 0) node = place[static_cast<std::size_t>(node)];
     }
-    facet.owned = ranks.is_root();  // it is never the lower face of a pair: this is for output
   }
-  return std::make_unique<RigidSurfaces>(points_.subset(order, n_owned), std::move(facets));
+  auto here = std::make_unique<RigidSurfaces>(points_.subset(order, n_owned), std::move(facets));
+  here->shows_facets_ = ranks.is_root();
+  if (shares_.empty()) return here;
+  std::vector<Real> shares;
+  for (const LocalIndex i : order) shares.push_back(shares_[static_cast<std::size_t>(i)]);
+  here->set_shares(std::move(shares));
+  return here;
 }
 
 template <int Dim>
@@ -67,18 +74,18 @@ BodyView RigidSurfaces<Dim>::view(Label body) const {
     append(force.values, points_.f[i]);
     id.values.push_back(static_cast<Real>(points_.id[i]));
     view.point_owned.push_back(static_cast<LocalIndex>(i) < points_.n_owned);
+    view.point_mass.push_back(shares_.empty() ? 0.0 : shares_[i]);
   }
   // A surface of triangles and quads is written as quads with a repeated last corner.
   view.corners = Dim == 2 ? 2 : 4;
   for (const auto& facet : surface_.facets) {
-    if (facet.body != body || !facet.owned) continue;
+    if (facet.body != body || !shows_facets_) continue;
     for (int c = 0; c < view.corners; ++c) {
       const int corner = std::min(c, facet.n_nodes() - 1);
       view.connectivity.push_back(local[static_cast<std::size_t>(facet.node[corner])]);
     }
   }
   view.point_fields = {displacement, velocity, force, id};
-  view.point_mass.assign(static_cast<std::size_t>(count), 0.0);
   return view;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/points_state.hpp"
@@ -20,15 +21,20 @@ struct RigidMotion {
   Vec<Dim> position(const Vec<Dim>& start, Real t) const;
 };
 
-/// The group of all rigid surfaces: points without mass that move as told, and their facets.
+/// The group of all rigid surfaces: points without mass that others move, and their facets.
 /// It updates no elements and votes no step.
 template <int Dim>
 class RigidSurfaces final : public Solid<Dim> {
  public:
-  /// Points of all rigid bodies, at time 0, with their facets (stiffness 0).
+  /// Points of all rigid bodies, at time 0, with their facets (stiffness 0 where they are held or
+  /// move as told).
   RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets);
   RigidSurfaces(const RigidSurfaces&) = delete;
   RigidSurfaces& operator=(const RigidSurfaces&) = delete;
+
+  /// Masses [kg] that means over points of free bodies weigh them by; none: there are no such
+  /// bodies. The points themselves have no mass.
+  void set_shares(std::vector<Real> shares) { shares_ = std::move(shares); }
 
   std::unique_ptr<Solid<Dim>> part(const Deal& deal, const Communicator& ranks) const override;
   Points<Dim>& points() override { return points_; }
@@ -53,7 +59,9 @@ class RigidSurfaces final : public Solid<Dim> {
  private:
   Points<Dim> points_;
   Surface<Dim> surface_;
-  GhostPlan ghosts_;  // none: every rank moves all rigid points as told
+  std::vector<Real> shares_;
+  bool shows_facets_ = true;  // one rank writes all of them, in their order
+  GhostPlan ghosts_;  // none: every rank moves all rigid points
 };
 
 }  // namespace brunt

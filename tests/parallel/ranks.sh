@@ -28,6 +28,7 @@ cases=(
   "half-spaces 0.4_ms time.end=0.8_ms parameters.width=0.4_mm"
   "hot-block 5_us time.end=10_us"
   "brick-stack 8_ms time.end=15_ms"
+  "tumbling-blocks 3.5_ms parameters.end=5_ms"
   "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"
 )
 status=0

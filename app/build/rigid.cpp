@@ -1,0 +1,181 @@
+#include "app/build/rigid.hpp"
+
+#include <cmath>
+#include <map>
+#include <span>
+#include <stdexcept>
+
+#include "app/build/materials.hpp"
+#include "core/geometry/placement.hpp"
+#include "core/rigid/mass_properties.hpp"
+
+namespace brunt {
+
+namespace {
+template <int Dim>
+Vec3 in_space(const std::vector<Real>& values) {
+  Vec3 space = Vec3::Zero();
+  space.template head<Dim>() = to_vector<Dim>(values);
+  return space;
+}
+
+/// What is free of a body: all of it without motion, else the components that say so. A whole ring
+/// moves along its axis alone.
+template <int Dim>
+void set_freedom(const deck::Body& body, Geometry geometry, FreeBody<Dim>& made) {
+  made.free.fill(!body.motion);
+  made.turns = !body.motion && geometry != Geometry::axisymmetric;
+  for (std::size_t c = 0; body.motion && c < Dim && c < body.motion->velocity.size(); ++c) {
+    made.free[c] = std::isnan(body.motion->velocity[c]);
+  }
+  if (geometry == Geometry::axisymmetric) made.free[0] = false;
+}
+
+/// Mass, place and motion at time 0.
+template <int Dim>
+void set_state(const deck::Body& body, const MassProperties& properties, const Vec<Dim>& origin,
+               FreeBody<Dim>& made) {
+  auto& state = made.state;
+  state.mass = properties.mass;
+  if (properties.inertia != Mat3::Zero()) {
+    state.inertia = properties.inertia;
+    state.inverse_inertia = properties.inertia.inverse();
+  }
+  state.x = made.center = properties.center;
+  state.v = in_space<Dim>(body.velocity);
+  if (!body.spin) return;
+  Vec3 axis = Vec3::UnitZ(), about = in_space<Dim>(body.spin->about);
+  if (Dim == 3) axis = to_vector<3>(body.spin->axis).normalized();
+  about.template head<Dim>() -= origin;
+  state.v += body.spin->rate * axis.cross(state.x - about);
+  state.momentum = state.inertia * (body.spin->rate * axis);
+}
+
+/// Bodies of a plane that only move along it are told to start so.
+template <int Dim>
+void set_told_start(FreeBody<Dim>& made) {
+  for (int c = 0; c < Dim; ++c) {
+    if (!made.is_free(c)) made.state.v[c] = made.told.velocity[c];
+  }
+  if (made.turns) return;
+  const Vec3 spin = made.told.spin * made.told.axis;
+  Vec3 arm = made.center;
+  arm.template head<Dim>() -= made.told.center;
+  const Vec3 round = spin.cross(arm);
+  for (int c = 0; c < Dim; ++c) {
+    if (!made.is_free(c)) made.state.v[c] += round[c];
+  }
+  made.state.momentum = made.state.inertia * spin;
+}
+
+/// What contact needs to know of the faces.
+template <int Dim>
+void set_facets(const Material& material, const MassProperties& properties,
+                const FreeBody<Dim>& made, const Points<Dim>& points,
+                std::span<Facet<Dim>> facets) {
+  const Real h = 2 * properties.volume / properties.area;
+  for (auto& facet : facets) {
+    facet.stiffness = (material.bulk + 4.0 / 3 * material.shear) / h;
+    facet.areal_mass = properties.mass / properties.area;
+    facet.depth = 0.5 * h;
+    facet.compliance = 1 / made.state.mass;
+    for (int c = 0; c < facet.n_nodes() && made.turns; ++c) {
+      const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
+      Vec3 arm = -made.center;
+      arm.template head<Dim>() += points.x_start[node];
+      facet.compliance = std::max(facet.compliance,
+                                  compliance_at(arm, made.state.mass, made.state.inverse_inertia));
+    }
+  }
+}
+
+/// Shares of a body's mass for its points with its centre as their mean: m/n, and more towards it,
+/// as little as squares allow: w = m/n + b.(x - mean), where sum w x = m center.
+template <int Dim>
+void set_shares(const FreeBody<Dim>& made, const Points<Dim>& points, std::vector<Real>& shares) {
+  std::vector<std::size_t> mine;
+  Vec<Dim> mean = Vec<Dim>::Zero();
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    if (points.piece[i] != made.piece) continue;
+    mine.push_back(i);
+    mean += points.x_start[i];
+  }
+  const auto n = static_cast<Real>(mine.size());
+  mean /= n;
+  Eigen::Matrix<Real, Dim, Dim> spread = Eigen::Matrix<Real, Dim, Dim>::Zero();
+  for (const std::size_t i : mine) {
+    const Vec<Dim> arm = points.x_start[i] - mean;
+    spread += arm * arm.transpose();
+  }
+  const Vec<Dim> center = made.center.template head<Dim>();
+  const Vec<Dim> b = made.state.mass * spread.inverse() * (center - mean);
+  for (const std::size_t i : mine) {
+    shares[i] = made.state.mass / n + b.dot(points.x_start[i] - mean);
+  }
+}
+}  // namespace
+
+template <int Dim>
+RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& origin) {
+  RigidMotion<Dim> motion;
+  motion.body = label;
+  motion.center = -origin;
+  if (!body.motion) return motion;
+  for (std::size_t c = 0; c < body.motion->velocity.size() && c < Dim; ++c) {
+    const Real told = body.motion->velocity[c];
+    if (!std::isnan(told)) motion.velocity[static_cast<int>(c)] = told;
+  }
+  if (!body.motion->spin) return motion;
+  const auto& spin = *body.motion->spin;
+  motion.spin = spin.rate;
+  if (Dim == 3) motion.axis = to_vector<3>(spin.axis).normalized();
+  motion.center += to_vector<Dim>(spin.about);
+  return motion;
+}
+
+template <int Dim>
+std::unique_ptr<FreeBodies<Dim>> make_free_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                                  RigidSurfaces<Dim>& surfaces,
+                                                  std::vector<DeckProblem>& problems) {
+  const auto& points = surfaces.points();
+  auto& facets = surfaces.surface().facets;
+  std::vector<FreeBody<Dim>> made;
+  std::vector<Real> shares(points.x.size(), 0.0);
+  for (std::size_t first = 0, last = 0; first < facets.size(); first = last) {
+    while (last < facets.size() && facets[last].piece == facets[first].piece) ++last;
+    const auto& [name, body] = loaded.deck.bodies[facets[first].body];
+    const Material* material = material_of(loaded.deck, scene.materials, body);
+    if (!deck::follows_forces(body) || material == nullptr) continue;
+    FreeBody<Dim> one;
+    one.body = facets[first].body, one.piece = facets[first].piece;
+    one.told = motion_of<Dim>(body, one.body, scene.origin);
+    const std::span<Facet<Dim>> own(facets.data() + first, last - first);
+    try {
+      const auto properties =
+          mass_properties<Dim>(points, own, material->density, scene.geometry, scene.depth);
+      set_freedom(body, scene.geometry, one);
+      set_state<Dim>(body, properties, scene.origin, one);
+      set_told_start(one);
+      set_facets<Dim>(*material, properties, one, points, own);
+      set_shares(one, points, shares);
+    } catch (const std::invalid_argument& error) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));
+      continue;
+    }
+    made.push_back(std::move(one));
+  }
+  if (made.empty()) return nullptr;
+  surfaces.set_shares(std::move(shares));
+  return std::make_unique<FreeBodies<Dim>>(surfaces.points(), std::move(made));
+}
+
+template RigidMotion<2> motion_of<2>(const deck::Body&, Label, const Vec<2>&);
+template RigidMotion<3> motion_of<3>(const deck::Body&, Label, const Vec<3>&);
+template std::unique_ptr<FreeBodies<2>> make_free_bodies<2>(const LoadedDeck&, const Scene<2>&,
+                                                            RigidSurfaces<2>&,
+                                                            std::vector<DeckProblem>&);
+template std::unique_ptr<FreeBodies<3>> make_free_bodies<3>(const LoadedDeck&, const Scene<3>&,
+                                                            RigidSurfaces<3>&,
+                                                            std::vector<DeckProblem>&);
+
+}  // namespace brunt

@@ -1,0 +1,287 @@
+#include "core/rigid/free_bodies.hpp"
+
+#include <map>
+#include <utility>
+
+#include "core/exact_sum.hpp"
+#include "core/points_state.hpp"
+#include "core/state_hash.hpp"
+
+namespace brunt {
+
+namespace {
+constexpr Real kLargestTurn = 0.2;           // [rad] of a step
+constexpr std::size_t kWorthThreads = 1000;  // points
+
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& v) {
+  Vec3 space = Vec3::Zero();
+  space.template head<Dim>() = v;
+  return space;
+}
+}  // namespace
+
+/// Resultants of the forces at points; in 2D the force and the torque about z.
+template <int Dim>
+struct FreeBodies<Dim>::Sums {
+  static constexpr std::size_t kSums = Dim == 3 ? 6 : 3;
+  std::array<ExactSum, kSums> sum;
+
+  void add(const Vec3& force, const Vec3& torque) {
+    for (std::size_t c = 0; c < Dim; ++c) sum[c].add(force[static_cast<int>(c)]);
+    for (std::size_t c = Dim; c < kSums; ++c)
+      sum[c].add(torque[static_cast<int>(c) - (Dim == 3 ? 3 : 0)]);
+  }
+  void add(const Sums& other) {
+    for (std::size_t c = 0; c < kSums; ++c) sum[c].add(other.sum[c]);
+  }
+  Vec3 force() const {
+    Vec3 value = Vec3::Zero();
+    for (int c = 0; c < Dim; ++c) value[c] = sum[static_cast<std::size_t>(c)].value();
+    return value;
+  }
+  Vec3 torque() const {
+    if (Dim == 2) return {0, 0, sum[2].value()};
+    return {sum[kSums - 3].value(), sum[kSums - 2].value(), sum[kSums - 1].value()};
+  }
+};
+
+template <int Dim>
+FreeBodies<Dim>::FreeBodies(Points<Dim>& points, std::vector<FreeBody<Dim>> bodies)
+    : points_(&points), bodies_(std::move(bodies)) {
+  find_points();
+}
+
+template <int Dim>
+void FreeBodies<Dim>::find_points() {
+  std::map<Label, std::size_t> number;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) number[bodies_[b].piece] = b;
+  chosen_.clear(), body_of_.clear();
+  for (LocalIndex i = 0; i < points_->size(); ++i) {
+    const auto found = number.find(points_->piece[static_cast<std::size_t>(i)]);
+    if (found == number.end()) continue;
+    chosen_.push_back(i);
+    body_of_.push_back(found->second);
+  }
+  arm_.assign(chosen_.size(), Vec3::Zero());
+  last_force_.assign(chosen_.size(), Vec<Dim>::Zero());
+  work_.assign(chosen_.size(), 0.0);
+}
+
+template <int Dim>
+void FreeBodies<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
+  if (points_ != &old) return;
+  points_ = &now;
+  find_points();
+}
+
+/// Arms as the bodies lie now; positions and velocities of the points with them.
+template <int Dim>
+template <class Velocity>
+void FreeBodies<Dim>::place_points(const Velocity& velocity) {
+  auto& points = *points_;
+  std::vector<Mat3> rotation;
+  for (const auto& body : bodies_) rotation.push_back(body.state.rotation());
+#pragma omp parallel for schedule(static) if (chosen_.size() > kWorthThreads)
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(chosen_[k]);
+    const auto& body = bodies_[body_of_[k]];
+    const Vec3 start = in_space<Dim>(points.x_start[i]) - body.center;
+    const Vec3 arm = rotation[body_of_[k]] * start;
+    points.x[i] = (body.state.x + arm).template head<Dim>();
+    points.v[i] = (body.state.v + velocity(k, arm)).template head<Dim>();
+    arm_[k] = arm;
+  }
+}
+
+template <int Dim>
+void FreeBodies<Dim>::start() {
+  std::vector<Vec3> spin;
+  for (const auto& body : bodies_) spin.push_back(body.state.spin());
+  place_points([&](std::size_t k, const Vec3& arm) { return spin[body_of_[k]].cross(arm); });
+}
+
+template <int Dim>
+Vec3 FreeBodies<Dim>::told_center(const FreeBody<Dim>& body, Real time) const {
+  return in_space<Dim>(body.told.position(body.center.template head<Dim>(), time));
+}
+
+/// What is not free goes as told: the acceleration at the start of the step becomes the one that
+/// leads there, as for points that a boundary moves.
+template <int Dim>
+void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords) {
+  auto& state = body.state;
+  const Vec3 now = told_center(body, time), before = told_center(body, time - dt);
+  for (int c = 0; c < Dim; ++c) {
+    if (body.is_free(c)) continue;
+    const Real old = state.a[c];
+    const Real v_half = (now[c] - before[c]) / dt;
+    const Real needed = 2 * (v_half - (state.v[c] - 0.5 * dt * old)) / dt;
+    body.reaction[c] += state.mass * (needed - old);
+    body.integration += dt * dt / 8 * state.mass * (needed * needed - old * old);
+    state.a[c] = needed;
+    state.v[c] = v_half;
+    state.x[c] = now[c];
+  }
+  if (body.turns) return;
+  const auto& told = body.told;
+  state.turn = Eigen::AngleAxis<Real>(told.spin * time, told.axis);
+  const Mat3 rotation = state.rotation();
+  state.momentum = rotation * (state.inertia * (rotation.transpose() * (told.spin * told.axis)));
+  chords = chord_rate(told.spin * dt, dt) * told.axis;
+}
+
+template <int Dim>
+void FreeBodies<Dim>::predict(Real time, Real dt, Real dt_last) {
+  const Real change = (dt * dt - dt_last * dt_last) / 8;
+  std::vector<Vec3> chords;
+  for (auto& body : bodies_) {
+    body.integration += change * body.state.kick_energy();
+    body.state.kick(dt);
+    body.start_spin = body.state.spin();
+    chords.push_back(body.state.drift(dt));
+    impose(body, time, dt, chords.back());
+    body.end_spin = body.state.spin();
+    body.load_force.setZero(), body.load_torque.setZero();
+  }
+  // r(n+1) - r(n) = dt w x (r(n) + r(n+1))/2 to the last digit, whatever the step
+  place_points([&](std::size_t k, const Vec3& arm) {
+    return chords[body_of_[k]].cross(0.5 * (arm_[k] + arm));
+  });
+}
+
+template <int Dim>
+void FreeBodies<Dim>::collect_forces(const Communicator& ranks, Real time, Real dt) {
+  const auto& points = *points_;
+  std::vector<Sums> sums(bodies_.size());
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    if (chosen_[k] >= points.n_owned) continue;
+    const auto i = static_cast<std::size_t>(chosen_[k]);
+    const Vec<Dim>& f = points.f[i];
+    work_[k] += 0.5 * dt * points.v[i].dot(last_force_[k] + f);
+    last_force_[k] = f;
+    if (f.squaredNorm() == 0) continue;
+    const Vec3 force = in_space<Dim>(f);
+    sums[body_of_[k]].add(force, arm_[k].cross(force));
+  }
+  ranks.reduce_all(std::span(sums), [](Sums& a, const Sums& b) { a.add(b); });
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    take_forces(sums[b].force(), sums[b].torque(), time, dt, bodies_[b]);
+  }
+}
+
+/// The acceleration at the end of the step, and the work of what makes it.
+template <int Dim>
+void FreeBodies<Dim>::take_forces(const Vec3& point_force, const Vec3& point_torque, Real time,
+                                  Real dt, FreeBody<Dim>& body) {
+  auto& state = body.state;
+  Real taken = state.v.dot(body.point_force + point_force);
+  if (body.turns) {
+    taken += body.point_torque.dot(body.start_spin) + point_torque.dot(body.end_spin);
+  }
+  (body.turns ? body.integration : body.boundary) -= 0.5 * dt * taken;
+  body.point_force = point_force, body.point_torque = point_torque;
+  body.force = point_force + body.load_force;
+  body.torque = point_torque + body.load_torque;
+  if (body.turns) state.torque = body.torque;
+  state.a = body.force / state.mass;
+  const Vec3 place = told_center(body, time);
+  const Vec3 about = in_space<Dim>(Vec<Dim>(body.told.center + time * body.told.velocity));
+  const Vec3 told =
+      in_space<Dim>(body.told.velocity) + body.told.spin * body.told.axis.cross(place - about);
+  for (int c = 0; c < Dim; ++c) {
+    if (body.is_free(c)) continue;
+    const Real needed = 2 * (told[c] - state.v[c]) / dt;
+    const Real reaction = state.mass * needed - body.force[c];
+    body.boundary -= 0.5 * dt * state.v[c] * (body.reaction[c] + reaction);
+    body.reaction[c] = reaction;
+    state.a[c] = needed;
+  }
+}
+
+template <int Dim>
+void FreeBodies<Dim>::correct(Real dt) {
+  for (auto& body : bodies_) body.state.kick(dt);
+  start();
+}
+
+template <int Dim>
+StepVote FreeBodies<Dim>::stable_step() const {
+  StepVote vote;
+  for (const auto& body : bodies_) {
+    const Real rate = body.turns ? body.state.fastest_spin() : std::fabs(body.told.spin);
+    if (rate == 0) continue;
+    vote.take({kLargestTurn / rate, "spin of a rigid body", body.body, body.piece});
+  }
+  return vote;
+}
+
+template <int Dim>
+void FreeBodies<Dim>::add_totals(Totals<Dim>& totals) const {
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    if (chosen_[k] >= points_->n_owned) continue;
+    const bool turns = bodies_[body_of_[k]].turns;
+    totals.add(turns ? Column::integration : Column::boundary, work_[k]);
+  }
+}
+
+template <int Dim>
+void FreeBodies<Dim>::add_body_totals(Real dt, Totals<Dim>& totals) const {
+  for (const auto& body : bodies_) {
+    const auto& state = body.state;
+    auto& sums = totals.bodies[body.body];
+    sums.mass.add(state.mass);
+    sums.kinetic.add(state.kinetic(dt));
+    EntityHash hash(body.piece);
+    for (int c = 0; c < 3; ++c) {
+      hash.add(state.x[c]), hash.add(state.v[c]), hash.add(state.a[c]);
+      hash.add(state.momentum[c]), hash.add(state.torque[c]);
+    }
+    for (int c = 0; c < 4; ++c) hash.add(state.turn.coeffs()[c]);
+    totals.state_hash += hash.value();
+    for (int c = 0; c < Dim; ++c) {
+      sums.mass_position[static_cast<std::size_t>(c)].add(state.mass * state.x[c]);
+      sums.momentum[static_cast<std::size_t>(c)].add(state.mass * state.v[c]);
+    }
+    totals.add(Column::integration, body.integration);
+    totals.add(Column::boundary, body.boundary);
+  }
+}
+
+namespace {
+template <class Row, class AnyBody>
+void visit_body(Row& row, AnyBody& body) {
+  auto& state = body.state;
+  row(state.x), row(state.v), row(state.a);
+  row(state.turn.coeffs()), row(state.momentum), row(state.torque);
+  row(body.force), row(body.torque);
+  row(body.point_force), row(body.point_torque), row(body.reaction);
+  row(body.integration), row(body.boundary);
+}
+}  // namespace
+
+template <int Dim>
+void FreeBodies<Dim>::save_state(std::vector<StateTable>& tables) const {
+  save_rows(
+      "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
+      [&](auto& row, std::size_t b) { visit_body(row, bodies_[b]); }, tables);
+  save_chosen(
+      "rigid.points", *points_, chosen_,
+      [&](auto& row, std::size_t k) { row(last_force_[k]), row(work_[k]); }, tables);
+}
+
+template <int Dim>
+void FreeBodies<Dim>::load_state(const StateTables& tables) {
+  load_rows(
+      "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
+      [&](auto& row, std::size_t b) { visit_body(row, bodies_[b]); }, tables);
+  load_chosen(
+      "rigid.points", *points_, chosen_,
+      [&](auto& row, std::size_t k) { row(last_force_[k]), row(work_[k]); }, tables);
+  start();
+}
+
+template class FreeBodies<2>;
+template class FreeBodies<3>;
+
+}  // namespace brunt
