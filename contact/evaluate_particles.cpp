@@ -124,29 +124,32 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
                  std::span<const ParticleCandidate> candidates, const Section& section, Real dt,
-                 FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
+                 FrictionHistory<Dim>* history, ParticleLoad& load,
+                 typename Records<Dim>::Part& part) {
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
-  Real squared_frequency = 0, zeta = 0;
+  Real& squared_frequency = load.squared_frequency;
   const auto kept =
       std::count_if(part.hits.begin(), part.hits.end(), [](const auto& hit) { return hit.kept; });
   for (auto& hit : part.hits) {
     if (!hit.kept) continue;
     const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
-    part.particle_on_face.push_back(
-        record_of(entities, now, candidate, hit, dt, squared_frequency));
+    const auto record = record_of(entities, now, candidate, hit, dt, squared_frequency);
     if (candidate.conductance > 0) {
+      load.on_faces = ++load.heat_contacts;
       part.particle_heat.push_back(
-          heat_path<Dim>(entities.nodes, part.particle_on_face.back(), now.particle,
+          heat_path<Dim>(entities.nodes, record, now.particle,
                          entities.faces[static_cast<std::size_t>(candidate.face)],
                          candidate.conductance, static_cast<int>(kept)));
     }
+    if (hit.share == 0) continue;
+    part.particle_on_face.push_back(record);
     if (candidate.rubs != nullptr && history != nullptr) {
       add_friction(entities, now, candidate, hit, section, dt, *history, part);
     }
-    zeta = std::max(zeta, candidate.zeta);
+    load.zeta = std::max(load.zeta, candidate.zeta);
   }
   if (squared_frequency > 0) {
-    const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(zeta);
+    const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(load.zeta);
     part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
 }
@@ -157,7 +160,7 @@ void evaluate_particles(const Entities<Dim>& entities,
                         std::span<const ParticleCandidate> candidates,
                         std::span<const std::size_t> starts, const Section& section,
                         const EvaluationStep& step, FrictionHistory<Dim>* history,
-                        typename Records<Dim>::Part& part) {
+                        std::span<ParticleLoad> loads, typename Records<Dim>::Part& part) {
   for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
     const auto& particle =
         entities.particles[static_cast<std::size_t>(candidates[starts[s]].particle)];
@@ -180,16 +183,21 @@ void evaluate_particles(const Entities<Dim>& entities,
       hit.candidate = static_cast<LocalIndex>(i);
       hit.nearest = nearest_point<Dim>(plane, x);
     }
-    if (part.hits.empty()) continue;
-    record_hits(entities, now, candidates, section, step.dt, history, part);
+    ParticleLoad load;
+    if (!part.hits.empty()) {
+      record_hits(entities, now, candidates, section, step.dt, history, load, part);
+    }
+    if (!loads.empty()) loads[static_cast<std::size_t>(candidates[starts[s]].particle)] = load;
   }
 }
 
 template void evaluate_particles<2>(const Entities<2>&, std::span<const ParticleCandidate>,
                                     std::span<const std::size_t>, const Section&,
-                                    const EvaluationStep&, FrictionHistory<2>*, Records<2>::Part&);
+                                    const EvaluationStep&, FrictionHistory<2>*,
+                                    std::span<ParticleLoad>, Records<2>::Part&);
 template void evaluate_particles<3>(const Entities<3>&, std::span<const ParticleCandidate>,
                                     std::span<const std::size_t>, const Section&,
-                                    const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
+                                    const EvaluationStep&, FrictionHistory<3>*,
+                                    std::span<ParticleLoad>, Records<3>::Part&);
 
 }  // namespace brunt

@@ -33,6 +33,9 @@ struct ContactManager<Dim>::Implementation {
   void begin_friction(Real dt);
   /// Books what friction did in this step, and what the faces carry from now on. Collective.
   void end_friction();
+  /// Puts together what both sides of each contact of particles leave for heat. Collective among
+  /// neighbours.
+  void complete_pair_heat();
   /// Finds the nodes of all records in new tables at the same positions.
   void name_nodes();
   /// Tables of what contacts remember: one for each place of a contact among those of its lower
@@ -54,6 +57,8 @@ struct ContactManager<Dim>::Implementation {
   ContactImports<Dim> imports;
   Candidates<Dim> candidates;
   Records<Dim> records;
+  std::vector<ParticleLoad> loads;  // by particle; empty where no row of pairs is there
+  std::vector<PairSide> sides;      // by candidate of pairs; empty where nothing conducts
   FrictionHistory<Dim> history;
   StepVote vote;
   Real dt_last = 0;      // [s] of the last evaluation

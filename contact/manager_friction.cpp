@@ -35,15 +35,17 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.heat);
 }
 
-std::string table_of(bool of_particle, std::size_t place) {
-  return (of_particle ? "contact.friction.particle." : "contact.friction.face.") +
-         std::to_string(place);
+/// kind  of_particle of the contact's key
+std::string table_of(std::uint32_t kind, std::size_t place) {
+  static constexpr const char* kTables[] = {"contact.friction.face.", "contact.friction.particle.",
+                                            "contact.friction.particles."};
+  return kTables[kind] + std::to_string(place);
 }
 }  // namespace
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>& tables) const {
-  std::vector<std::vector<const Friction<Dim>*>> by_place[2];
+  std::vector<std::vector<const Friction<Dim>*>> by_place[3];
   const Friction<Dim>* last = nullptr;
   std::size_t place = 0;
   records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
@@ -57,13 +59,12 @@ void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>&
     if (places.size() <= place) places.resize(place + 1);
     places[place].push_back(friction);
   });
-  for (const bool of_particle : {false, true}) {
-    const auto& places = by_place[of_particle ? 1 : 0];
+  for (std::uint32_t kind = 0; kind < 3; ++kind) {
+    const auto& places = by_place[kind];
     for (std::size_t p = 0; p < places.size(); ++p) {
       const auto& chosen = places[p];
       save_rows(
-          table_of(of_particle, p), chosen.size(),
-          [&](std::size_t k) { return chosen[k]->key.first; },
+          table_of(kind, p), chosen.size(), [&](std::size_t k) { return chosen[k]->key.first; },
           [&](auto& row, std::size_t k) { visit_friction(row, *chosen[k]); }, tables);
     }
   }
@@ -72,12 +73,12 @@ void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>&
 template <int Dim>
 void ContactManager<Dim>::Implementation::load_friction(const StateTables& tables) {
   std::vector<Friction<Dim>> known;
-  const auto load = [&](bool of_particle, GlobalId first) {
-    for (std::size_t place = 0; tables.has(table_of(of_particle, place)); ++place) {
-      const auto& rows = tables.rows(table_of(of_particle, place));
+  const auto load = [&](std::uint32_t kind, GlobalId first) {
+    for (std::size_t place = 0; tables.has(table_of(kind, place)); ++place) {
+      const auto& rows = tables.rows(table_of(kind, place));
       if (!rows.has(first)) return;
       auto& friction = known.emplace_back();
-      friction.key.of_particle = of_particle ? 1 : 0;
+      friction.key.of_particle = kind;
       friction.key.first = first;
       StateCounter counter;
       visit_friction(counter, friction);
@@ -86,9 +87,13 @@ void ContactManager<Dim>::Implementation::load_friction(const StateTables& table
     }
   };
   for (const auto& face : entities.faces) {
-    if (face.owned) load(false, face.id);
+    if (face.owned) load(0, face.id);
   }
-  for (const auto& particle : entities.particles) load(true, particle.id);
+  for (const std::uint32_t kind : {1, 2}) {
+    for (const auto& particle : entities.particles) {
+      if (particle.owned) load(kind, particle.id);
+    }
+  }
   records.attach([&](const ContactKey& key) -> const Friction<Dim>* {
     const auto at = std::lower_bound(
         known.begin(), known.end(), key,
@@ -173,12 +178,12 @@ void ContactManager<Dim>::Implementation::name_nodes() {
       const auto& face = entities.faces[entities.face_with(id)];
       for (int c = 0; c < face.n_nodes; ++c) node[n++] = face.node[static_cast<std::size_t>(c)];
     };
-    if (record.of_particle) {
-      node[n++] = entities.particles[entities.particle_with(record.first)].node;
-    } else {
-      add_face(record.first);
-    }
-    add_face(record.second);
+    const auto add = [&](GlobalId id, bool particle) {
+      if (!particle) return add_face(id);
+      node[n++] = entities.particles[entities.particle_with(id)].node;
+    };
+    add(record.first, record.of_particle);
+    add(record.second, record.of_two_particles);
     return node;
   });
 }

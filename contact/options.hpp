@@ -63,6 +63,7 @@ struct PairOptions {
   std::optional<DecayingFriction> decaying{};  ///< instead of `friction`
 
   std::variant<NoContactHeat, PerfectContactHeat, ContactConductance> heat{};
+  bool bonded = false;  ///< particles of both bodies share one SPH sum
 
   bool passes_heat() const { return heat.index() != 0; }
   /// [W/m^2/K] through the contact, infinite where it is perfect.
@@ -84,11 +85,13 @@ struct PairOptions {
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
-  static constexpr const char* kLater[] = {"tied",  "shear_limit",   "cohesion", "tension",
-                                           "joint", "friction_heat", "bonded"};
+  static constexpr const char* kLater[] = {"tied",    "shear_limit", "cohesion",
+                                           "tension", "joint",       "friction_heat"};
   static constexpr Varying::Over kFrictionOver[] = {Varying::Over::slip_speed,
                                                     Varying::Over::pressure};
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
+  s.flag({"bonded", "particles of both bodies share one SPH sum, as those of one body"},
+         pair.bonded);
   s.varying_or_law({"friction",
                     "coefficient of Coulomb friction; or a table over slip_speed or pressure; or "
                     "static, kinetic and decay"},
@@ -98,6 +101,7 @@ inline void describe(Schema& s, PairOptions& pair) {
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
   s.one_of({"heat", "whether heat passes between them where they touch"}, pair.heat);
   s.later(kLater);
+  s.require(!pair.ignore || !pair.bonded, "bonded", "stands beside ignore: keep one of them");
 }
 
 /// Contact as the scene hands it to the manager: options resolved for each pair of body labels.

@@ -11,8 +11,11 @@ namespace brunt {
 
 template <int Dim>
 SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacing,
-                                std::vector<ParticleSet> sets, Real depth)
-    : points_(std::move(points)), depth_(Dim == 2 ? depth : 1.0) {
+                                std::vector<ParticleSet> sets, Real depth,
+                                std::vector<Label> sum_of_piece)
+    : points_(std::move(points)),
+      depth_(Dim == 2 ? depth : 1.0),
+      sum_of_piece_(std::move(sum_of_piece)) {
   assert(spacing.size() == points_.x.size());
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
   take_sets(std::move(sets), spacing);
@@ -111,6 +114,21 @@ void SphParticles<Dim>::refresh_gradients() {
   }
 }
 
+/// w = curl v / 2, of the corrected gradient L_ab = dv_a/dx_b.
+template <int Dim>
+void SphParticles<Dim>::publish_spins() {
+  surface_.spin.resize(n_owned());
+  for_each(n_owned(), [&](std::size_t i) {
+    const Real* L = state_[i].velocity_gradient;
+    Vec3& spin = surface_.spin[i];
+    if constexpr (Dim == 3) {
+      spin = 0.5 * Vec3(L[7] - L[5], L[2] - L[6], L[3] - L[1]);
+    } else {
+      spin = Vec3(0, 0, 0.5 * (L[2] - L[1]));
+    }
+  });
+}
+
 template <int Dim>
 void SphParticles<Dim>::update_state(Real dt) {
   if (held_) {
@@ -130,6 +148,7 @@ void SphParticles<Dim>::update_state(Real dt) {
   renew_lists_where_due();
   move_with_neighbours(dt);
   refresh_gradients();
+  if (surface_.asks_spin) publish_spins();
   for (auto& block : blocks_) {
     const std::size_t n_tiles = block.state.size() / kTile;
     for_each(n_tiles, [&](std::size_t tile) { update_tile(block, tile * kTile, dt); });
