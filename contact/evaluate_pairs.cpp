@@ -188,7 +188,7 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
       const bool near = -meeting.overlap <= meeting.closing * step.longest;
       if (!(coming > 0) && !warm && !near) continue;
       const auto pair = present<Dim>(entities, row[c], meeting, section);
-      if (coming > 0 && pair.mass > 0) {
+      if (coming > 0 && pair.mass > 0 && !particle.held) {
         load.squared_frequency += pair.spring.tangent(coming) / pair.mass;
         load.zeta = std::max(load.zeta, row[c].zeta);
       }

@@ -148,7 +148,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
     }
     load.zeta = std::max(load.zeta, candidate.zeta);
   }
-  if (squared_frequency > 0) {
+  if (squared_frequency > 0 && !now.particle.held) {
     const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(load.zeta);
     part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }

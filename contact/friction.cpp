@@ -163,6 +163,7 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   Real taken_before = 0, energy_before = 0;
   const Vec<Dim> distance = upper.point - lower.point;
   const auto with_bodies = [&](const Vec<Dim>& v) { return step.turn ? (*step.turn)(v) : v; };
+  const Vec<Dim> between_centres = step.turn ? in_plane<Dim>(slip, n) : slip;
   if (step.turn) slip = distance - (*step.turn)(distance - slip);
   if (const auto* before = step.before) {
     taken_before = before->taken;
@@ -184,7 +185,11 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   const Real speed = told ? slip.norm() / step.dt : in_plane<Dim>(velocity, n).norm();
   const Real normal_force = std::max(record.spring + record.damping, 0.0);
   const Real limit = step.options->coefficient(speed, normal_force / step.pressed) * normal_force;
-  const auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  if (slid.slips && step.turn) {  // what the forces take from the centres is heat (decisions.md)
+    slip = between_centres;
+    slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  }
   friction.traction = slid.traction;
   friction.slips = slid.slips;
   if (!slid.slips && step.dt > 0) {

@@ -120,11 +120,10 @@ void SphParticles<Dim>::publish_spins() {
   surface_.spin.resize(n_owned());
   for_each(n_owned(), [&](std::size_t i) {
     const Real* L = state_[i].velocity_gradient;
-    Vec3& spin = surface_.spin[i];
     if constexpr (Dim == 3) {
-      spin = 0.5 * Vec3(L[7] - L[5], L[2] - L[6], L[3] - L[1]);
+      surface_.spin[i] = 0.5 * Vec3(L[7] - L[5], L[2] - L[6], L[3] - L[1]);
     } else {
-      spin = Vec3(0, 0, 0.5 * (L[2] - L[1]));
+      surface_.spin[i] = Vec3(0, 0, 0.5 * (L[2] - L[1]));
     }
   });
 }
