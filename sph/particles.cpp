@@ -114,17 +114,23 @@ void SphParticles<Dim>::refresh_gradients() {
   }
 }
 
-/// w = curl v / 2, of the corrected gradient L_ab = dv_a/dx_b.
+/// What of the spin w = curl v / 2 no shear accounts for: w max(0, 1 - 2 s/|w|), s^2 = D':D'/2 of
+/// the trace-free rate of strain. All of it where the material only turns; none in simple shear,
+/// where s = |w|, nor in what shears half as fast as it turns: under a surface that is rubbed,
+/// turning is the slip itself.
 template <int Dim>
 void SphParticles<Dim>::publish_spins() {
   surface_.spin.resize(n_owned());
   for_each(n_owned(), [&](std::size_t i) {
-    const Real* L = state_[i].velocity_gradient;
-    if constexpr (Dim == 3) {
-      surface_.spin[i] = 0.5 * Vec3(L[7] - L[5], L[2] - L[6], L[3] - L[1]);
-    } else {
-      surface_.spin[i] = Vec3(0, 0, 0.5 * (L[2] - L[1]));
+    Mat3 L = Mat3::Zero();
+    for (int c = 0; c < Dim * Dim; ++c) L(c / Dim, c % Dim) = state_[i].velocity_gradient[c];
+    const Vec3 spin = 0.5 * Vec3(L(2, 1) - L(1, 2), L(0, 2) - L(2, 0), L(1, 0) - L(0, 1));
+    Real square = -(L(0, 0) + L(1, 1) + L(2, 2)) * (L(0, 0) + L(1, 1) + L(2, 2)) / Dim;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) square += 0.25 * (L(a, b) + L(b, a)) * (L(a, b) + L(b, a));
     }
+    const Real size = spin.norm(), shear = std::sqrt(0.5 * std::max(square, 0.0));
+    surface_.spin[i] = size > 2 * shear ? Vec3((1 - 2 * shear / size) * spin) : Vec3(Vec3::Zero());
   });
 }
 
