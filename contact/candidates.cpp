@@ -82,15 +82,6 @@ MotionBounds<Dim> over_ranks(const Communicator& ranks, const MotionBounds<Dim>&
   return all;
 }
 
-/// The box, or a point where it is not a number any more: that touches nothing.
-template <int Dim>
-SearchBox<Dim> finite(SearchBox<Dim> box) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
-    if (!std::isfinite(box.lo[c]) || !std::isfinite(box.hi[c])) box.lo[c] = box.hi[c] = 0;
-  }
-  return box;
-}
-
 template <int Dim>
 bool share_a_node(const ContactFace<Dim>& a, const ContactFace<Dim>& b) {
   if (a.surface != b.surface) return false;
@@ -144,19 +135,24 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
     speed_reach_ = std::isfinite(longest) ? 1.1 * bounds.relative_speed() * longest : 0.0;
   }
   if (!ranks.alone()) {
-    std::vector<SearchBox<Dim>> offered, wanted;
+    ImportBoxes<Dim> boxes;
     for (std::size_t f = 0; f < entities.faces.size(); ++f) {
-      offered.push_back(box_of_face(entities, f));
+      boxes.offered.push_back(box_of_face(entities, f));
       const auto& face = entities.faces[f];
-      if (face.owned && !face.everywhere()) wanted.push_back(offered.back());
+      if (face.owned && !face.everywhere()) boxes.wanted.push_back(boxes.offered.back());
     }
     for (std::size_t p = 0; p < entities.particles.size(); ++p) {
-      wanted.push_back(box_of_particle(entities, p));
+      boxes.wanted.push_back(box_of_particle(entities, p));
+      if (!pairs.particles_meet(entities.particles[p].body)) continue;
+      boxes.particle.push_back(static_cast<LocalIndex>(p));
+      boxes.of_particles.push_back(box_beside_particles(entities, p));
     }
-    imports.renew(offered, wanted, entities);
+    boxes.particles_meet = pairs.particles_meet();
+    imports.renew(boxes, entities);
   }
   find_faces(entities, pairs);
   find_particles(entities, pairs);
+  find_pairs(entities, pairs);
   x_built_ = nodes.x;
   warp_built_.resize(entities.faces.size());
   for (std::size_t f = 0; f < warp_built_.size(); ++f) warp_built_[f] = entities.planes[f].warp;
@@ -170,7 +166,8 @@ SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::
   const auto& plane = entities.planes[face];
   const Real depth = entities.faces[face].rigid() ? entities.deepest : entities.faces[face].depth;
   const Real gap = entities.gap(entities.faces[face].body);
-  return finite(box_of(plane, 0.5 * (depth + gap) + kReachPerWarp * plane.warp + 0.5 * skin_));
+  return finite_box<Dim>(
+      box_of(plane, 0.5 * (depth + gap) + kReachPerWarp * plane.warp + 0.5 * skin_));
 }
 
 template <int Dim>
@@ -180,7 +177,7 @@ SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
   const Real ahead = std::max(speed_reach_, entities.gap(one.body));
   const Real reach = std::max(kDepthRadii * one.radius, one.radius + ahead);
-  return finite(SearchBox<Dim>::about(x, reach + 0.5 * skin_));
+  return finite_box<Dim>(SearchBox<Dim>::about(x, reach + 0.5 * skin_));
 }
 
 template <int Dim>
@@ -220,10 +217,14 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
   if (particles.empty() || faces.empty()) return;
   std::vector<SearchBox<Dim>> face_boxes(faces.size()), boxes;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    face_boxes[f] =
-        finite(box_of(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_));
+    face_boxes[f] = finite_box<Dim>(
+        box_of(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_));
   }
-  const auto particle_box = [&](std::size_t p) { return box_of_particle(entities, p); };
+  const auto particle_box = [&](std::size_t p) {
+    auto box = box_of_particle(entities, p);
+    if (!particles[p].owned) box.lo.fill(kInfinity);  // its owner looks at faces: it meets none
+    return box;
+  };
   const auto near = particles_near<Dim>(particles.size(), particle_box, face_boxes, boxes);
   const std::size_t n = near.size();
   boxes.insert(boxes.end(), face_boxes.begin(), face_boxes.end());
@@ -291,7 +292,7 @@ void Candidates<Dim>::choose_skin(const Entities<Dim>& entities) {
     skin_ = kFirst * entities.size;
     return;
   }
-  const auto listed = static_cast<Real>(faces_.size() + particles_.size());
+  const auto listed = static_cast<Real>(faces_.size() + particles_.size() + pairs_.size());
   if (steps_ == 0) return;
   const auto boxes = static_cast<Real>(entities.faces.size() + entities.particles.size());
   const Real build = kWorkPerEntity * boxes + kWorkPerListed * listed;

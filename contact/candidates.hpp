@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -7,6 +8,15 @@
 #include "core/solid.hpp"
 
 namespace brunt {
+
+/// The box, or a point where it is not a number any more: that touches nothing.
+template <int Dim>
+SearchBox<Dim> finite_box(SearchBox<Dim> box) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
+    if (!std::isfinite(box.lo[c]) || !std::isfinite(box.hi[c])) box.lo[c] = box.hi[c] = 0;
+  }
+  return box;
+}
 
 /// Two faces that may touch before the list is rebuilt, lower index first, with their law.
 struct FaceCandidate {
@@ -50,16 +60,23 @@ class Candidates {
   std::span<const ParticleCandidate> particles() const { return particles_; }
   /// Where each particle that has candidates begins in particles(), and their end.
   std::span<const std::size_t> particle_starts() const { return starts_; }
+  /// Rows of owned particles beside particles of other bodies, in the order of ids.
+  std::span<const PairCandidate> pairs() const { return pairs_; }
+  /// Where each row begins in pairs(), and their end; empty where there are none.
+  std::span<const std::size_t> pair_starts() const { return pair_starts_; }
   Real skin() const { return skin_; }
   std::size_t builds() const { return builds_; }
   /// Where a face may touch another before the lists are renewed [m].
   SearchBox<Dim> box_of_face(const Entities<Dim>& entities, std::size_t face) const;
   /// Where a particle may touch a face, or vote for its speed, before the lists are renewed [m].
   SearchBox<Dim> box_of_particle(const Entities<Dim>& entities, std::size_t particle) const;
+  /// The same for touching or nearing another particle, half of the way each [m].
+  SearchBox<Dim> box_beside_particles(const Entities<Dim>& entities, std::size_t particle) const;
 
  private:
   void find_faces(const Entities<Dim>& entities, const PairTable& pairs);
   void find_particles(const Entities<Dim>& entities, const PairTable& pairs);
+  void find_pairs(const Entities<Dim>& entities, const PairTable& pairs);
   void choose_skin(const Entities<Dim>& entities);
 
   SearchMode mode_;
@@ -67,6 +84,8 @@ class Candidates {
   std::vector<FaceCandidate> faces_;
   std::vector<ParticleCandidate> particles_;
   std::vector<std::size_t> starts_;
+  std::vector<PairCandidate> pairs_;
+  std::vector<std::size_t> pair_starts_;
   std::vector<Vec<Dim>> x_built_;  // [m]
   std::vector<Real> warp_built_;   // [m]
   Real speed_reach_ = 0;           // [m] of motion that the particles' boxes foresee

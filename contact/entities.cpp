@@ -136,6 +136,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
                         const Section& section, const ContactRanks& ranks) {
   nodes.rubs = pairs.rubs();
   gaps = pairs.gaps();
+  nodes.turns = pairs.particles_rub();
   for (const auto* surface : surfaces) nodes.warm = nodes.warm || surface->points->conducts;
   std::vector<Real> sizes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -193,6 +194,12 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   boxes.resize(faces.size());
   reaches.resize(faces.size());
   if (nodes.rubs) tractions.assign(faces.size(), {});
+}
+
+template <int Dim>
+void Entities<Dim>::add_particles(const std::vector<ContactParticle>& imported) {
+  particles.insert(particles.end(), imported.begin(), imported.end());
+  if (!imported.empty()) sort_by_id(particles);
 }
 
 namespace {

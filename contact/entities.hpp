@@ -55,6 +55,7 @@ struct ContactParticle {
   Real conductivity = 0;  ///< [W/m/K]; 0: takes no heat
   Real effusivity = 0;    ///< [J/m^2/K/s^(1/2)]
   bool held = false;      ///< votes no step
+  bool owned = true;      ///< its row of candidates is evaluated here
 };
 
 /// How far a face may be penetrated along the normal of a common plane, in each component, per
@@ -85,6 +86,8 @@ struct Entities {
            const Section& section, const ContactRanks& ranks);
   /// Takes in faces of other ranks, their nodes already among `nodes`, and sorts again.
   void add_faces(const std::vector<ContactFace<Dim>>& imported);
+  /// Takes in particles of other ranks, their nodes already among `nodes`, and sorts again.
+  void add_particles(const std::vector<ContactParticle>& imported);
   /// Place of the face or particle with an id; it is there.
   std::size_t face_with(GlobalId id) const;
   std::size_t particle_with(GlobalId id) const;

@@ -14,6 +14,14 @@ struct EvaluationStep {
   TouchStep touches;
 };
 
+/// What the contacts of a particle with faces leave to those with other particles.
+struct ParticleLoad {
+  Real squared_frequency = 0;  ///< [1/s^2] sum of k/m
+  Real zeta = 0;
+  int heat_contacts = 0;  ///< through which heat passes, with particles too
+  int on_faces = 0;       ///< of them
+};
+
 /// Evaluates the candidates and appends a record for each that carries force, in their order.
 /// F = k volume + c area closing speed at the centre of pressure, not below 0 (contact.md 2.5);
 /// friction goes on from its past, or from what both faces carried (2.6). No past: no friction.
@@ -26,13 +34,31 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
 /// The same for the candidates of particles starts[i] .. starts[i+1]; F = k(d) + c closing speed,
 /// not below 0 (contact.md 2.8). Takes into part.vote the bounds of what touches, 2/sqrt(sum k/m),
 /// and of what closes in: (gap + r/2) over the closing speed, so r/2 over it where there is
-/// contact. Friction as on faces.
+/// contact. Friction as on faces. loads  by particle, out; empty: nobody asks
 template <int Dim>
 void evaluate_particles(const Entities<Dim>& entities,
                         std::span<const ParticleCandidate> candidates,
                         std::span<const std::size_t> starts, const Section& section,
                         const EvaluationStep& step, FrictionHistory<Dim>* history,
-                        typename Records<Dim>::Part& part);
+                        std::span<ParticleLoad> loads, typename Records<Dim>::Part& part);
+
+/// What the rows of owned particles beside particles of other bodies need and leave.
+struct PairRows {
+  std::span<const PairCandidate> candidates;
+  std::span<const std::size_t> starts;
+  std::span<ParticleLoad> loads;  ///< by particle; in: of their faces
+  std::span<PairSide> sides;      ///< by candidate; empty where nothing conducts
+};
+
+/// The same for the rows starts[i] .. starts[i+1] of pairs of particles: F = k(d) + c closing
+/// speed, not below 0, along the line of their centres, which keeps angular momentum; the row of
+/// the smaller id makes the record. Friction acts at the centres, with slips less what the turn of
+/// the material about them makes of their distance. Votes as above, from all contacts of a
+/// particle.
+template <int Dim>
+void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const Section& section,
+                    const EvaluationStep& step, FrictionHistory<Dim>* history,
+                    typename Records<Dim>::Part& part);
 
 /// How many records and flows of heat a part had before the contacts of a pair or a particle.
 struct PartEnds {
@@ -47,19 +73,22 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
                    const Section& section, const PartEnds& ends, typename Records<Dim>::Part& part);
 
 /// The same for a particle, whose candidates are first .. last, and whose contacts part.hits are.
-/// area [m^2] of the particle
+/// area [m^2] of the particle. Returns how many contacts share its capacity.
 template <int Dim>
-void add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
-                       const std::pair<std::size_t, std::size_t>& range, Real area,
-                       const PartEnds& ends, typename Records<Dim>::Part& part);
+int add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
+                      const std::pair<std::size_t, std::size_t>& range, Real area,
+                      const PartEnds& ends, typename Records<Dim>::Part& part);
 
-/// Appends the heat that the last friction of the part gives to two faces, or to a particle and a
-/// face, and notes how much of it they take.
+/// Appends the heat that the last friction of the part gives to two faces, to a particle and a
+/// face, or to two particles, and notes how much of it they take.
 template <int Dim>
 void warm_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                 const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
 template <int Dim>
 void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
                    const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
+template <int Dim>
+void warm_pair(const ContactParticle& first, const ContactParticle& second,
+               const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
 
 }  // namespace brunt

@@ -70,9 +70,9 @@ void find_near_faces(const Entities<Dim>& entities, std::span<const ParticleCand
 }  // namespace
 
 template <int Dim>
-void add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
-                       const std::pair<std::size_t, std::size_t>& range, Real area,
-                       const PartEnds& ends, typename Records<Dim>::Part& part) {
+int add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
+                      const std::pair<std::size_t, std::size_t>& range, Real area,
+                      const PartEnds& ends, typename Records<Dim>::Part& part) {
   bool any = false;
   Real widest = 0;
   for (std::size_t i = range.first; i < range.second; ++i) {
@@ -80,7 +80,7 @@ void add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCa
     any = true;
     widest = std::max(widest, gap_of(*candidates[i].heat));
   }
-  if (!any) return;
+  if (!any) return 0;
   const auto& particle =
       entities.particles[static_cast<std::size_t>(candidates[range.first].particle)];
   if (widest > 0) find_near_faces<Dim>(entities, candidates, range, widest, part.near_hits);
@@ -105,6 +105,7 @@ void add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCa
   }
   std::sort(part.particle_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
             part.particle_heat.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+  return static_cast<int>(contacts);
 }
 
 namespace {
@@ -142,20 +143,35 @@ void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face
        part.particle_heat);
 }
 
+template <int Dim>
+void warm_pair(const ContactParticle& first, const ContactParticle& second,
+               const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
+  const WarmedSide lower{first.body, first.conductivity > 0, first.effusivity};
+  const WarmedSide upper{second.body, second.conductivity > 0, second.effusivity};
+  std::vector<HeatFlow<Dim>> flows;
+  warm(part.two_particles.back(), step, friction_shares(step.options->friction_heat, lower, upper),
+       part.frictions.back(), flows);
+  for (const auto& flow : flows) part.pair_heat.push_back({flow, 0, 0});
+}
+
+template void warm_pair<2>(const ContactParticle&, const ContactParticle&, const FrictionStep<2>&,
+                           Records<2>::Part&);
+template void warm_pair<3>(const ContactParticle&, const ContactParticle&, const FrictionStep<3>&,
+                           Records<3>::Part&);
 template void add_face_heat<2>(const Entities<2>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<2>::Part&);
-template void add_particle_heat<2>(const Entities<2>&, std::span<const ParticleCandidate>,
-                                   const std::pair<std::size_t, std::size_t>&, Real,
-                                   const PartEnds&, Records<2>::Part&);
+template int add_particle_heat<2>(const Entities<2>&, std::span<const ParticleCandidate>,
+                                  const std::pair<std::size_t, std::size_t>&, Real, const PartEnds&,
+                                  Records<2>::Part&);
 template void warm_faces<2>(const Entities<2>&, const FaceCandidate&, const FrictionStep<2>&,
                             Records<2>::Part&);
 template void warm_particle<2>(const ContactParticle&, const ContactFace<2>&,
                                const FrictionStep<2>&, Records<2>::Part&);
 template void add_face_heat<3>(const Entities<3>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<3>::Part&);
-template void add_particle_heat<3>(const Entities<3>&, std::span<const ParticleCandidate>,
-                                   const std::pair<std::size_t, std::size_t>&, Real,
-                                   const PartEnds&, Records<3>::Part&);
+template int add_particle_heat<3>(const Entities<3>&, std::span<const ParticleCandidate>,
+                                  const std::pair<std::size_t, std::size_t>&, Real, const PartEnds&,
+                                  Records<3>::Part&);
 template void warm_faces<3>(const Entities<3>&, const FaceCandidate&, const FrictionStep<3>&,
                             Records<3>::Part&);
 template void warm_particle<3>(const ContactParticle&, const ContactFace<3>&,

@@ -165,24 +165,24 @@ void track_overlaps(const ContactParticle& particle, std::span<const ParticleCan
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
                  std::span<const ParticleCandidate> candidates, const Section& section,
-                 const EvaluationStep& step, FrictionHistory<Dim>* history,
+                 const EvaluationStep& step, FrictionHistory<Dim>* history, ParticleLoad& load,
                  typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   track_overlaps<Dim>(now.particle, candidates, step.touches, part);
-  Real squared_frequency = 0, zeta = 0;
+  Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {
-    if (!hit.kept || !hit.pushes) continue;
+    if (!hit.kept || !hit.pushes || hit.share == 0) continue;
     const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
     part.particle_on_face.push_back(
         record_of(entities, now, candidate, hit, dt, squared_frequency));
     if (candidate.rubs != nullptr && history != nullptr) {
       add_friction(entities, now, candidate, hit, section, dt, *history, part);
     }
-    zeta = std::max(zeta, candidate.zeta);
+    load.zeta = std::max(load.zeta, candidate.zeta);
   }
-  if (squared_frequency > 0) {
-    const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(zeta);
+  if (squared_frequency > 0 && !now.particle.held) {
+    const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(load.zeta);
     part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
 }
@@ -193,7 +193,7 @@ void evaluate_particles(const Entities<Dim>& entities,
                         std::span<const ParticleCandidate> candidates,
                         std::span<const std::size_t> starts, const Section& section,
                         const EvaluationStep& step, FrictionHistory<Dim>* history,
-                        typename Records<Dim>::Part& part) {
+                        std::span<ParticleLoad> loads, typename Records<Dim>::Part& part) {
   for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
     const auto& particle =
         entities.particles[static_cast<std::size_t>(candidates[starts[s]].particle)];
@@ -217,20 +217,26 @@ void evaluate_particles(const Entities<Dim>& entities,
       hit.candidate = static_cast<LocalIndex>(i);
       hit.nearest = nearest_point<Dim>(plane, x);
     }
+    ParticleLoad load;
     if (!part.hits.empty()) {
-      record_hits(entities, now, candidates, section, step, history, part);
+      record_hits(entities, now, candidates, section, step, history, load, part);
     }
-    if (!entities.nodes.warm) continue;
-    add_particle_heat<Dim>(entities, candidates, {starts[s], starts[s + 1]},
-                           std::pow(2 * particle.radius, Dim - 1) * now.breadth, ends, part);
+    if (entities.nodes.warm) {
+      load.on_faces = load.heat_contacts =
+          add_particle_heat<Dim>(entities, candidates, {starts[s], starts[s + 1]},
+                                 std::pow(2 * particle.radius, Dim - 1) * now.breadth, ends, part);
+    }
+    if (!loads.empty()) loads[static_cast<std::size_t>(candidates[starts[s]].particle)] = load;
   }
 }
 
 template void evaluate_particles<2>(const Entities<2>&, std::span<const ParticleCandidate>,
                                     std::span<const std::size_t>, const Section&,
-                                    const EvaluationStep&, FrictionHistory<2>*, Records<2>::Part&);
+                                    const EvaluationStep&, FrictionHistory<2>*,
+                                    std::span<ParticleLoad>, Records<2>::Part&);
 template void evaluate_particles<3>(const Entities<3>&, std::span<const ParticleCandidate>,
                                     std::span<const std::size_t>, const Section&,
-                                    const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
+                                    const EvaluationStep&, FrictionHistory<3>*,
+                                    std::span<ParticleLoad>, Records<3>::Part&);
 
 }  // namespace brunt

@@ -161,28 +161,38 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   Vec<Dim> traction = in_plane<Dim>(step.inherited, n);
   Vec<Dim> slider_before = Vec<Dim>::Zero(), drag_before = Vec<Dim>::Zero();
   Real taken_before = 0, energy_before = 0;
+  const Vec<Dim> distance = upper.point - lower.point;
+  const auto with_bodies = [&](const Vec<Dim>& v) { return step.turn ? (*step.turn)(v) : v; };
+  const Vec<Dim> between_centres = step.turn ? in_plane<Dim>(slip, n) : slip;
+  if (step.turn) slip = distance - (*step.turn)(distance - slip);
   if (const auto* before = step.before) {
     taken_before = before->taken;
     energy_before = before->energy();
-    PlaneTurn<Dim> turn(before->normal, n);
+    PlaneTurn<Dim> turn(with_bodies(before->normal), n);
     traction.setZero();
     if (turn.cosine() > 0) {  // else it is another contact between the same faces
-      find_spin(lower, upper, n, step.dt, turn);
-      const Vec<Dim> distance = upper.point - lower.point;
-      slip = distance - turn(distance - step.dt * velocity);
-      traction = in_plane<Dim>(turn(before->traction), n);
+      if (!step.turn) {
+        find_spin(lower, upper, n, step.dt, turn);
+        slip = distance - turn(distance - step.dt * velocity);
+      }
+      traction = in_plane<Dim>(turn(with_bodies(before->traction)), n);
       slider_before = before->area * traction;
-      drag_before = before->area * turn(before->drag);
+      drag_before = before->area * turn(with_bodies(before->drag));
     }
   }
   slip = in_plane<Dim>(slip, n);
-  const Real speed = in_plane<Dim>(velocity, n).norm();
+  const bool told = step.turn && step.dt > 0;
+  const Real speed = told ? slip.norm() / step.dt : in_plane<Dim>(velocity, n).norm();
   const Real push = record.spring + record.damping;
   const Real normal_force = step.bonded ? push : std::max(push, 0.0);
   const Real pressure = std::max(push, 0.0) / step.pressed;
   Real limit = step.options->coefficient(speed, pressure) * normal_force;
   if (step.bonded) limit = std::max(limit + step.options->cohesion * step.pressed, 0.0);
-  const auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  if (slid.slips && step.turn) {  // what the forces take from the centres is heat (decisions.md)
+    slip = between_centres;
+    slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  }
   friction.traction = slid.traction;
   friction.slips = slid.slips;
   if (!slid.slips && step.dt > 0) {

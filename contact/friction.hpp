@@ -3,6 +3,7 @@
 #include <tuple>
 #include <vector>
 
+#include "contact/body_turn.hpp"
 #include "contact/entities.hpp"
 #include "contact/options.hpp"
 
@@ -10,8 +11,9 @@ namespace brunt {
 
 /// The place of a contact in every sum.
 struct ContactKey {
-  std::uint32_t of_particle = 0, ordinal = 0;
-  GlobalId first = 0, second = 0;  ///< lower and upper face, or particle and face
+  std::uint32_t of_particle = 0;  ///< 0: two faces; 1: a particle and a face; 2: two particles
+  std::uint32_t ordinal = 0;
+  GlobalId first = 0, second = 0;  ///< lower and upper face or particle, or particle and face
   bool operator<(const ContactKey& other) const {
     return std::tie(of_particle, first, second, ordinal) <
            std::tie(other.of_particle, other.first, other.second, other.ordinal);
@@ -58,7 +60,7 @@ class FrictionHistory {
   void add(const Friction<Dim>& friction) { past_.push_back(friction), used_.push_back(0); }
   /// Books -dt/2 f . v of every contact's old forces; nodes are still those of their step.
   void take_work(const ContactNodes<Dim>& nodes, Real dt);
-  /// The past of two faces; none: nullptr. It counts as continued.
+  /// The past of two faces or particles; none: nullptr. It counts as continued.
   const Friction<Dim>* of_faces(const ContactKey& key);
   /// The past of a particle on a surface: on the same face, else on the one whose normal was
   /// nearest and which no other contact of the particle continues.
@@ -103,6 +105,8 @@ struct FrictionStep {
   Real dt = 0;          ///< [s]
   const Friction<Dim>* before = nullptr;
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past
+  /// The turn of the material on both sides, where no plane of the contact tells it.
+  const BodyTurn<Dim>* turn = nullptr;
 };
 
 /// The friction of a contact at the end of a step. The slip is that of the two points of contact

@@ -55,7 +55,8 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
     flow.weight[c + 1] = -hit.nearest.weight[c];
   }
   flow.n_nodes = 1 + face.n_nodes;
-  const Real share = hit.share * area;
+  // What just touches has no share of a force: such contacts share the particle among them.
+  const Real share = (hit.share > 0 ? hit.share : 1.0 / contacts) * area;
   flow.area = share;
   flow.lower_capacity = face.capacity * share;
   flow.upper_capacity = nodes.capacity[static_cast<std::size_t>(particle.node)] / contacts;

@@ -39,6 +39,9 @@ struct ContactManager<Dim>::Implementation {
   /// Tables of what pairs keep from time 0, as those of friction.
   void save_touches(std::vector<StateTable>& tables) const;
   void load_touches(const StateTables& tables);
+  /// Puts together what both sides of each contact of particles leave for heat. Collective among
+  /// neighbours.
+  void complete_pair_heat();
   /// Finds the nodes of all records in new tables at the same positions.
   void name_nodes();
   /// Tables of what contacts remember: one for each place of a contact among those of its lower
@@ -61,6 +64,8 @@ struct ContactManager<Dim>::Implementation {
   ContactImports<Dim> imports;
   Candidates<Dim> candidates;
   Records<Dim> records;
+  std::vector<ParticleLoad> loads;  // by particle; empty where no row of pairs is there
+  std::vector<PairSide> sides;      // by candidate of pairs; empty where nothing conducts
   FrictionHistory<Dim> history;
   FirstTouches touches;  // as the last evaluation left them
   StepVote vote;

@@ -57,8 +57,7 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
 }  // namespace
 
 template <int Dim>
-void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
-                                std::span<const SearchBox<Dim>> wanted, Entities<Dim>& entities) {
+void ContactImports<Dim>::renew(const ImportBoxes<Dim>& offers, Entities<Dim>& entities) {
   if (ranks().alone()) return;
   place_.clear();
   for (std::size_t i = 0; i < entities.nodes.size(); ++i) {
@@ -69,10 +68,10 @@ void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
   std::vector<LocalIndex> face;
   for (std::size_t f = 0; f < entities.faces.size(); ++f) {
     if (!entities.faces[f].owned || entities.faces[f].everywhere()) continue;
-    boxes.push_back(offered[f]);
+    boxes.push_back(offers.offered[f]);
     face.push_back(static_cast<LocalIndex>(f));
   }
-  auto lists = who_wants<Dim>(ranks(), boxes, wanted);
+  auto lists = who_wants<Dim>(ranks(), boxes, offers.wanted);
   std::vector<Bytes> to;
   for (auto& list : lists) {
     for (auto& one : list) one = face[static_cast<std::size_t>(one)];
@@ -81,6 +80,7 @@ void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
   std::vector<ContactFace<Dim>> imported;
   for (const Bytes& bytes : ranks().exchange(to)) unpack_faces(bytes, entities, imported);
   entities.add_faces(imported);
+  if (offers.particles_meet) import_particles(offers, entities);
   entities.refresh_planes();
   plan(entities.nodes);
   find_peers(entities.nodes);
@@ -186,13 +186,18 @@ template <int Dim>
 void ContactImports<Dim>::refresh_motion(ContactNodes<Dim>& nodes) const {
   for (std::size_t s = 0; s < plans_.size(); ++s) {
     const auto& points = *surfaces_[s]->points;
+    const auto& spin = surfaces_[s]->spin;
     refresh_ghosts(
-        ranks(), plans_[s], 2 * Dim,
+        ranks(), plans_[s], 2 * Dim + (nodes.turns ? 3 : 0),
         [&](std::size_t i, Real* out) {
           for (int c = 0; c < Dim; ++c) out[c] = points.x[i][c], out[Dim + c] = points.v[i][c];
+          if (!nodes.turns) return;
+          for (int c = 0; c < 3; ++c) out[2 * Dim + c] = i < spin.size() ? spin[i][c] : 0.0;
         },
         [&](std::size_t i, const Real* in) {
           for (int c = 0; c < Dim; ++c) nodes.x[i][c] = in[c], nodes.v[i][c] = in[Dim + c];
+          if (!nodes.turns) return;
+          for (int c = 0; c < 3; ++c) nodes.spin[i][c] = in[2 * Dim + c];
         });
   }
 }

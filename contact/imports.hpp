@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -18,9 +19,19 @@ struct TractionShare {
   Real force[Dim];  ///< [N]
 };
 
-/// Faces of other ranks that may touch what this rank evaluates, and the way of forces back to the
-/// owners of their nodes (contact.md 2.7). Faces of rigid bodies stand on every rank and are never
-/// imported.
+/// What ranks show each other to find what they must import [m].
+template <int Dim>
+struct ImportBoxes {
+  std::vector<SearchBox<Dim>> offered;  ///< one for each of entities.faces
+  std::vector<SearchBox<Dim>> wanted;   ///< where faces of others matter
+  bool particles_meet = false;          ///< the same on all ranks; false: what follows is not there
+  std::vector<LocalIndex> particle;     ///< owned ones that may touch particles of other bodies
+  std::vector<SearchBox<Dim>> of_particles;  ///< theirs
+};
+
+/// Faces and particles of other ranks that may touch what this rank evaluates, and the way of
+/// forces back to the owners of their nodes (contact.md 2.7). Faces of rigid bodies
+/// stand on every rank and are never imported.
 template <int Dim>
 class ContactImports {
  public:
@@ -29,11 +40,10 @@ class ContactImports {
   const Communicator& ranks() const { return *ranks_.all; }
 
   /// Imports into entities, fresh from this rank's surfaces, the faces of others whose `offered`
-  /// boxes meet the `wanted` boxes of this rank. offered  one for each of entities.faces [m].
-  /// Collective.
-  void renew(std::span<const SearchBox<Dim>> offered, std::span<const SearchBox<Dim>> wanted,
-             Entities<Dim>& entities);
-  /// Brings x and v of the imported nodes up to date. Collective among neighbours.
+  /// boxes meet the `wanted` boxes of this rank, and the particles whose boxes meet those of its
+  /// own. Collective.
+  void renew(const ImportBoxes<Dim>& boxes, Entities<Dim>& entities);
+  /// Brings x, v and spin of the imported nodes up to date. Collective among neighbours.
   void refresh_motion(ContactNodes<Dim>& nodes) const;
   /// Sends what records give to nodes of other ranks home, unsummed; returns what others send here,
   /// sorted by key. Collective.
@@ -47,12 +57,19 @@ class ContactImports {
   /// key. Collective among neighbours.
   std::vector<HeatShare> send_heat(const Records<Dim>& records,
                                    const ContactNodes<Dim>& nodes) const;
+  /// Sends what stands behind particles of this rank to the evaluators of their contacts, and
+  /// hands what others send here to take(lower id, upper id, side of the upper). Collective among
+  /// neighbours. sides  by candidate
+  void send_sides(const Entities<Dim>& entities, std::span<const PairCandidate> candidates,
+                  std::span<const PairSide> sides,
+                  const std::function<void(GlobalId, GlobalId, const PairSide&)>& take) const;
   /// Brings the temperatures [K] of nodes that others own up to date. Collective among neighbours.
   void refresh_temperatures(std::vector<Real>& temperature) const;
   /// Brings the tractions of the faces that others own up to date. Collective among neighbours.
   void refresh_tractions(Entities<Dim>& entities) const;
 
  private:
+  void import_particles(const ImportBoxes<Dim>& boxes, Entities<Dim>& entities);
   Bytes pack_faces(const std::vector<LocalIndex>& chosen, const Entities<Dim>& entities) const;
   void unpack_faces(const Bytes& bytes, Entities<Dim>& entities,
                     std::vector<ContactFace<Dim>>& faces);

@@ -9,6 +9,12 @@ namespace brunt {
 namespace {
 /// How much longer than the last a step may be where particles look ahead for what is near.
 constexpr Real kStepGrowth = 4;
+
+/// Friction between particles needs to know how the material about them turns.
+template <int Dim>
+void ask_spin(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs) {
+  for (auto* surface : surfaces) surface->asks_spin = pairs.particles_rub();
+}
 }  // namespace
 
 template <int Dim>
@@ -50,14 +56,25 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
                       evaluate_faces<Dim>(entities, on_faces.subspan(first, last - first), section,
                                           step, past, part);
                     });
+  const auto rows = candidates.pair_starts();
+  loads.assign(rows.empty() ? 0 : entities.particles.size(), {});
+  sides.assign(entities.nodes.warm ? candidates.pairs().size() : 0, {});
   const auto on_particles = candidates.particles();
   const auto starts = candidates.particle_starts();
   if (!starts.empty()) {
     records.for_parts(
         starts.size() - 1, kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
           evaluate_particles<Dim>(entities, on_particles, starts.subspan(first, last - first + 1),
-                                  section, step, past, part);
+                                  section, step, past, loads, part);
         });
+  }
+  if (!rows.empty()) {
+    records.for_parts(rows.size() - 1, kWorthThreads,
+                      [&](std::size_t first, std::size_t last, auto& part) {
+                        const PairRows chosen{candidates.pairs(),
+                                              rows.subspan(first, last - first + 1), loads, sides};
+                        evaluate_pairs<Dim>(entities, chosen, section, step, past, part);
+                      });
   }
   records.collect_touches(touches);
   vote = longest;
@@ -69,6 +86,7 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
                                     std::vector<Surface<Dim>*> surfaces,
                                     std::vector<std::string> body_names, Real depth) {
   PairTable pairs(options, surfaces, body_names);
+  ask_spin(surfaces, pairs);
   implementation_ = std::make_unique<Implementation>(
       options, Section{geometry, depth}, std::move(pairs), std::move(surfaces), ContactRanks{});
   rearrange();
@@ -79,6 +97,7 @@ ContactManager<Dim>::ContactManager(const ContactManager& whole,
                                     std::vector<Surface<Dim>*> surfaces, const Deal& deal,
                                     const Communicator& ranks) {
   const auto& own = *whole.implementation_;
+  ask_spin(surfaces, own.pairs);
   implementation_ = std::make_unique<Implementation>(
       own.options, own.section, own.pairs, std::move(surfaces), ContactRanks{&ranks, &deal});
   rearrange();
@@ -164,6 +183,7 @@ void ContactManager<Dim>::add_heat(Real dt) {
   }
   nodes.foresee_temperatures(own.surfaces, dt);
   own.imports.refresh_temperatures(nodes.temperature);
+  own.complete_pair_heat();
   own.records.change_heat([&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, dt, flow); });
   apply_heat<Dim>(own.records, own.imports.send_heat(own.records, nodes), own.surfaces, nodes);
 }
@@ -206,14 +226,15 @@ template <int Dim>
 ContactWork ContactManager<Dim>::work() const {
   const auto& own = *implementation_;
   return {own.candidates.builds(),
-          own.candidates.faces().size() + own.candidates.particles().size(), own.records.size(),
-          own.candidates.skin()};
+          own.candidates.faces().size() + own.candidates.particles().size() +
+              own.candidates.pairs().size(),
+          own.records.size(), own.candidates.skin()};
 }
 
 template <int Dim>
 std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
   // [ns] of a candidate, near or far alike (docs/performance.md); only their ratio matters.
-  constexpr Real kFacePair = 1500, kParticleOnFace = 400;
+  constexpr Real kFacePair = 1500, kParticleOnFace = 400, kParticlePair = 50;
   const auto& own = *implementation_;
   const auto& nodes = own.entities.nodes;
   std::vector<std::vector<Real>> work;
@@ -235,6 +256,9 @@ std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
   }
   for (const auto& pair : own.candidates.particles()) {
     add(own.entities.particles[static_cast<std::size_t>(pair.particle)].node, kParticleOnFace);
+  }
+  for (const auto& pair : own.candidates.pairs()) {
+    add(own.entities.particles[static_cast<std::size_t>(pair.particle)].node, kParticlePair);
   }
   return work;
 }

@@ -37,20 +37,14 @@ void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>&
     if (friction != nullptr) all.push_back(friction);
   });
   save_keyed(
-      kTable, all, [](const auto& friction) -> const ContactKey& { return friction.key; },
-      [](auto& row, const auto& friction) { visit_friction(row, friction); }, tables);
+      kTable, all, [](auto& row, const auto& friction) { visit_friction(row, friction); }, tables);
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::load_friction(const StateTables& tables) {
   std::vector<Friction<Dim>> known;
   const auto visit = [](auto& row, auto& friction) { visit_friction(row, friction); };
-  for (const auto& face : entities.faces) {
-    if (face.owned) load_keyed(kTable, false, face.id, tables, visit, known);
-  }
-  for (const auto& particle : entities.particles) {
-    load_keyed(kTable, true, particle.id, tables, visit, known);
-  }
+  load_keyed(kTable, entities, tables, visit, known);
   records.attach([&](const ContactKey& key) -> const Friction<Dim>* {
     const auto at = std::lower_bound(
         known.begin(), known.end(), key,
@@ -141,12 +135,12 @@ void ContactManager<Dim>::Implementation::name_nodes() {
       const auto& face = entities.faces[entities.face_with(id)];
       for (int c = 0; c < face.n_nodes; ++c) node[n++] = face.node[static_cast<std::size_t>(c)];
     };
-    if (record.of_particle) {
-      node[n++] = entities.particles[entities.particle_with(record.first)].node;
-    } else {
-      add_face(record.first);
-    }
-    add_face(record.second);
+    const auto add = [&](GlobalId id, bool particle) {
+      if (!particle) return add_face(id);
+      node[n++] = entities.particles[entities.particle_with(id)].node;
+    };
+    add(record.first, record.of_particle);
+    add(record.second, record.of_two_particles);
     return node;
   });
 }

@@ -50,20 +50,14 @@ void ContactManager<Dim>::Implementation::save_touches(std::vector<StateTable>& 
   std::vector<const FirstTouch*> all;
   for (const auto& touch : touches.all()) all.push_back(&touch);
   save_keyed(
-      kTable, all, [](const auto& touch) -> const ContactKey& { return touch.key; },
-      [](auto& row, const auto& touch) { visit_touch(row, touch); }, tables);
+      kTable, all, [](auto& row, const auto& touch) { visit_touch(row, touch); }, tables);
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::load_touches(const StateTables& tables) {
   const auto visit = [](auto& row, auto& touch) { visit_touch(row, touch); };
   touches.clear();
-  for (const auto& face : entities.faces) {
-    if (face.owned) load_keyed(kTable, false, face.id, tables, visit, touches.all());
-  }
-  for (const auto& particle : entities.particles) {
-    load_keyed(kTable, true, particle.id, tables, visit, touches.all());
-  }
+  load_keyed(kTable, entities, tables, visit, touches.all());
 }
 
 template <int Dim>

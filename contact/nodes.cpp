@@ -30,6 +30,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   for (auto* field : {&spring, &damping, &spring_last, &damping_last}) {
     field->push_back(Vec<Dim>::Zero());
   }
+  if (turns) spin.push_back(Vec3::Zero());
   spring_energy.push_back(0);
   damping_energy.push_back(0);
   if (warm) {
@@ -52,6 +53,9 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
     const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
     x[i] = points.x[static_cast<std::size_t>(point[i])];
     v[i] = points.v[static_cast<std::size_t>(point[i])];
+    const auto& known = surfaces[static_cast<std::size_t>(surface[i])]->spin;
+    const auto p = static_cast<std::size_t>(point[i]);
+    if (turns && p < known.size()) spin[i] = known[p];
     if (!warm || !points.conducts) continue;
     capacity[i] = points.capacity[static_cast<std::size_t>(point[i])];
   }

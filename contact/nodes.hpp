@@ -24,6 +24,8 @@ struct ContactNodes {
   std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
   bool rubs = false;                 ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;    ///< [N] of this evaluation
+  bool turns = false;                ///< particles rub on particles; else `spin` is empty
+  std::vector<Vec3> spin;            ///< [rad/s] of the material, where its surface tells it
   bool warm = false;                 ///< some points conduct; else the fields below are empty
   std::vector<Real> temperature;     ///< [K] at the end of the step, but for contact
   std::vector<Real> capacity;        ///< [J/K]; 0: takes no heat
@@ -38,7 +40,7 @@ struct ContactNodes {
   /// A point of another rank; [kg], [m], [m/s].
   LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
                         const Vec<Dim>& velocity);
-  /// Takes x and v of the points that are here from the groups.
+  /// Takes x, v and spin of the points that are here from the groups.
   void read_motion(const std::vector<Surface<Dim>*>& surfaces);
   /// Temperatures [K] of owned points now, by node; 0 elsewhere, and where none is kept.
   std::vector<Real> present_temperatures(const std::vector<Surface<Dim>*>& surfaces) const;

@@ -49,6 +49,7 @@ struct PairOptions {
 
   ContactHeat heat{};
   FrictionHeat friction_heat{};
+  bool bonded = false;  ///< particles of both bodies share one SPH sum
 
   bool bonds() const { return cohesion > 0 || tension > 0; }
 
@@ -68,11 +69,13 @@ struct PairOptions {
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
-  static constexpr const char* kLater[] = {"tied", "shear_limit", "joint", "bonded"};
+  static constexpr const char* kLater[] = {"tied", "shear_limit", "joint"};
   static constexpr const char* kInitialOverlap[] = {"track", "press"};
   static constexpr Varying::Over kFrictionOver[] = {Varying::Over::slip_speed,
                                                     Varying::Over::pressure};
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
+  s.flag({"bonded", "particles of both bodies share one SPH sum, as those of one body"},
+         pair.bonded);
   s.varying_or_law({"friction",
                     "coefficient of Coulomb friction; or a table over slip_speed or pressure; or "
                     "static, kinetic and decay"},
@@ -92,6 +95,7 @@ inline void describe(Schema& s, PairOptions& pair) {
   s.one_of({"heat", "whether heat passes between them where they touch"}, pair.heat);
   s.object({"friction_heat", "what becomes of the heat of friction"}, pair.friction_heat);
   s.later(kLater);
+  s.require(!pair.ignore || !pair.bonded, "bonded", "stands beside ignore: keep one of them");
 }
 
 /// Contact as the scene hands it to the manager: options resolved for each pair of body labels.

@@ -20,8 +20,9 @@ struct Shown {
   }
 };
 
-bool can_touch(const Shown& a, const Shown& b) {
+bool can_touch(const Shown& a, const Shown& b, bool bonded) {
   const bool faces = a.faces && b.faces && (a.soft_faces || b.soft_faces);
+  if (a.particles && b.particles && !bonded) return true;
   return faces || (a.particles && b.faces) || (a.faces && b.particles);
 }
 }  // namespace
@@ -50,10 +51,14 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       const Label a = first->first, b = second->first;
       const bool apart = a != b || first->second.pieces;
       const PairOptions& pair = of(a, b);
-      if (pair.ignore || !apart || !can_touch(first->second, second->second)) continue;
+      if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
       pairs_.emplace_back(a, b);
       rubs_ = rubs_ || pair.rubs();
       presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;
+      if (first->second.particles && second->second.particles && !pair.bonded) {
+        meeting_.insert({a, b});
+        particles_rub_ = particles_rub_ || pair.rubs();
+      }
       const auto given = options.pair_names.find({a, b});
       names_.push_back(given != options.pair_names.end() ? given->second
                                                          : body_names[a] + "-" + body_names[b]);

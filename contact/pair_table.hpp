@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,16 @@ class PairTable {
             std::vector<std::string> body_names);
 
   const PairOptions& of(Label a, Label b) const;
+  /// Options by which particles of two bodies touch each other; none where they do not.
+  const PairOptions* of_particles(Label a, Label b) const {
+    const PairOptions& pair = of(a, b);
+    return pair.ignore || pair.bonded ? nullptr : &pair;
+  }
+  /// True if particles of some two bodies, or of this one and another, may touch each other.
+  bool particles_meet() const { return !meeting_.empty(); }
+  bool particles_meet(Label body) const { return meeting_.count(body) != 0; }
+  /// True if any of these pairs has friction.
+  bool particles_rub() const { return particles_rub_; }
   /// The largest stiffness and damping with which anything may touch this body; 0: nothing may.
   PairOptions strongest(Label body) const;
   /// True if any of these pairs has friction.
@@ -38,7 +49,9 @@ class PairTable {
   std::vector<std::string> names_;
   bool rubs_ = false;
   bool presses_ = false;
-  std::vector<Real> gaps_;  // [m]
+  std::vector<Real> gaps_;   // [m]
+  std::set<Label> meeting_;  // bodies whose particles may touch those of others
+  bool particles_rub_ = false;
 };
 
 }  // namespace brunt

@@ -127,7 +127,7 @@ void find_side(const Vec<Dim>& x, Real radius, std::span<const ParticleHit<Dim>>
 
 /// A centre behind a surface belongs to the nearest face of that body; outside, to all it overlaps.
 template <int Dim>
-void keep_nearest_side(std::span<ParticleHit<Dim>> hits) {
+void keep_nearest_side(Real radius, std::span<ParticleHit<Dim>> hits) {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     auto& hit = hits[i];
     if (!hit.kept || !hit.inside) continue;
@@ -140,7 +140,8 @@ void keep_nearest_side(std::span<ParticleHit<Dim>> hits) {
     }
   }
   for (auto& hit : hits) {
-    const bool held = hit.overlap > 0 && (!hit.inside || hit.nearest.distance <= hit.limit);
+    const bool touches = hit.overlap >= -kTouchingGap * 2 * radius;
+    const bool held = touches && (!hit.inside || hit.nearest.distance <= hit.limit);
     hit.kept = hit.kept && held;
   }
 }
@@ -154,12 +155,13 @@ void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& 
   for (auto& hit : all) {
     if (hit.kept) find_side<Dim>(x, radius, all, hit);
   }
-  keep_nearest_side(all);
+  keep_nearest_side(radius, all);
   for (auto& hit : all) {
-    if (!hit.kept) continue;
+    hit.share = 0;
+    if (!hit.kept || !(hit.overlap > 0)) continue;
     Real along = 0;
     for (const auto& other : all) {
-      if (!other.kept) continue;
+      if (!other.kept || !(other.overlap > 0)) continue;
       along += other.overlap * std::max(0.0, hit.direction.dot(other.direction));
     }
     hit.share = hit.overlap / along;

@@ -38,11 +38,11 @@ struct ParticleHit {
   LocalIndex candidate = 0;  ///< the caller's
   NearestPoint<Dim> nearest;
   bool inside = false;  ///< the particle's centre lies behind the surface
-  bool kept = true;     ///< one of the contacts of this particle
-  bool pushes = true;   ///< and it overlaps by more than it is left from time 0
+  bool kept = true;     ///< one of the contacts of this particle, or it just touches
+  bool pushes = true;   ///< it overlaps by more than what is left from time 0
   Vec<Dim> direction;   ///< unit, of the force on the particle
   Real overlap = 0;     ///< [m] radius minus signed distance
-  Real share = 1;       ///< of its spring, where several push the same way
+  Real share = 1;       ///< of its spring, where several push the same way; 0: just touches
   Real damping = 0;     ///< [N s/m] of a share of 1; the caller's
 };
 
@@ -52,6 +52,7 @@ struct ParticleHit {
 /// the surface is held by the nearest face of its body alone. Faces of a concave edge both push;
 /// those that push the same way, as two bricks side by side do, share:
 /// share_i = d_i / sum_j d_j max(0, n_i . n_j), which is 1 alone or at right angles.
+/// A gap of a millionth of a diameter counts as touching, for heat: it has no share.
 /// hits  in order of face id; `plane`, `node`, `body`, `piece`, `limit`, `nearest` given.
 template <int Dim>
 void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits);
@@ -74,6 +75,8 @@ struct ParticleSpring {
 /// b over the particle's own spring: a particle at five times the speed of sound comes to rest with
 /// its centre less than 2.3 radii behind a rigid face (energy 25/2 m c^2 = b z^4 / (4 r^2)).
 inline constexpr Real kBarrier = 16;
+/// A gap of this part of a diameter still passes heat: rounding opens what just touches.
+inline constexpr Real kTouchingGap = 1e-6;
 /// Radii behind a face at which a particle is given up.
 inline constexpr Real kDepthRadii = 3;
 

@@ -48,6 +48,9 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
   for (const auto& pair : own.candidates.particles()) {
     ++all.particles[static_cast<std::size_t>(pair.particle)].candidates;
   }
+  for (const auto& pair : own.candidates.pairs()) {
+    ++all.particles[static_cast<std::size_t>(pair.particle)].candidates;
+  }
   own.records.visit([&](const ContactRecord<Dim>& record) {
     auto& touch = all.touches.emplace_back();
     touch.of_particle = record.of_particle;

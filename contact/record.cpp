@@ -53,6 +53,8 @@ void Records<Dim>::clear() {
   for (auto& part : parts_) {
     part.face_on_face.clear();
     part.particle_on_face.clear();
+    part.two_particles.clear();
+    part.pair_heat.clear();
     part.frictions.clear();
     part.face_heat.clear();
     part.particle_heat.clear();
@@ -76,7 +78,9 @@ void Records<Dim>::collect_touches(FirstTouches& touches) const {
 template <int Dim>
 std::size_t Records<Dim>::size() const {
   std::size_t n = 0;
-  for (const auto& part : parts_) n += part.face_on_face.size() + part.particle_on_face.size();
+  for (const auto& part : parts_) {
+    n += part.face_on_face.size() + part.particle_on_face.size() + part.two_particles.size();
+  }
   return n;
 }
 

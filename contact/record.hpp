@@ -5,20 +5,21 @@
 
 #include "contact/first_touch.hpp"
 #include "contact/heat.hpp"
-#include "contact/particle_face.hpp"
+#include "contact/particle_pair.hpp"
 #include "core/step_vote.hpp"
 
 namespace brunt {
 
-/// One contact that carries force now: a common plane, or a particle on a face. The normal points
-/// from the lower side (the face of a particle contact, else the face with the smaller id) to the
+/// One contact that carries force now: a common plane, a particle on a face, or two particles. The
+/// normal points from the lower side (the face of a particle on a face, else the smaller id) to the
 /// upper; node i gets weight_i (spring + damping) normal, weights of the lower side are negative.
 template <int Dim>
 struct ContactRecord {
   static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
-  GlobalId first = 0, second = 0;  ///< key: lower and upper face, or particle and face
-  bool of_particle = false;
-  std::uint32_t ordinal = 0;  ///< of the planes between two faces
+  GlobalId first = 0, second = 0;  ///< key: lower and upper face or particle, or particle and face
+  bool of_particle = false;        ///< the first is a particle
+  bool of_two_particles = false;   ///< the second too
+  std::uint32_t ordinal = 0;       ///< of the planes between two faces
   Label lower_body = 0, upper_body = 0;
   Vec<Dim> normal;
   Vec<Dim> point;              ///< [m]
@@ -45,11 +46,13 @@ template <int Dim>
 class Records {
  public:
   struct Part {
-    std::vector<ContactRecord<Dim>> face_on_face, particle_on_face;
+    std::vector<ContactRecord<Dim>> face_on_face, particle_on_face, two_particles;
     std::vector<Friction<Dim>> frictions;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
     std::vector<FirstTouch> face_touches, particle_touches;
+    std::vector<PairHeatPath<Dim>> pair_heat;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
+    std::vector<ParticleMeeting<Dim>> meetings;     ///< room to work
     StepVote vote;
   };
   void clear();
@@ -73,6 +76,7 @@ class Records {
     };
     for (const auto& part : parts_) show(part, part.face_on_face);
     for (const auto& part : parts_) show(part, part.particle_on_face);
+    for (const auto& part : parts_) show(part, part.two_particles);
   }
   /// In the order of keys.
   template <class Visit>
@@ -83,6 +87,9 @@ class Records {
     for (const auto& part : parts_) {
       for (const auto& flow : part.particle_heat) visit(flow);
     }
+    for (const auto& part : parts_) {
+      for (const auto& pair : part.pair_heat) visit(pair.flow);
+    }
   }
   template <class Change>
   void change_heat(const Change& change) {
@@ -90,6 +97,15 @@ class Records {
       for (auto* flows : {&part.face_heat, &part.particle_heat}) {
         for (auto& flow : *flows) change(flow);
       }
+      for (auto& pair : part.pair_heat) change(pair.flow);
+    }
+  }
+  /// change(heat) of particles on faces, then change(heat) of two particles.
+  template <class ChangeFlow, class ChangePair>
+  void change_heat_of_particles(const ChangeFlow& change_flow, const ChangePair& change_pair) {
+    for (auto& part : parts_) {
+      for (auto& flow : part.particle_heat) change_flow(flow);
+      for (auto& pair : part.pair_heat) change_pair(pair);
     }
   }
   /// What pairs keep from time 0, in the order of keys.
@@ -98,7 +114,7 @@ class Records {
   template <class NodesOf>
   void name_nodes(const NodesOf& nodes_of) {
     for (auto& part : parts_) {
-      for (auto* records : {&part.face_on_face, &part.particle_on_face}) {
+      for (auto* records : {&part.face_on_face, &part.particle_on_face, &part.two_particles}) {
         for (auto& record : *records) {
           record.node = nodes_of(record);
           if (record.friction < 0) continue;
@@ -119,7 +135,8 @@ class Records {
 
 template <int Dim>
 ContactKey key_of(const ContactRecord<Dim>& record) {
-  return {record.of_particle ? 1u : 0u, record.ordinal, record.first, record.second};
+  const std::uint32_t kind = record.of_two_particles ? 2 : record.of_particle ? 1 : 0;
+  return {kind, record.ordinal, record.first, record.second};
 }
 
 /// What a contact that another rank evaluated gives to one node of this rank.
@@ -147,7 +164,7 @@ template <int Dim>
 template <class Find>
 void Records<Dim>::attach(const Find& find) {
   for (auto& part : parts_) {
-    for (auto* records : {&part.face_on_face, &part.particle_on_face}) {
+    for (auto* records : {&part.face_on_face, &part.particle_on_face, &part.two_particles}) {
       for (auto& record : *records) {
         const Friction<Dim>* friction = find(key_of(record));
         if (friction == nullptr) continue;

@@ -191,22 +191,23 @@ template <int Dim>
 ContactView ContactManager<Dim>::view() const {
   const auto& own = *implementation_;
   ContactView view;
-  own.records.visit_with_friction([&](const ContactRecord<Dim>& record,
-                                      const Friction<Dim>* friction) {
-    if (record.of_particle) {
-      append<Dim>(view.position, record.point);
-      view.polygon_size.push_back(1);
-    } else {
-      append_polygon(own.entities, own.section, record, view);
-    }
-    append<Dim>(view.normal, record.normal);
-    append<Dim>(view.force, force_of(record, friction));
-    view.pressure.push_back((record.spring + record.damping) / record.area);
-    view.penetration.push_back(record.penetration);
-    view.body_a.push_back(record.lower_body);
-    view.body_b.push_back(record.upper_body);
-    view.key.push_back({record.of_particle ? 1u : 0u, record.first, record.second, record.ordinal});
-  });
+  own.records.visit_with_friction(
+      [&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+        if (record.of_particle) {
+          append<Dim>(view.position, record.point);
+          view.polygon_size.push_back(1);
+        } else {
+          append_polygon(own.entities, own.section, record, view);
+        }
+        append<Dim>(view.normal, record.normal);
+        append<Dim>(view.force, force_of(record, friction));
+        view.pressure.push_back((record.spring + record.damping) / record.area);
+        view.penetration.push_back(record.penetration);
+        view.body_a.push_back(record.lower_body);
+        view.body_b.push_back(record.upper_body);
+        const auto key = key_of(record);
+        view.key.push_back({key.of_particle, key.first, key.second, key.ordinal});
+      });
   return view;
 }
 

@@ -16,7 +16,8 @@ constexpr Real kSpare = 1e-6;
 }  // namespace
 
 template <int Dim>
-void ListWatch<Dim>::start(const Points<Dim>& points, std::vector<Real> reach, Real skin) {
+void ListWatch<Dim>::start(const Points<Dim>& points, std::span<const Label> label,
+                           std::vector<Real> reach, Real skin) {
   x_ = points.x;
   reach_ = std::move(reach);
   skin_ = skin;
@@ -24,7 +25,7 @@ void ListWatch<Dim>::start(const Points<Dim>& points, std::vector<Real> reach, R
   width_ = kZoneWidth * longest_;
   std::vector<Zone> zone_of(x_.size());
   for_each(x_.size(), [&](std::size_t i) {
-    zone_of[i].body = points.body[i];
+    zone_of[i].label = label[i];
     for (std::size_t d = 0; d < Dim; ++d) {
       // What is beyond 2^52 zones, or not a number, shares one
       const Real cell = std::floor(x_[i][static_cast<int>(d)] / width_);
@@ -121,7 +122,7 @@ template <int Dim>
 bool ListWatch<Dim>::far_zones_hold(const std::vector<Extent>& extents) const {
   for (std::size_t first = 0, z = 0; first < zones_.size(); first = z) {
     Extent body = extents[first];
-    for (z = first; z < zones_.size() && zones_[z].body == zones_[first].body; ++z) {
+    for (z = first; z < zones_.size() && zones_[z].label == zones_[first].label; ++z) {
       body.lower = body.lower.cwiseMin(extents[z].lower);
       body.upper = body.upper.cwiseMax(extents[z].upper);
       body.growth = std::max(body.growth, extents[z].growth);

@@ -7,17 +7,18 @@
 
 namespace brunt {
 
-/// Proves that a neighbour list still holds every pair within reach. The particles of a body lie in
-/// zones of a width w when the list is built. Pairs of the same or of touching zones can have come
-/// nearer by what their zones moved against each other; others were apart by w along an axis.
+/// Proves that a neighbour list still holds every pair within reach. The particles of a label lie
+/// in zones of a width w when the list is built. Pairs of the same or of touching zones can have
+/// come nearer by what their zones moved against each other; others were apart by w along an axis.
 /// Neighbours that stream past each other far apart, as in a body that turns, cost no search.
 template <int Dim>
 class ListWatch {
  public:
   /// Remembers a list that holds all pairs within reach_i + reach_j + skin.
-  /// reach  smoothing lengths [m]; skin  [m]
-  void start(const Points<Dim>& points, std::vector<Real> reach, Real skin);
-  /// True if the list still holds all pairs within reach_i + reach_j of the same body.
+  /// label  only particles of one label are neighbours; reach  smoothing lengths [m]; skin  [m]
+  void start(const Points<Dim>& points, std::span<const Label> label, std::vector<Real> reach,
+             Real skin);
+  /// True if the list still holds all pairs within reach_i + reach_j of the same label.
   /// points, reach [m]  of now
   bool covers(const Points<Dim>& points, std::span<const Real> reach) const;
 
@@ -28,7 +29,7 @@ class ListWatch {
 
  private:
   struct Zone {
-    Label body;
+    Label label;
     std::array<std::int64_t, Dim> cell;
     auto operator<=>(const Zone&) const = default;
   };

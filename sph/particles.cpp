@@ -11,8 +11,11 @@ namespace brunt {
 
 template <int Dim>
 SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacing,
-                                std::vector<ParticleSet> sets, Real depth)
-    : points_(std::move(points)), depth_(Dim == 2 ? depth : 1.0) {
+                                std::vector<ParticleSet> sets, Real depth,
+                                std::vector<Label> sum_of_piece)
+    : points_(std::move(points)),
+      depth_(Dim == 2 ? depth : 1.0),
+      sum_of_piece_(std::move(sum_of_piece)) {
   assert(spacing.size() == points_.x.size());
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
   take_sets(std::move(sets), spacing);
@@ -111,6 +114,26 @@ void SphParticles<Dim>::refresh_gradients() {
   }
 }
 
+/// What of the spin w = curl v / 2 no shear accounts for: w max(0, 1 - 2 s/|w|), s^2 = D':D'/2 of
+/// the trace-free rate of strain. All of it where the material only turns; none in simple shear,
+/// where s = |w|, nor in what shears half as fast as it turns: under a surface that is rubbed,
+/// turning is the slip itself.
+template <int Dim>
+void SphParticles<Dim>::publish_spins() {
+  surface_.spin.resize(n_owned());
+  for_each(n_owned(), [&](std::size_t i) {
+    Mat3 L = Mat3::Zero();
+    for (int c = 0; c < Dim * Dim; ++c) L(c / Dim, c % Dim) = state_[i].velocity_gradient[c];
+    const Vec3 spin = 0.5 * Vec3(L(2, 1) - L(1, 2), L(0, 2) - L(2, 0), L(1, 0) - L(0, 1));
+    Real square = -(L(0, 0) + L(1, 1) + L(2, 2)) * (L(0, 0) + L(1, 1) + L(2, 2)) / Dim;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) square += 0.25 * (L(a, b) + L(b, a)) * (L(a, b) + L(b, a));
+    }
+    const Real size = spin.norm(), shear = std::sqrt(0.5 * std::max(square, 0.0));
+    surface_.spin[i] = size > 2 * shear ? Vec3((1 - 2 * shear / size) * spin) : Vec3(Vec3::Zero());
+  });
+}
+
 template <int Dim>
 void SphParticles<Dim>::update_state(Real dt) {
   if (held_) {
@@ -130,6 +153,7 @@ void SphParticles<Dim>::update_state(Real dt) {
   renew_lists_where_due();
   move_with_neighbours(dt);
   refresh_gradients();
+  if (surface_.asks_spin) publish_spins();
   for (auto& block : blocks_) {
     const std::size_t n_tiles = block.state.size() / kTile;
     for_each(n_tiles, [&](std::size_t tile) { update_tile(block, tile * kTile, dt); });

@@ -55,7 +55,7 @@ struct ParticleState {
 };
 
 /// Updated-Lagrangian SPH for solids, all particles of a scene: one group. Only particles of the
-/// same body interact here; bodies touch through contact.
+/// same piece of a body, or of bodies that are bonded, interact here; others touch through contact.
 ///   L_i = sum V_j (v_j - v_i) (x) B_i grad W        B_i = [sum V_j (x_j - x_i) (x) grad W]^-1
 ///   f_i = sum V_i V_j (sigma_i B_i + sigma_j B_j) grad W
 /// Randles & Libersky 1996; Bonet & Lok 1999. The two are conjugate: the neighbours' weights V_j
@@ -68,8 +68,9 @@ class SphParticles final : public Solid<Dim> {
   /// spacing  dp of each particle [m]
   /// sets  each particle in exactly one of them
   /// depth  [m] of a 2D scene, contained in the masses; 1 in 3D
+  /// sum_of_piece  by piece, a label of the sum that it shares with others; empty: that of its body
   SphParticles(Points<Dim> points, std::span<const Real> spacing, std::vector<ParticleSet> sets,
-               Real depth = 1);
+               Real depth = 1, std::vector<Label> sum_of_piece = {});
   /// The part of a whole, at time 0, whose particles this rank owns, with copies of those of other
   /// ranks within reach. deal and ranks outlive it. Collective; so are, from here on,
   /// rearrange, update_state and refresh_state.
@@ -114,10 +115,12 @@ class SphParticles final : public Solid<Dim> {
   struct TileStress;
   std::size_t n_owned() const { return static_cast<std::size_t>(points_.n_owned); }
   void hold(std::size_t n);
+  void label_sums();
+  void publish_spins();
   void take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing);
   void renew_ghosts(Real skin);
   void refresh_ghost_positions();
-  bool bodies_hold(bool mine_hold) const;
+  bool sums_hold(bool mine_hold) const;
   bool lists_hold() const;
   void renew_lists_where_due();
   void refresh_motion();
@@ -141,6 +144,8 @@ class SphParticles final : public Solid<Dim> {
   std::vector<ParticleState<Dim>> state_;
   std::vector<Real> smoothing_length_;  // [m] h, of the volume at n+1 where it adapts
   Real depth_;                          // [m]
+  std::vector<Label> sum_of_piece_;     // empty: a body is one sum
+  std::vector<Label> sum_;              // of each particle, copies too
 
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
@@ -150,8 +155,8 @@ class SphParticles final : public Solid<Dim> {
   bool settled_ = false;               // rows, weights and corrections of what is held are there
 
   const Communicator* ranks_ = &lone_rank();
-  GhostPlan ghosts_;           // copies within reach; made anew with the lists
-  std::vector<Label> bodies_;  // of the whole
+  GhostPlan ghosts_;         // copies within reach; made anew with the lists
+  std::vector<Label> sums_;  // of the whole, ascending
 
   NeighbourRows<Dim> rows_;
   ListWatch<Dim> watch_;

@@ -31,7 +31,7 @@ Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
 template <int Dim>
 bool SphParticles<Dim>::lists_hold() const {
   const bool mine_hold = watch_.covers(points_, smoothing_length_);
-  return ranks_->alone() ? mine_hold : bodies_hold(mine_hold);
+  return ranks_->alone() ? mine_hold : sums_hold(mine_hold);
 }
 
 /// After any motion, before the lists are read: this is an exact check, so that no list is late
@@ -52,6 +52,13 @@ void SphParticles<Dim>::set_skin(Real skin) {
 }
 
 template <int Dim>
+void SphParticles<Dim>::label_sums() {
+  sum_ = points_.body;
+  if (sum_of_piece_.empty()) return;
+  for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] = sum_of_piece_[points_.piece[i]];
+}
+
+template <int Dim>
 void SphParticles<Dim>::rearrange() {
   settled_ = false;
   Real longest = 0;
@@ -59,9 +66,10 @@ void SphParticles<Dim>::rearrange() {
   longest = ranks_->max(longest);
   const Real skin = skin_ratio_ * longest;
   if (!ranks_->alone()) renew_ghosts(skin);
-  rows_.assign(neighbours_within<Dim>(points_.x, smoothing_length_, points_.body, skin, search_));
+  label_sums();
+  rows_.assign(neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, search_));
   if (!ranks_->alone()) rows_.sort_by(points_.id);
-  watch_.start(points_, smoothing_length_, skin);
+  watch_.start(points_, sum_, smoothing_length_, skin);
   ++n_searches_;
 }
 
@@ -119,6 +127,8 @@ template void SphParticles<2>::renew_lists_where_due();
 template void SphParticles<3>::renew_lists_where_due();
 template void SphParticles<2>::set_skin(Real);
 template void SphParticles<3>::set_skin(Real);
+template void SphParticles<2>::label_sums();
+template void SphParticles<3>::label_sums();
 template void SphParticles<2>::rearrange();
 template void SphParticles<3>::rearrange();
 template void SphParticles<2>::seed_votes();

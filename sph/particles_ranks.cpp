@@ -23,13 +23,14 @@ template <int Dim>
 SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
                                 const Communicator& ranks)
     : depth_(whole.depth_),
+      sum_of_piece_(whole.sum_of_piece_),
       held_(whole.held_),
       ranks_(&ranks),
-      bodies_(whole.points_.body),
+      sums_(whole.sum_),
       skin_ratio_(whole.skin_ratio_),
       search_(whole.search_) {
-  std::sort(bodies_.begin(), bodies_.end());
-  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  std::sort(sums_.begin(), sums_.end());
+  sums_.erase(std::unique(sums_.begin(), sums_.end()), sums_.end());
   std::vector<LocalIndex> kept, place(whole.points_.x.size(), -1);
   for (LocalIndex i = 0; i < whole.points_.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -161,16 +162,16 @@ void SphParticles<Dim>::refresh_state() {
 }
 
 /// True if the lists of all ranks hold, and no particle without a copy here can have come within
-/// reach of an own one: no two particles of a body have moved against each other by more than the
+/// reach of an own one: no two particles of a sum have moved against each other by more than the
 /// skin.
 template <int Dim>
-bool SphParticles<Dim>::bodies_hold(bool mine_hold) const {
+bool SphParticles<Dim>::sums_hold(bool mine_hold) const {
   constexpr std::size_t width = 2 * Dim + 1;
-  std::vector<Real> extremes(bodies_.size() * width + 1, -kInfinity);
+  std::vector<Real> extremes(sums_.size() * width + 1, -kInfinity);
   if (!mine_hold) extremes.back() = 1;
   for (std::size_t i = 0; i < n_owned(); ++i) {
-    const auto body = std::lower_bound(bodies_.begin(), bodies_.end(), points_.body[i]);
-    Real* own = extremes.data() + static_cast<std::size_t>(body - bodies_.begin()) * width;
+    const auto sum = std::lower_bound(sums_.begin(), sums_.end(), sum_[i]);
+    Real* own = extremes.data() + static_cast<std::size_t>(sum - sums_.begin()) * width;
     for (int c = 0; c < Dim; ++c) {
       const Real u = points_.x[i][c] - watch_.x()[i][c];
       own[2 * c] = std::max(own[2 * c], -u);
@@ -180,7 +181,7 @@ bool SphParticles<Dim>::bodies_hold(bool mine_hold) const {
   }
   ranks_->max(extremes);
   if (extremes.back() > 0) return false;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
     const Real* of = extremes.data() + b * width;
     Real approach = 0;
     for (int c = 0; c < Dim; ++c) approach = std::max(approach, of[2 * c] + of[2 * c + 1]);
@@ -208,7 +209,7 @@ template void SphParticles<2>::refresh_ghost_positions();
 template void SphParticles<3>::refresh_ghost_positions();
 template void SphParticles<2>::refresh_state();
 template void SphParticles<3>::refresh_state();
-template bool SphParticles<2>::bodies_hold(bool) const;
-template bool SphParticles<3>::bodies_hold(bool) const;
+template bool SphParticles<2>::sums_hold(bool) const;
+template bool SphParticles<3>::sums_hold(bool) const;
 
 }  // namespace brunt

@@ -14,10 +14,10 @@ struct BodyGeometry {
   std::vector<Vec<Dim>> points;                             ///< [m] nodes or particles
   std::vector<std::array<int, 1 << Dim>> elements;          ///< FE that deforms
   std::vector<std::array<int, Facet<Dim>::kNodes>> facets;  ///< rigid; -1: no fourth node
-  std::vector<Label> piece;              ///< of each element, particle or facet
-  std::vector<std::string> piece_names;  ///< at least one
-  std::vector<Real> spacing;             ///< [m] particles: one an axis
-  Real volume = 0;                       ///< [m^Dim] of the shape: particles' mass is exact
+  std::vector<Label> piece;                                 ///< of each element, particle or facet
+  std::vector<std::string> piece_names;                     ///< at least one
+  std::vector<Real> spacing;                                ///< [m] particles: one an axis
+  Real volume = 0;  ///< [m^Dim] of the shape: particles' mass is exact
 };
 
 /// Meshes or fills every body of the deck; problems are collected, not thrown.

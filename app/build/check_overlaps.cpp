@@ -9,6 +9,7 @@ namespace brunt {
 
 namespace {
 constexpr Real kHeavy = 0.5;        // of an element or spacing: contact would throw bodies apart
+constexpr Real kSamePlace = 1e-9;   // of a spacing: rounding of lattices that coincide
 constexpr std::size_t kWork = 2e7;  // points times facets that one pair of bodies is worth
 
 /// The skin of one body at time 0: segments in 2D, triangles in 3D, outward; particles have none.
@@ -147,8 +148,10 @@ Real depth_in(const Skin<Dim>& body, const Skin<Dim>& other) {
 
 /// How far inside each other two clouds of particles are: the depth of the first in the box that
 /// shares particles closer than half a spacing; 0 where there are none.
+/// in_one_place  out: particles of the first in the place of one of the second, to rounding
 template <int Dim>
-Real depth_of_particles(const Skin<Dim>& a, const Skin<Dim>& b) {
+Real depth_of_particles(const Skin<Dim>& a, const Skin<Dim>& b, std::size_t& in_one_place) {
+  in_one_place = 0;
   const Real h = std::min(a.size, b.size);
   std::map<std::array<long, Dim>, std::vector<const Vec<Dim>*>> cells;
   const auto cell_of = [&](const Vec<Dim>& x) {
@@ -173,7 +176,9 @@ Real depth_of_particles(const Skin<Dim>& a, const Skin<Dim>& b) {
       const auto found = cells.find(cell);
       if (found == cells.end()) continue;
       for (const auto* other : found->second) {
-        if ((x - *other).norm() >= kHeavy * h) continue;
+        const Real apart = (x - *other).norm();
+        if (apart >= kHeavy * h) continue;
+        in_one_place += apart < kSamePlace * h ? 1 : 0;
         low = low.cwiseMin(x), high = high.cwiseMax(x);
       }
     }
@@ -216,9 +221,19 @@ void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
       const bool apart = (a.low - b.high).maxCoeff() >= 0 || (b.low - a.high).maxCoeff() >= 0;
       if ((a.rigid && b.rigid) || apart || ignored(one, two)) continue;
       const Real size = std::min(a.size, b.size);
-      const Real depth = a.particles && b.particles ? depth_of_particles(a, b)
+      std::size_t in_one_place = 0;
+      const Real depth = a.particles && b.particles ? depth_of_particles(a, b, in_one_place)
                                                     : std::max(depth_in(a, b), depth_in(b, a));
       if (depth <= kHeavy * size) continue;
+      if (in_one_place > 0) {
+        problems.push_back(
+            loaded.places.problem("bodies." + two + ".shape",
+                                  "has " + std::to_string(in_one_place) +
+                                      " particles in the very places of particles of '" + one +
+                                      "': they have no direction to push each other in; moving '" +
+                                      two + "' by " + way_out(b, a) + " parts the bodies"));
+        continue;
+      }
       problems.push_back(loaded.places.problem(
           "bodies." + two + ".shape",
           "is inside '" + one + "' by " + deck::length_text(depth) + " at time 0 (an element has " +

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/build/bonds.hpp"
 #include "app/build/heat.hpp"
 #include "app/build/materials.hpp"
 #include "core/geometry/curve.hpp"
@@ -229,7 +230,8 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
     spacing[k] = mean_spacing(geometry);
   }
   auto particles = std::make_unique<SphParticles<Dim>>(std::move(gathered.points), spacing,
-                                                       std::move(sets), Dim == 2 ? scene.depth : 1);
+                                                       std::move(sets), Dim == 2 ? scene.depth : 1,
+                                                       sums_of_pieces(loaded.deck, bodies));
   particles->set_search(loaded.deck.contact.search);
   return particles;
 }

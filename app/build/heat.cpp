@@ -2,11 +2,33 @@
 
 #include <algorithm>
 
+#include "app/build/bonds.hpp"
+
 namespace brunt {
 
 bool acts_on_heat(const deck::Boundary& boundary) {
   return boundary.temperature || boundary.flux || boundary.convection || boundary.radiation;
 }
+
+namespace {
+/// Names of the bodies of one sum with this one, itself among them.
+std::vector<std::string> names_of_sum(const Deck& deck, const std::string& name) {
+  const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
+                                  [&](const auto& body) { return body.name == name; });
+  std::vector<std::string> names;
+  for (const Label b : bonded_with(deck, static_cast<Label>(found - deck.bodies.begin()))) {
+    names.push_back(deck.bodies[b].name);
+  }
+  return names;
+}
+
+/// True where all bodies of its sum never move.
+bool is_held_with_its_sum(const Deck& deck, const std::string& name) {
+  const auto names = names_of_sum(deck, name);
+  return std::all_of(names.begin(), names.end(),
+                     [&](const std::string& one) { return is_held(deck, one); });
+}
+}  // namespace
 
 HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name) {
   const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
@@ -16,14 +38,17 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
   }
   const auto& thermal = material->value.thermal;
   if (!thermal) return HeatMode::none;
+  const auto names = names_of_sum(deck, name);
+  const auto in_sum = [&](const std::string& other) {
+    return std::find(names.begin(), names.end(), other) != names.end();
+  };
   const auto heats = [&](const auto& boundary) {
-    return boundary.value.body == name && acts_on_heat(boundary.value);
+    return in_sum(boundary.value.body) && acts_on_heat(boundary.value);
   };
   const auto& contact = deck.contact;
   const auto touches = [&](const auto& pair) {
-    const auto& names = pair.value.between;
-    return pair.value.options.passes_heat() &&
-           std::find(names.begin(), names.end(), name) != names.end();
+    const auto& between = pair.value.between;
+    return pair.value.options.passes_heat() && std::any_of(between.begin(), between.end(), in_sum);
   };
   const bool warmed = contact.fallback.passes_heat() ||
                       std::any_of(contact.pairs.begin(), contact.pairs.end(), touches);
@@ -52,7 +77,7 @@ bool is_held(const Deck& deck, const std::string& name) {
 
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name) {
   const bool conducts = heat_mode(deck, body, name) == HeatMode::conducts;
-  return {conducts, conducts && is_held(deck, name)};
+  return {conducts, conducts && is_held_with_its_sum(deck, name)};
 }
 
 }  // namespace brunt

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/build/bodies.hpp"
+#include "app/build/bonds.hpp"
 #include "app/build/boundaries.hpp"
 #include "app/build/groups.hpp"
 #include "app/build/materials.hpp"
@@ -31,35 +32,6 @@ Vec<Dim> rounded_center(const std::vector<BodyGeometry<Dim>>& bodies, Geometry g
   for (int c = 0; c < Dim; ++c) center[c] = step * std::nearbyint(0.5 * (low[c] + high[c]) / step);
   if (geometry == Geometry::axisymmetric) center[0] = 0;  // x is a radius
   return center;
-}
-
-Label label_of(const Deck& deck, const std::string& name) {
-  const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
-                                  [&](const auto& body) { return body.name == name; });
-  return static_cast<Label>(found - deck.bodies.begin());
-}
-
-/// Options of each pair of labels; `any` stands for every body.
-ContactOptions contact_options(const Deck& deck) {
-  ContactOptions options;
-  options.fallback = deck.contact.fallback;
-  options.search = deck.contact.search;
-  options.skin = deck.contact.skin;
-  for (const auto& [name, pair] : deck.contact.pairs) {
-    const Label first = label_of(deck, pair.between[0]);
-    for (Label other = 0; other < deck.bodies.size(); ++other) {
-      const bool any = pair.between[1] == "any";
-      if (!any && other != label_of(deck, pair.between[1])) continue;
-      const std::pair key{std::min(first, other), std::max(first, other)};
-      if (any && options.pairs.count(key)) continue;  // a pair named in full has its own options
-      options.pairs[key] = pair.options;
-      // Contact counts the share of the body with the lower label.
-      auto& split = options.pairs[key].friction_heat.split;
-      if (split && first > other) split = 1 - *split;
-      if (!any) options.pair_names[key] = name;
-    }
-  }
-  return options;
 }
 
 /// Rigid bodies that move as told; those that follow their forces come second.
@@ -108,6 +80,8 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     throw DeckError(problems);
   }
 
+  check_bonds(loaded, problems);
+  if (!problems.empty()) throw DeckError(problems);
   auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
                                             deck.depth);
   for (const auto& body : deck.bodies) scene->body_names.push_back(body.name);

@@ -18,7 +18,7 @@ TEST(ListWatch, LetsNoPairThrough) {
     const std::vector<Real> reach(points.x.size(), 1.2);
     const Real skin = 0.3;
     ListWatch<2> watch;
-    watch.start(points, reach, skin);
+    watch.start(points, points.body, reach, skin);
     const auto start = points.x;
     const auto kick = test::lattice<2>({16, 12}, 1.0, 1.0, 0.5, 1000 + seed).x;
     const Real strength = 0.01 * seed, shear = 0.002 * seed;
@@ -47,7 +47,7 @@ TEST(ListWatch, FarPartsMayTurnAgainstEachOther) {
   auto points = test::lattice<2>({200, 4}, 1.0, 1.0);
   const std::vector<Real> reach(points.x.size(), 1.2);
   ListWatch<2> watch;
-  watch.start(points, reach, 0.3);
+  watch.start(points, points.body, reach, 0.3);
   const auto start = points.x;
   const auto turn = [&](Real angle) {  // [rad], and far away
     for (std::size_t i = 0; i < start.size(); ++i) {

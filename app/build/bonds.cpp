@@ -1,0 +1,171 @@
+#include "app/build/bonds.hpp"
+
+#include <algorithm>
+
+#include "app/build/heat.hpp"
+
+namespace brunt {
+
+namespace {
+Label label_of(const Deck& deck, const std::string& name) {
+  const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
+                                  [&](const auto& body) { return body.name == name; });
+  return static_cast<Label>(found - deck.bodies.begin());
+}
+
+bool is_of_particles(const deck::Body& body) {
+  return body.method == deck::Method::sph && !body.rigid;
+}
+
+/// Options of each pair as the deck names them.
+ContactOptions named_options(const Deck& deck) {
+  ContactOptions options;
+  options.fallback = deck.contact.fallback;
+  options.search = deck.contact.search;
+  options.skin = deck.contact.skin;
+  for (const auto& [name, pair] : deck.contact.pairs) {
+    const Label first = label_of(deck, pair.between[0]);
+    for (Label other = 0; other < deck.bodies.size(); ++other) {
+      const bool any = pair.between[1] == "any";
+      if (!any && other != label_of(deck, pair.between[1])) continue;
+      const std::pair key{std::min(first, other), std::max(first, other)};
+      if (any && options.pairs.count(key)) continue;  // a pair named in full has its own options
+      options.pairs[key] = pair.options;
+      // Contact counts the share of the body with the lower label.
+      auto& split = options.pairs[key].friction_heat.split;
+      if (split && first > other) split = 1 - *split;
+      if (!any) options.pair_names[key] = name;
+    }
+  }
+  return options;
+}
+
+const PairOptions& options_of(const ContactOptions& options, Label a, Label b) {
+  const auto found = options.pairs.find({std::min(a, b), std::max(a, b)});
+  return found == options.pairs.end() ? options.fallback : found->second;
+}
+
+/// The smallest label of those that are bonded with each body, over any way.
+std::vector<Label> chains(const Deck& deck, const ContactOptions& options) {
+  const auto n = static_cast<Label>(deck.bodies.size());
+  std::vector<Label> smallest(n);
+  for (Label b = 0; b < n; ++b) smallest[b] = b;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Label a = 0; a < n; ++a) {
+      for (Label b = a + 1; b < n; ++b) {
+        if (smallest[a] == smallest[b] || !options_of(options, a, b).bonded) continue;
+        smallest[a] = smallest[b] = std::min(smallest[a], smallest[b]);
+        changed = true;
+      }
+    }
+  }
+  return smallest;
+}
+
+/// What must be the same in one sum; empty: nothing differs.
+std::string difference(const SphOptions& a, const SphOptions& b) {
+  if (a.kernel != b.kernel) return "kernel";
+  if (a.smoothing != b.smoothing) return "smoothing";
+  const bool viscosity =
+      a.viscosity.alpha == b.viscosity.alpha && a.viscosity.beta == b.viscosity.beta;
+  if (!viscosity) return "viscosity";
+  return a.xsph == b.xsph ? "" : "xsph";
+}
+
+/// Why two bodies cannot be bonded; empty: they can.
+std::string obstacle(const Deck& deck, Label first, Label second) {
+  for (const Label label : {first, second}) {
+    const auto& [name, body] = deck.bodies[label];
+    if (!is_of_particles(body)) {
+      return "only bodies of particles (method: sph) share a sum, and '" + name + "' is not one";
+    }
+  }
+  const auto &a = deck.bodies[first], &b = deck.bodies[second];
+  const std::string differs = difference(a.value.sph, b.value.sph);
+  if (!differs.empty()) {
+    return "'" + a.name + "' and '" + b.name + "' share one sum and need the same `" + differs +
+           "`";
+  }
+  if (group_kind(deck, a.value, a.name) == group_kind(deck, b.value, b.name)) return "";
+  const bool first_conducts = group_kind(deck, a.value, a.name).conducts;
+  return "'" + (first_conducts ? a : b).name + "' conducts heat and '" +
+         (first_conducts ? b : a).name + "' does not: its material needs thermal with k and cp";
+}
+}  // namespace
+
+ContactOptions contact_options(const Deck& deck) {
+  ContactOptions options = named_options(deck);
+  const auto chain = chains(deck, options);
+  for (Label a = 0; a < chain.size(); ++a) {
+    for (Label b = a; b < chain.size(); ++b) {
+      const bool alone = std::count(chain.begin(), chain.end(), chain[a]) == 1;
+      if (chain[a] != chain[b] || alone) continue;
+      auto pair = options_of(options, a, b);
+      pair.bonded = true;
+      options.pairs[{a, b}] = pair;
+    }
+  }
+  return options;
+}
+
+std::vector<Label> bonded_with(const Deck& deck, Label body) {
+  const auto chain = chains(deck, named_options(deck));
+  std::vector<Label> bodies;
+  for (Label b = 0; b < chain.size(); ++b) {
+    if (chain[b] == chain[body]) bodies.push_back(b);
+  }
+  return bodies;
+}
+
+template <int Dim>
+std::vector<Label> sums_of_pieces(const Deck& deck, const std::vector<BodyGeometry<Dim>>& bodies) {
+  const ContactOptions options = contact_options(deck);
+  const auto chain = chains(deck, options);
+  std::vector<Label> first_piece(deck.bodies.size()), sums;
+  for (const auto& body : bodies) {
+    const Label whole = chain[body.label];
+    const Label begin = static_cast<Label>(sums.size());
+    first_piece[body.label] = begin;
+    const bool one = options_of(options, body.label, body.label).bonded;
+    for (Label piece = begin; piece < begin + body.piece_names.size(); ++piece) {
+      sums.push_back(one ? first_piece[whole] : piece);
+    }
+  }
+  return sums;
+}
+
+void check_bonds(const LoadedDeck& loaded, std::vector<DeckProblem>& problems) {
+  const Deck& deck = loaded.deck;
+  const auto n = static_cast<Label>(deck.bodies.size());
+  const auto refuse = [&](const std::string& path, Label first, Label second) {
+    const std::string why = obstacle(deck, first, second);
+    if (!why.empty()) problems.push_back(loaded.places.problem(path + ".bonded", why));
+    return !why.empty();
+  };
+  const auto refuse_any = [&](const std::string& path, Label first) {
+    for (Label other = 0; other < n; ++other) {
+      if (refuse(path, first, other)) return true;
+    }
+    return false;
+  };
+  if (deck.contact.fallback.bonded) {
+    for (Label body = 0; body < n; ++body) {
+      if (refuse_any("contact.default", body)) return;
+    }
+  }
+  for (const auto& [name, pair] : deck.contact.pairs) {
+    if (!pair.options.bonded || deck.contact.fallback.bonded) continue;
+    const Label first = label_of(deck, pair.between[0]);
+    if (pair.between[1] == "any") {
+      refuse_any("contact.pairs." + name, first);
+    } else {
+      refuse("contact.pairs." + name, first, label_of(deck, pair.between[1]));
+    }
+  }
+}
+
+template std::vector<Label> sums_of_pieces<2>(const Deck&, const std::vector<BodyGeometry<2>>&);
+template std::vector<Label> sums_of_pieces<3>(const Deck&, const std::vector<BodyGeometry<3>>&);
+
+}  // namespace brunt
