@@ -138,6 +138,7 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
     ImportBoxes<Dim> boxes;
     for (std::size_t f = 0; f < entities.faces.size(); ++f) {
       boxes.offered.push_back(box_of_face(entities, f));
+      // Faces of rigid bodies have the larger ids: they are the lower ones among themselves alone.
       const auto& face = entities.faces[f];
       if (face.owned && !face.everywhere()) boxes.wanted.push_back(boxes.offered.back());
     }

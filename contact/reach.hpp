@@ -19,7 +19,7 @@ template <int Dim>
 struct ContactReach {
   SearchBox<Dim> box;  ///< [m] where it may touch before the lists are renewed
   GlobalId id = 0;     ///< facet id, or that of the particle
-  bool rigid = false;  ///< a face of a rigid surface
+  bool rigid = false;  ///< a face of a rigid body, which every rank has
   int n_nodes = 0;     ///< corners; 1 of a particle
   std::array<ContactNodeName, Facet<Dim>::kNodes> node;
   std::size_t candidates = 0;  ///< that are evaluated with it

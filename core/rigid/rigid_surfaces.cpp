@@ -50,6 +50,7 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Deal& deal,
   here->shows_facets_ = ranks.is_root();
   if (shares_.empty()) return here;
   std::vector<Real> shares;
+  shares.reserve(order.size());
   for (const LocalIndex i : order) shares.push_back(shares_[static_cast<std::size_t>(i)]);
   here->set_shares(std::move(shares));
   return here;

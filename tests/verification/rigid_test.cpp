@@ -96,7 +96,8 @@ const std::string kSlope = R"(
 time: {end: 40 ms}
 parameters: {mu: 0.3, g: 9.81 m/s^2}
 bodies:
-  block: {rigid: true, material: oak, shape: {box: {min: [-30 mm, -20 mm, 0], max: [30 mm, 20 mm, 20 mm]}}}
+  block: {rigid: true, material: oak, shape: {box: {min: [-30 mm, -20 mm, 0],
+    max: [30 mm, 20 mm, 20 mm]}}}
   slope: {rigid: true, shape: {plane: {origin: [0, 0, 0], normal: z, extent: 400 mm}}}
 gravity: [= 0.5*$g, 0, = -cos(pi/6)*$g]
 contact: {default: {friction: $mu, damping: 1}}
@@ -130,11 +131,13 @@ const std::string kDrop = R"(
 time: {end: 1.2 ms, max_step: 0.8 us}
 parameters: {angle: 0 deg}
 bodies:
-  plate: {material: nylon, shape: {box: {min: [-30 mm, -30 mm, -9 mm], max: [30 mm, 30 mm, 0]}}, cells: [10, 10, 3]}
+  plate: {material: nylon, shape: {box: {min: [-30 mm, -30 mm, -9 mm], max: [30 mm, 30 mm, 0]}},
+    cells: [10, 10, 3]}
   cube:
     rigid: true
     material: oak
-    shape: {box: {min: [-9 mm, -11 mm, 8 mm], max: [11 mm, 9 mm, 28 mm]}, rotate: {axis: [1, -1, 0], angle: $angle, about: [1 mm, -1 mm, 18 mm]}}
+    shape: {box: {min: [-9 mm, -11 mm, 8 mm], max: [11 mm, 9 mm, 28 mm]},
+      rotate: {axis: [1, -1, 0], angle: $angle, about: [1 mm, -1 mm, 18 mm]}}
     velocity: [1, 0, -10]
 contact: {default: {friction: 0.3}}
 output: {history: 10 us}
@@ -169,8 +172,10 @@ TEST(Rigid, ParticlesOnABoxKeepMomentaAndEnergy) {
   const auto result = run(R"(
 time: {end: 0.15 ms}
 bodies:
-  block: {method: sph, material: aluminium, size: 2 mm, shape: {box: {min: [-6 mm, -6 mm, 11 mm], max: [6 mm, 6 mm, 17 mm]}}, velocity: [0, 0, -20]}
-  box: {rigid: true, material: steel, shape: {box: {min: [-5 mm, -12 mm, 0], max: [15 mm, 12 mm, 10 mm]}}, spin: {axis: y, rate: 100 rad/s, about: [5 mm, 0, 5 mm]}}
+  block: {method: sph, material: aluminium, size: 2 mm, shape: {box: {min: [-6 mm, -6 mm, 11 mm],
+    max: [6 mm, 6 mm, 17 mm]}}, velocity: [0, 0, -20]}
+  box: {rigid: true, material: steel, shape: {box: {min: [-5 mm, -12 mm, 0],
+    max: [15 mm, 12 mm, 10 mm]}}, spin: {axis: y, rate: 100 rad/s, about: [5 mm, 0, 5 mm]}}
 contact: {default: {friction: 0.3}}
 output: {history: 5 us}
 )",
@@ -217,8 +222,10 @@ TEST(Rigid, BallOnARoundPlate) {
 geometry: axisymmetric
 time: {end: 0.5 ms}
 bodies:
-  plate: {material: nylon, shape: {cylinder: {radius: 40 mm, length: 10 mm, base: [0, -10 mm]}}, cells: [16, 4]}
-  ball: {rigid: true, material: oak, shape: {sphere: {radius: 10 mm, center: [0, 11 mm]}}, velocity: [0, -5]}
+  plate: {material: nylon, shape: {cylinder: {radius: 40 mm, length: 10 mm, base: [0, -10 mm]}},
+    cells: [16, 4]}
+  ball: {rigid: true, material: oak, shape: {sphere: {radius: 10 mm, center: [0, 11 mm]}},
+    velocity: [0, -5]}
 contact: {default: {friction: 0.3}}
 output: {history: 10 us}
 )");
@@ -235,7 +242,8 @@ TEST(Rigid, FreeComponentFallsWhileTheOthersAreTold) {
   const auto result = run(R"(
 time: {end: 0.1 s, max_step: 10 us}
 bodies:
-  box: {rigid: true, material: oak, shape: {box: {min: [0, 0, 0], max: [1 cm, 1 cm, 1 cm]}}, velocity: [0, 0, 2], motion: {velocity: [3, -1, free]}}
+  box: {rigid: true, material: oak, shape: {box: {min: [0, 0, 0], max: [1 cm, 1 cm, 1 cm]}},
+    velocity: [0, 0, 2], motion: {velocity: [3, -1, free]}}
 gravity: [0, 0, -9.81]
 output: {history: 1 ms}
 )");
@@ -254,7 +262,8 @@ TEST(Rigid, DrivenWheelClosesItsBalance) {
   const auto result = run(R"(
 time: {end: 1.5 ms}
 bodies:
-  plate: {material: nylon, shape: {box: {min: [-40 mm, -30 mm, -9 mm], max: [40 mm, 30 mm, 0]}}, cells: [12, 10, 3]}
+  plate: {material: nylon, shape: {box: {min: [-40 mm, -30 mm, -9 mm], max: [40 mm, 30 mm, 0]}},
+    cells: [12, 10, 3]}
   wheel:
     rigid: true
     material: oak
@@ -277,7 +286,8 @@ TEST(Rigid, WeightAndDragActOnBodies) {
   const auto result = run(R"(
 time: {end: 0.1 s, max_step: 10 us}
 bodies:
-  box: {rigid: true, material: oak, shape: {box: {min: [0, 0, 0], max: [1 cm, 1 cm, 1 cm]}}, spin: {axis: [1, 0, 0], rate: 20 rad/s, about: [0, 5 mm, 5 mm]}}
+  box: {rigid: true, material: oak, shape: {box: {min: [0, 0, 0], max: [1 cm, 1 cm, 1 cm]}},
+    spin: {axis: [1, 0, 0], rate: 20 rad/s, about: [0, 5 mm, 5 mm]}}
 gravity: [0, 0, -9.81]
 damping: {rate: 10}
 output: {history: 1 ms}
@@ -298,7 +308,8 @@ time: {end: 0.2 s}
 parameters: {E: 10 MPa}
 bodies:
   floor: {rigid: true, shape: {plane: {origin: [0, 0, 0], normal: z, extent: 1 m}}}
-  wall: {rigid: true, material: foam, shape: {brick-wall: {bricks: [3, 1, 3], brick: [200 mm, 100 mm, 60 mm], origin: [-300 mm, -50 mm, 0]}}}
+  wall: {rigid: true, material: foam, shape: {brick-wall: {bricks: [3, 1, 3],
+    brick: [200 mm, 100 mm, 60 mm], origin: [-300 mm, -50 mm, 0]}}}
 gravity: [0, 0, -9.81]
 damping: {rate: 200}
 contact: {default: {friction: 0.5}}
@@ -329,7 +340,9 @@ TEST(Rigid, LargestStepIsStable) {
   const auto result = run(R"(
 time: {end: 20 ms, safety: 1}
 bodies:
-  cube: {rigid: true, material: oak, shape: {box: {min: [-1 cm, -1 cm, 0], max: [1 cm, 1 cm, 2 cm]}}, velocity: [0, 0, 0.5], spin: {axis: [1, 0.3, 0], rate: 5 rad/s, about: [0, 0, 1 cm]}}
+  cube: {rigid: true, material: oak, shape: {box: {min: [-1 cm, -1 cm, 0],
+    max: [1 cm, 1 cm, 2 cm]}}, velocity: [0, 0, 0.5], spin: {axis: [1, 0.3, 0], rate: 5 rad/s,
+      about: [0, 0, 1 cm]}}
   floor: {rigid: true, shape: {plane: {origin: [0, 0, 0], normal: z, extent: 10 cm}}}
   roof: {rigid: true, shape: {plane: {origin: [0, 0, 20.02 mm], normal: [0, 0, -1], extent: 10 cm}}}
 contact: {default: {damping: 0.1}}

@@ -126,8 +126,8 @@ TEST(RigidBody, ConvergesToEulersEquationsWithTheSquareOfTheStep) {
   EXPECT_LT(error[2], 1e-2);
 }
 
-// Ten thousand radians of tumbling in steps of 0.05 rad: the momentum is the state itself, the energy
-// is kept by the rule, and the quaternion is made of length 1 in every step. What is left is
+// Ten thousand radians of tumbling in steps of 0.05 rad: the momentum is the state itself, the
+// energy is kept by the rule, and the quaternion is made of length 1 in every step. What is left is
 // rounding, which grows with the root of the number of steps at most: sqrt(2e5) 2e-16 = 1e-13.
 TEST(RigidBody, KeepsMomentumEnergyAndOrthogonality) {
   auto body = body_of(Vec3(1, 2, 3.5), Vec3(0.01, 5, 0.02));
