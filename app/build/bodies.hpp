@@ -18,6 +18,7 @@ struct BodyGeometry {
   std::vector<std::string> piece_names;  ///< at least one
   std::vector<Real> spacing;             ///< [m] particles: one an axis
   Real volume = 0;                       ///< [m^Dim] of the shape: particles' mass is exact
+  std::size_t left_out = 0;              ///< triangles without area in the file
 };
 
 /// Meshes or fills every body of the deck; problems are collected, not thrown.
