@@ -32,6 +32,7 @@ struct Scene {
   Loads<Dim> loads;
   HeatBoundaries<Dim> heat;
   Phases phases;
+  std::vector<std::string> notes;  ///< of its building, for the log
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
 

@@ -21,8 +21,8 @@ class Merger {
     std::array<int, 3> triangle{};
     for (std::size_t c = 0; c < 3; ++c) triangle[c] = node_at(corner[c]);
     const Vec3 area = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-    const bool same = triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
-                      triangle[2] == triangle[0];
+    const bool same =
+        triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
     if (same || !(area.squaredNorm() > 0)) {
       ++surface_.degenerate;
     } else {

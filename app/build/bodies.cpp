@@ -53,7 +53,8 @@ void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
 void read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named,
                   BodyGeometry<3>& geometry) {
   const auto& body = named.value;
-  const std::filesystem::path deck_file = loaded.places.place("bodies." + named.name + ".file").file;
+  const std::filesystem::path deck_file =
+      loaded.places.place("bodies." + named.name + ".file").file;
   const auto surface = read_stl((deck_file.parent_path() / body.file).string());
   for (const Vec3& x : surface.nodes) geometry.points.push_back(body.scale * x);
   place_all<3>(body.shape, geometry.points);

@@ -9,7 +9,7 @@ namespace brunt {
 
 namespace {
 constexpr Real kHeavy = 0.5;        // of an element or spacing: contact would throw bodies apart
-constexpr Real kSamePlace = 1e-9;  // of a spacing: rounding of lattices that coincide
+constexpr Real kSamePlace = 1e-9;   // of a spacing: rounding of lattices that coincide
 constexpr std::size_t kWork = 2e7;  // points times facets that one pair of bodies is worth
 
 /// The skin of one body at time 0: segments in 2D, triangles in 3D, outward; particles have none.
@@ -224,12 +224,12 @@ void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
                                                     : std::max(depth_in(a, b), depth_in(b, a));
       if (depth <= kHeavy * size) continue;
       if (in_one_place > 0) {
-        problems.push_back(loaded.places.problem(
-            "bodies." + two + ".shape",
-            "has " + std::to_string(in_one_place) +
-                " particles in the very places of particles of '" + one +
-                "': they have no direction to push each other in; moving '" + two + "' by " +
-                way_out(b, a) + " parts the bodies"));
+        problems.push_back(
+            loaded.places.problem("bodies." + two + ".shape",
+                                  "has " + std::to_string(in_one_place) +
+                                      " particles in the very places of particles of '" + one +
+                                      "': they have no direction to push each other in; moving '" +
+                                      two + "' by " + way_out(b, a) + " parts the bodies"));
         continue;
       }
       problems.push_back(loaded.places.problem(

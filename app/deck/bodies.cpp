@@ -49,7 +49,8 @@ void describe(Schema& s, Body& body) {
   const bool is_sph = body.method == Method::sph;
   s.text({"material", "name of a material", body.rigid ? Need::optional : Need::required},
          body.material);
-  s.text({"file", "an STL file of triangles, from the deck's folder, instead of a shape"}, body.file);
+  s.text({"file", "an STL file of triangles, from the deck's folder, instead of a shape"},
+         body.file);
   s.section(body.file.empty(), "only without file", [&](Schema& shaped) {
     shaped.object({"shape", "where the body is at time 0", Need::required}, body.shape);
   });
