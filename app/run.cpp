@@ -248,6 +248,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   auto log = open_log(folder, goes_on, root);
   log->info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA,
             ranks.size(), omp_get_max_threads(), arguments.deck);
+  for (const auto& note : scene->notes) log->info("{}", note);
   for (const auto& warning : warnings) {
     log->warn("{}", warning.text());
     summary.warnings.push_back({warning.path, warning.message});

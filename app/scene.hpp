@@ -38,6 +38,7 @@ struct Scene {
   Sections<Dim> sections;
   std::vector<Probe> probes;
   Phases phases;
+  std::vector<std::string> notes;  ///< of its building, for the log
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
 

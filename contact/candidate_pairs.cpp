@@ -36,6 +36,7 @@ void find_nearby(const Entities<Dim>& entities, const PairTable& pairs, SearchMo
     pieces[it->second].bounds.enclose(boxes[p]);
   }
   std::vector<SearchBox<Dim>> bounds;
+  bounds.reserve(pieces.size());
   for (const auto& piece : pieces) bounds.push_back(piece.bounds);
   const auto meet = [&](LocalIndex i, LocalIndex j) {
     return pairs.of_particles(pieces[static_cast<std::size_t>(i)].body,

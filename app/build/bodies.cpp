@@ -1,10 +1,13 @@
 #include "app/build/bodies.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include "app/deck/findings.hpp"
 #include "core/geometry/mesh.hpp"
+#include "core/geometry/placement.hpp"
+#include "io/stl.hpp"
 
 namespace brunt {
 
@@ -46,12 +49,32 @@ void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
                               ": x is the radius and never negative; a full bar begins at x = 0");
 }
 
+/// The surface in an STL file, scaled, turned and moved. A file is named from the deck's folder.
+void read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named,
+                  BodyGeometry<3>& geometry) {
+  const auto& body = named.value;
+  const std::filesystem::path deck_file =
+      loaded.places.place("bodies." + named.name + ".file").file;
+  const auto surface = read_stl((deck_file.parent_path() / body.file).string());
+  for (const Vec3& x : surface.nodes) geometry.points.push_back(body.scale * x);
+  place_all<3>(body.shape, geometry.points);
+  for (const auto& [a, b, c] : surface.triangles) geometry.facets.push_back({a, b, c, -1});
+  geometry.left_out = surface.degenerate;
+}
+
 template <int Dim>
-BodyGeometry<Dim> make_body(const Deck& deck, const deck::Body& body, Label& next_piece) {
+BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& named,
+                            Label& next_piece) {
+  const Deck& deck = loaded.deck;
+  const deck::Body& body = named.value;
   BodyGeometry<Dim> geometry;
   const Sizing sizing{body.size, body.cells};
   std::vector<Label> piece;
-  if (body.rigid) {
+  if (!body.file.empty()) {
+    if constexpr (Dim == 3) read_surface(loaded, named, geometry);
+    geometry.piece_names = {""};
+    piece = {0};
+  } else if (body.rigid) {
     auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(surface.nodes);
     geometry.facets = std::move(surface.facets);
@@ -91,10 +114,12 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
   for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[b];
     try {
-      bodies.push_back(make_body<Dim>(loaded.deck, body, next_piece));
+      bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], next_piece));
       bodies.back().label = static_cast<Label>(b);
     } catch (const std::invalid_argument& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));
+    } catch (const std::runtime_error& error) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".file", error.what()));
     }
   }
   return bodies;

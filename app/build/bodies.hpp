@@ -17,7 +17,8 @@ struct BodyGeometry {
   std::vector<Label> piece;                                 ///< of each element, particle or facet
   std::vector<std::string> piece_names;                     ///< at least one
   std::vector<Real> spacing;                                ///< [m] particles: one an axis
-  Real volume = 0;  ///< [m^Dim] of the shape: particles' mass is exact
+  Real volume = 0;           ///< [m^Dim] of the shape: particles' mass is exact
+  std::size_t left_out = 0;  ///< triangles without area in the file
 };
 
 /// Meshes or fills every body of the deck; problems are collected, not thrown.

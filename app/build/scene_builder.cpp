@@ -86,6 +86,11 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
                                             deck.depth);
   for (const auto& body : deck.bodies) scene->body_names.push_back(body.name);
   scene->materials = make_materials(deck);
+  for (const auto& body : bodies) {
+    if (body.left_out == 0) continue;
+    scene->notes.push_back(deck.bodies[body.label].name + ": " + std::to_string(body.left_out) +
+                           " triangles of its file have no area and were left out");
+  }
 
   NextIds next;
   for (const GroupKind kind : kGroupKinds) {

@@ -52,13 +52,24 @@ void describe(Schema& s, Motion& motion) {
 
 void describe(Schema& s, Body& body) {
   static constexpr const char* kMethods[] = {"fe", "sph"};
-  static constexpr const char* kLater[] = {"file", "scale", "grading", "erode"};
+  static constexpr const char* kLater[] = {"grading", "erode"};
   s.choice({"method", "finite elements or particles"}, body.method, kMethods);
   s.flag({"rigid", "does not deform"}, body.rigid);
   const bool is_sph = body.method == Method::sph;
   s.text({"material", "name of a material", body.rigid ? Need::optional : Need::required},
          body.material);
-  s.object({"shape", "where the body is at time 0", Need::required}, body.shape);
+  s.text({"file", "an STL file of triangles, from the deck's folder, instead of a shape"},
+         body.file);
+  s.section(body.file.empty(), "only without file", [&](Schema& shaped) {
+    shaped.object({"shape", "where the body is at time 0", Need::required}, body.shape);
+  });
+  s.section(!body.file.empty(), "only beside file", [&](Schema& read) {
+    read.real({"scale", "length that a unit of the file stands for"}, body.scale,
+              {"m", positive(), between(1e-6, 1e3)});
+    read.object({"rotate", "turns what the file holds"}, body.shape.rotate);
+    read.list({"translate", "moves it, after it was turned"}, body.shape.translate, kPlace,
+              Schema::kVector);
+  });
   s.per_axis({"size", "element size or particle spacing; the next whole number of cells",
               is_sph ? Need::required : Need::optional},
              body.size, {"m", positive(), between(1e-7, 0.2)});
@@ -76,6 +87,13 @@ void describe(Schema& s, Body& body) {
             [&](Schema& fe) { describe_finite_elements(fe, body); });
   s.section(is_sph, "only for method: sph", [&](Schema& sph) { describe_particles(sph, body); });
   s.later(kLater);
+  const bool is_stl = body.file.size() > 4 && body.file.substr(body.file.size() - 4) == ".stl";
+  s.require(body.file.empty() || is_stl, "file",
+            "only .stl is read in this version: write the surface as triangles");
+  s.require(body.file.empty() || body.rigid, "file",
+            "triangles are the surface of a body with rigid: true; one that deforms has a shape");
+  s.require(body.file.empty() || s.geometry() == Geometry::three_d, "file",
+            "only for geometry: 3d");
   s.require(!body.rigid || !is_sph, "rigid",
             "a rigid body of particles is not in this version; take method: sph out");
   s.require(!follows_forces(body) || !body.material.empty(), "motion",

@@ -31,7 +31,9 @@ struct Body {
   Method method = Method::fe;
   bool rigid = false;
   std::string material;  ///< name in Deck::materials; empty: none (rigid only)
-  Shape shape;
+  Shape shape;           ///< of a body from a file: rotate and translate alone
+  std::string file;      ///< of triangles, instead of a shape; from the deck's folder
+  Real scale = 1;        ///< [m] that a unit of length of the file stands for
   std::optional<std::vector<Real>> size;  ///< [m] element size or particle spacing, along each axis
   std::optional<std::vector<int>> cells;  ///< number of cells along each axis; FE only
   std::vector<Real> velocity;             ///< [m/s] at time 0; empty: at rest

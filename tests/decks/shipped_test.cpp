@@ -89,6 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Shipped{"composite-rod", {"time.end=20 s"}},
                     Shipped{"hot-block", {"time.end=15 us"}},
                     Shipped{"tumbling-blocks", {"parameters.end=5 ms"}},
+                    Shipped{"rubbing-blocks", {"time.end=9 us"}},
                     Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
@@ -100,7 +101,7 @@ TEST(ShippedDecksLong, DriftStaysWithinOnePercent) {
   for (const char* name :
        {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric", "taylor-bar-sph",
         "drop-on-plate", "projectile-2d", "block-on-incline", "brick-stack", "half-spaces",
-        "composite-rod", "hot-block", "tumbling-blocks"}) {
+        "composite-rod", "hot-block", "tumbling-blocks", "rubbing-blocks"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;
     EXPECT_LT(run.worst_drift, 0.01) << name;

@@ -27,6 +27,7 @@ cases=(
   "block-on-incline 15_ms parameters.end=30_ms parameters.mu=0.6"
   "half-spaces 0.4_ms time.end=0.8_ms parameters.width=0.4_mm"
   "hot-block 5_us time.end=10_us"
+  "rubbing-blocks 5_us time.end=9_us"
   "brick-stack 8_ms time.end=15_ms"
   "tumbling-blocks 3.5_ms parameters.end=5_ms"
   "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"

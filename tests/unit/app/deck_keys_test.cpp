@@ -69,6 +69,12 @@ bodies:
     material: j2
     shape: {ogive: {radius: 1, length: 4, nose: 2, base: [0, -20, 0]}}
     size: 0.1
+  j:
+    rigid: true
+    file: part.stl
+    scale: 1 mm
+    rotate: {axis: y, angle: 10 deg, about: [0, 0, 0]}
+    translate: [30, 0, 0]
   i:
     material: j2
     shape:
