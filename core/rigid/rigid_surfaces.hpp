@@ -61,7 +61,7 @@ class RigidSurfaces final : public Solid<Dim> {
   Surface<Dim> surface_;
   std::vector<Real> shares_;
   bool shows_facets_ = true;  // one rank writes all of them, in their order
-  GhostPlan ghosts_;  // none: every rank moves all rigid points
+  GhostPlan ghosts_;          // none: every rank moves all rigid points
 };
 
 }  // namespace brunt

@@ -77,20 +77,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     , ShippedDeck,
-    testing::Values(Shipped{"bars", {"time.end=20 us"}}, Shipped{"hot-rod", {"time.end=0.6 s"}},
-                    Shipped{"taylor-bar", {"parameters.size=0.9 mm", "time.end=15 us"}},
-                    Shipped{"taylor-bar-axisymmetric", {"time.end=10 us"}},
-                    Shipped{"taylor-bar-sph", {"parameters.spacing=0.8 mm", "time.end=10 us"}},
-                    Shipped{"drop-on-plate", {"parameters.size=4 mm", "time.end=60 us"}},
-                    Shipped{"projectile-2d",
-                            {"parameters.spacing=2 mm", "parameters.size=4 mm", "time.end=60 us"}},
-                    Shipped{"block-on-incline", {"parameters.end=60 ms"}},
-                    Shipped{"half-spaces", {"time.end=1 ms", "parameters.width=0.4 mm"}},
-                    Shipped{"composite-rod", {"time.end=20 s"}},
-                    Shipped{"hot-block", {"time.end=15 us"}},
-                    Shipped{"tumbling-blocks", {"parameters.end=5 ms"}},
-                    Shipped{"rubbing-blocks", {"time.end=9 us"}},
-                    Shipped{"brick-stack", {"time.end=20 ms"}}),
+    testing::Values(
+        Shipped{"bars", {"time.end=20 us"}}, Shipped{"hot-rod", {"time.end=0.6 s"}},
+        Shipped{"taylor-bar", {"parameters.size=0.9 mm", "time.end=15 us"}},
+        Shipped{"taylor-bar-axisymmetric", {"time.end=10 us"}},
+        Shipped{"taylor-bar-sph", {"parameters.spacing=0.8 mm", "time.end=10 us"}},
+        Shipped{"drop-on-plate", {"parameters.size=4 mm", "time.end=60 us"}},
+        Shipped{"projectile-2d",
+                {"parameters.spacing=2 mm", "parameters.size=4 mm", "time.end=60 us"}},
+        Shipped{"block-on-incline", {"parameters.end=60 ms"}},
+        Shipped{"half-spaces", {"time.end=1 ms", "parameters.width=0.4 mm"}},
+        Shipped{"composite-rod", {"time.end=20 s"}}, Shipped{"hot-block", {"time.end=15 us"}},
+        Shipped{"tumbling-blocks", {"parameters.end=5 ms"}},
+        Shipped{"cutting-2d", {"parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
+        Shipped{"rubbing-blocks", {"time.end=9 us"}}, Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' ? '_' : c;
@@ -101,7 +101,7 @@ TEST(ShippedDecksLong, DriftStaysWithinOnePercent) {
   for (const char* name :
        {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric", "taylor-bar-sph",
         "drop-on-plate", "projectile-2d", "block-on-incline", "brick-stack", "half-spaces",
-        "composite-rod", "hot-block", "tumbling-blocks", "rubbing-blocks"}) {
+        "composite-rod", "hot-block", "tumbling-blocks", "rubbing-blocks", "cutting-2d"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;
     EXPECT_LT(run.worst_drift, 0.01) << name;

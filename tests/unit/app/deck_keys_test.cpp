@@ -81,8 +81,8 @@ bodies:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
 contact:
-  default: {friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}, heat: {conductance: 1e4 W/m^2/K, gap: 1 mm},
-            friction_heat: {fraction: 0.5, split: 0.3}}
+  default: {friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m},
+            heat: {conductance: 1e4 W/m^2/K, gap: 1 mm}, friction_heat: {fraction: 0.5, split: 0.3}}
   pairs:
     ab:
       between: [a, b]
