@@ -147,7 +147,8 @@ void Supports<Dim>::impose_constraint(Constraint<Dim>& constraint, Real time, Re
 template <int Dim>
 void Supports<Dim>::take_reactions(Real time, Real dt) {
   for (auto& rigid : rigid_) {
-    for (std::size_t i = 0; i < rigid.work.size(); ++i) {
+    // Every rank has all rigid points; the owner of each knows its force and keeps its books.
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rigid.points->n_owned); ++i) {
       if (rigid.motion_of_point[i] == kFree) continue;
       const Vec<Dim> reaction = -rigid.points->f[i];
       rigid.work[i] += 0.5 * dt * rigid.points->v[i].dot(rigid.reaction[i] + reaction);
@@ -212,7 +213,8 @@ template <int Dim>
 void Supports<Dim>::load_state(const StateTables& tables) {
   for (auto& rigid : rigid_) {
     load_rows(
-        "rigid", rigid.reaction.size(), [&](std::size_t i) { return rigid.points->id[i]; },
+        "rigid", static_cast<std::size_t>(rigid.points->n_owned),
+        [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_held(row, rigid, i); }, tables);
   }
   for (auto& held : constraints_) {
