@@ -65,6 +65,7 @@ std::vector<Real> probe_values(const Probe& probe, const BodyView& mine,
     if (!a.here) a = b;
   });
   std::vector<Real> values;
+  values.reserve(known.size());
   for (const Known& one : known) values.push_back(one.value);
   return values;
 }

@@ -42,7 +42,7 @@ class ContactImports {
   /// Imports into entities, fresh from this rank's surfaces, the faces of others whose `offered`
   /// boxes meet the `wanted` boxes of this rank, and the particles whose boxes meet those of its
   /// own. Collective.
-  void renew(const ImportBoxes<Dim>& boxes, Entities<Dim>& entities);
+  void renew(const ImportBoxes<Dim>& offers, Entities<Dim>& entities);
   /// Brings x, v and spin of the imported nodes up to date. Collective among neighbours.
   void refresh_motion(ContactNodes<Dim>& nodes) const;
   /// Sends what records give to nodes of other ranks home, unsummed; returns what others send here,

@@ -6,7 +6,7 @@
 // slowest wave of 25 to 50 rad/s decays at least as exp(-7 t), to 1e-12 of its start in 4 s of
 // rest. What is left of waves is the order of the strains in which they passed, for a stress of
 // rates is no function of the strain alone: 2e-8 of the stress where all is squeezed in half a
-// second, 4e-9 where it takes 5 s.
+// second, 1.3e-8 at most where it takes 5 s.
 #include <gtest/gtest.h>
 
 #include <cmath>
