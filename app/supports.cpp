@@ -21,9 +21,7 @@ bool acts(const Constraint<Dim>& constraint, Real time) {
 }  // namespace
 
 template <int Dim>
-void Supports<Dim>::move_rigid(RigidSurfaces<Dim>& surfaces,
-                               std::vector<RigidMotion<Dim>> motions) {
-  auto& points = surfaces.points();
+void Supports<Dim>::move_rigid(Points<Dim>& points, std::vector<RigidMotion<Dim>> motions) {
   Rigid rigid{&points, std::move(motions), {}, {}, {}};
   rigid.motions.push_back({});  // the last one: held
   name_motions(rigid);
@@ -184,13 +182,17 @@ void visit_held(Row& row, Held& held, std::size_t k) {
 }
 
 std::string table_of(const std::string& constraint) { return "support." + constraint; }
+std::string rigid_table(std::size_t group) {
+  return group == 0 ? "rigid" : "rigid." + std::to_string(group);
+}
 }  // namespace
 
 template <int Dim>
 void Supports<Dim>::save_state(std::vector<StateTable>& tables) const {
-  for (const auto& rigid : rigid_) {
+  for (std::size_t k = 0; k < rigid_.size(); ++k) {
+    const auto& rigid = rigid_[k];
     save_rows(
-        "rigid", static_cast<std::size_t>(rigid.points->n_owned),
+        rigid_table(k), static_cast<std::size_t>(rigid.points->n_owned),
         [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_held(row, rigid, i); }, tables);
   }
@@ -203,9 +205,10 @@ void Supports<Dim>::save_state(std::vector<StateTable>& tables) const {
 
 template <int Dim>
 void Supports<Dim>::load_state(const StateTables& tables) {
-  for (auto& rigid : rigid_) {
+  for (std::size_t k = 0; k < rigid_.size(); ++k) {
+    auto& rigid = rigid_[k];
     load_rows(
-        "rigid", rigid.reaction.size(), [&](std::size_t i) { return rigid.points->id[i]; },
+        rigid_table(k), rigid.reaction.size(), [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_held(row, rigid, i); }, tables);
   }
   for (auto& held : constraints_) {

@@ -30,7 +30,8 @@ template <int Dim>
 class Supports {
  public:
   explicit Supports(Vec<Dim> origin) : origin_(std::move(origin)) {}
-  void move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions);
+  /// Points of rigid bodies, without mass.
+  void move_rigid(Points<Dim>& points, std::vector<RigidMotion<Dim>> motions);
   void constrain(Constraint<Dim> constraint);
   /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
   void follow(const Points<Dim>& old, Points<Dim>& now);

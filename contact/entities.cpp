@@ -166,7 +166,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       if (pairs.strongest(facet.body).ignore) continue;
       auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
       face.area_start = area_at_start(face, *surface.points);
-      face.held = surface.held;
+      face.held = surface.held, face.everywhere = surface.everywhere;
       deepest = std::max(deepest, face.depth);
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }

@@ -20,17 +20,18 @@ struct ContactFace {
   GlobalId id = 0;
   Label body = 0;
   Label piece = 0;
-  bool owned = true;    ///< pairs in which it is the lower face are evaluated here
-  Real stiffness = 0;   ///< [Pa/m] M/h
-  Real areal_mass = 0;  ///< [kg/m^2]
-  Real depth = 0;       ///< [m]
-  Real area_start = 0;  ///< [m^2] at time 0
-  Real phi = 0;         ///< largest stiffness option with which anything may touch it
-  Real zeta = 0;        ///< largest damping option
-  Real footprint = 0;   ///< [m^2] of the largest particle that may touch it
-  Real capacity = 0;    ///< [J/m^2/K] behind it; 0: takes no heat
-  Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)]
-  bool held = false;    ///< votes no step
+  bool owned = true;        ///< pairs in which it is the lower face are evaluated here
+  Real stiffness = 0;       ///< [Pa/m] M/h
+  Real areal_mass = 0;      ///< [kg/m^2]
+  Real depth = 0;           ///< [m]
+  Real area_start = 0;      ///< [m^2] at time 0
+  Real phi = 0;             ///< largest stiffness option with which anything may touch it
+  Real zeta = 0;            ///< largest damping option
+  Real footprint = 0;       ///< [m^2] of the largest particle that may touch it
+  Real capacity = 0;        ///< [J/m^2/K] behind it; 0: takes no heat
+  Real effusivity = 0;      ///< [J/m^2/K/s^(1/2)]
+  bool held = false;        ///< votes no step
+  bool everywhere = false;  ///< stands on every rank
   bool rigid() const { return stiffness == 0; }
 };
 

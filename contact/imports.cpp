@@ -64,11 +64,11 @@ void ContactImports<Dim>::renew(std::span<const SearchBox<Dim>> offered,
   for (std::size_t i = 0; i < entities.nodes.size(); ++i) {
     place_[{entities.nodes.surface[i], entities.nodes.id[i]}] = static_cast<LocalIndex>(i);
   }
-  // One rank offers a face: its owner. Rigid faces are everywhere already.
+  // One rank offers a face: its owner. Those of rigid surfaces are everywhere already.
   std::vector<SearchBox<Dim>> boxes;
   std::vector<LocalIndex> face;
   for (std::size_t f = 0; f < entities.faces.size(); ++f) {
-    if (!entities.faces[f].owned || entities.faces[f].rigid()) continue;
+    if (!entities.faces[f].owned || entities.faces[f].everywhere) continue;
     boxes.push_back(offered[f]);
     face.push_back(static_cast<LocalIndex>(f));
   }

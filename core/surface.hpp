@@ -43,7 +43,8 @@ struct Surface {
   Points<Dim>* points = nullptr;
   std::vector<Facet<Dim>> facets;
   std::vector<SurfaceParticle> particles;
-  bool held = false;  ///< its points never move: it votes no step
+  bool held = false;        ///< its points never move: it votes no step
+  bool everywhere = false;  ///< all of its facets stand on every rank
 };
 
 }  // namespace brunt

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/build/heat.hpp"
 #include "app/deck/findings.hpp"
 #include "core/geometry/mesh.hpp"
 
@@ -47,17 +48,21 @@ void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
 }
 
 template <int Dim>
-BodyGeometry<Dim> make_body(const Deck& deck, const deck::Body& body, Label& next_piece) {
+BodyGeometry<Dim> make_body(const Deck& deck, const deck::Body& body, bool conducts,
+                            Label& next_piece) {
   BodyGeometry<Dim> geometry;
   const Sizing sizing{body.size, body.cells};
   std::vector<Label> piece;
-  if (body.rigid) {
+  if (body.rigid && !conducts) {
     auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(surface.nodes);
     geometry.facets = std::move(surface.facets);
     geometry.piece_names = {""};
     piece = {0};
   } else if (body.method == deck::Method::fe) {
+    if (!body.size && !body.cells) {
+      throw std::invalid_argument("conducts heat, and needs `size` or `cells` for its elements");
+    }
     auto mesh = mesh_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(mesh.nodes);
     geometry.elements = std::move(mesh.elements);
@@ -88,8 +93,13 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
   Label next_piece = 0;
   for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[b];
+    if (const auto wrong = heat_problem(loaded.deck, body, name); !wrong.empty()) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".material", wrong));
+      continue;
+    }
     try {
-      bodies.push_back(make_body<Dim>(loaded.deck, body, next_piece));
+      const bool conducts = heat_mode(loaded.deck, body, name) == HeatMode::conducts;
+      bodies.push_back(make_body<Dim>(loaded.deck, body, conducts, next_piece));
       bodies.back().label = static_cast<Label>(b);
     } catch (const std::invalid_argument& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));

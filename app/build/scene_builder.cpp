@@ -125,10 +125,18 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     auto particles = make_particles(loaded, *scene, bodies, kind, next);
     if (particles) scene->solids.push_back(std::move(particles));
   }
-  if (auto rigid = make_rigid(loaded, *scene, bodies, next)) {
-    scene->supports.move_rigid(*rigid, motions_of(loaded, *scene));
+  // Rigid faces come after all others: they are never the lower face of a pair.
+  if (auto rigid = make_elements(loaded, *scene, bodies, kRigidConductors, next)) {
+    scene->supports.move_rigid(rigid->points(), motions_of(loaded, *scene));
     scene->solids.push_back(std::move(rigid));
   }
+  for (const bool warm : {false, true}) {
+    auto rigid = make_rigid(loaded, *scene, bodies, warm, next);
+    if (!rigid) continue;
+    scene->supports.move_rigid(rigid->points(), motions_of(loaded, *scene));
+    scene->solids.push_back(std::move(rigid));
+  }
+  hold_temperatures(loaded, *scene);
   add_boundaries(loaded, *scene, problems);
   check_constraints(loaded, *scene, problems);
   check_overlaps(loaded, *scene, problems);
