@@ -3,6 +3,7 @@
 
 #include "app/build/heat.hpp"
 #include "app/build/scene_builder.hpp"
+#include "app/build/scene_checks.hpp"
 #include "app/build/sound_part.hpp"
 #include "app/deck/findings.hpp"
 #include "app/history_columns.hpp"
@@ -110,9 +111,18 @@ void print_contact(const Scene<Dim>& scene) {
   std::printf("\n");
 }
 
+/// The whole scene of a deck, with what it has to be warned of.
+template <int Dim>
+std::unique_ptr<Scene<Dim>> build_and_warn(const LoadedDeck& loaded) {
+  auto scene = build_scene<Dim>(loaded);
+  std::vector<DeckProblem> warnings;
+  warn_of_overlaps(loaded, *scene, true, warnings);
+  return scene;
+}
+
 template <int Dim>
 void print_plan(const LoadedDeck& loaded, Real program) {
-  auto scene = build_scene<Dim>(loaded);
+  auto scene = build_and_warn<Dim>(loaded);
   static constexpr const char* geometries[] = {"3d", "plane strain", "axisymmetric"};
   if (!loaded.deck.title.empty()) std::printf("%s\n", loaded.deck.title.c_str());
   std::printf("geometry   %s\n", geometries[static_cast<int>(scene->geometry)]);
@@ -152,9 +162,9 @@ int plan_command(const RunArguments& arguments) {
 int check_command(const RunArguments& arguments) {
   const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
   if (loaded.deck.geometry == Geometry::three_d) {
-    build_scene<3>(loaded);
+    build_and_warn<3>(loaded);
   } else {
-    build_scene<2>(loaded);
+    build_and_warn<2>(loaded);
   }
   std::printf("%s: nothing is wrong\n", arguments.deck.c_str());
   return kDone;

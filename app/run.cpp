@@ -11,6 +11,7 @@
 
 #include "app/balance.hpp"
 #include "app/build/scene_builder.hpp"
+#include "app/build/scene_checks.hpp"
 #include "app/build/sound_part.hpp"
 #include "app/checkpointing.hpp"
 #include "app/deck/findings.hpp"
@@ -216,6 +217,8 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
         "or configure with -DBRUNT_VTK=ON")});
   }
   auto scene = build_scene<Dim>(loaded);
+  std::vector<DeckProblem> warnings = loaded.warnings;
+  warn_of_overlaps(loaded, *scene, ranks.is_root(), warnings);
   distribute(*scene, ranks);
   const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
   Balance<Dim> balance(
@@ -245,7 +248,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   auto log = open_log(folder, goes_on, root);
   log->info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA,
             ranks.size(), omp_get_max_threads(), arguments.deck);
-  for (const auto& warning : loaded.warnings) {
+  for (const auto& warning : warnings) {
     log->warn("{}", warning.text());
     summary.warnings.push_back({warning.path, warning.message});
   }

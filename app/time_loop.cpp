@@ -41,6 +41,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
   scene.heat.start();
   scene.refresh_motion();
   scene.rearrange();
+  if (scene.contact) scene.contact->start();
   observer.begin(scene, clock);
   while (!clock.finished()) {
     if (balance != nullptr) {

@@ -198,13 +198,15 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     const auto& a = faces[static_cast<std::size_t>(i)];
     const auto& b = faces[static_cast<std::size_t>(j)];
     const PairOptions& options = pairs.of(a.body, b.body);
-    FaceCandidate candidate{i, j};
+    FaceCandidate candidate;
+    candidate.lower = i, candidate.upper = j;
     candidate.stiffness = options.stiffness * in_series(a.stiffness, b.stiffness);
     candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
                                             in_series(a.areal_mass, b.areal_mass));
     candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
     if (options.rubs()) candidate.rubs = &options;
     if (a.capacity > 0 && b.capacity > 0 && options.passes_heat()) candidate.heat = &options.heat;
+    candidate.presses = options.initial_overlap == InitialOverlap::press;
     faces_.push_back(candidate);
   }
 }
@@ -248,7 +250,8 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
          options.stiffness * own, options.damping, face.rigid() ? held : std::min(held, face.depth),
          options.rubs() ? &options : nullptr,
          particle.conductivity > 0 && face.capacity > 0 && options.passes_heat() ? &options.heat
-                                                                                 : nullptr});
+                                                                                 : nullptr,
+         options.initial_overlap == InitialOverlap::press});
   }
   starts_.push_back(particles_.size());
 }

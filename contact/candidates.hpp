@@ -16,6 +16,7 @@ struct FaceCandidate {
   Real limit = 0;                     ///< [m] penetration at which they let go: the smaller depth
   const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
   const ContactHeat* heat = nullptr;  ///< how heat passes, where both sides take any
+  bool presses = false;               ///< an overlap at time 0 is felt at once
 };
 
 struct ParticleCandidate {
@@ -26,6 +27,7 @@ struct ParticleCandidate {
   Real limit = 0;                     ///< [m] how far behind the face the particle is held
   const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
   const ContactHeat* heat = nullptr;  ///< how heat passes, where both sides take any
+  bool presses = false;               ///< an overlap at time 0 is felt at once
 };
 
 /// The lists of what may touch, complete for as long as a bound on all motion holds

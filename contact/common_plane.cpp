@@ -86,7 +86,7 @@ std::array<Real, 4> weights(const Polygon& face, bool reverse, const Vec<2>& p) 
 bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section&,
                const PlaneNeeds& needs, CommonPlane<3>& plane) {
   if (!orient(lower, upper, plane)) return false;
-  if (apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
+  if (!needs.whole && apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   set_axes(plane);
   const Polygon below = project(lower, plane, false), above = project(upper, plane, true);
   const Polygon overlap = intersect(below, above);
@@ -97,11 +97,15 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   LinearField penetration;
   penetration.value = top.value - bottom.value + needs.opening;
   penetration.slope = top.slope - bottom.slope;
-  plane.polygon = clip(overlap, penetration);
+  plane.polygon = needs.whole ? overlap : clip(overlap, penetration);
   const FieldIntegrals sum = integrate(plane.polygon, penetration);
-  if (!(sum.total > kTouching * std::sqrt(smaller) * sum.area)) return false;
+  if (!needs.whole && !(sum.total > kTouching * std::sqrt(smaller) * sum.area)) return false;
+  plane.deepest = -kInfinity;
+  for (int i = 0; i < plane.polygon.size && needs.whole; ++i) {
+    plane.deepest = std::max(plane.deepest, penetration.at(plane.polygon[i]));
+  }
 
-  const Vec<2> p = sum.moment / sum.total;
+  const Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
   plane.area = sum.area;
   plane.volume = plane.ramp * sum.total;
   plane.penetration = penetration.at(p);
@@ -121,7 +125,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
 bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
                const PlaneNeeds& needs, CommonPlane<2>& plane) {
   if (!orient(lower, upper, plane)) return false;
-  if (apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
+  if (!needs.whole && apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   const Vec<2> t(-plane.normal[1], plane.normal[0]);
   struct Span {
     Real s0, s1, h0, h1;
@@ -142,10 +146,13 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
     return below.height(s) - above.height(s) + needs.opening;
   };
   const Real at_from = penetration(from), at_to = penetration(to);
-  if (at_from <= 0 && at_to <= 0) return false;
-  const Real crossing = from + (to - from) * at_from / (at_from - at_to);
-  if (at_from < 0) from = crossing;
-  if (at_to < 0) to = crossing;
+  plane.deepest = std::max(at_from, at_to);
+  if (!needs.whole) {
+    if (plane.deepest <= 0) return false;
+    const Real crossing = from + (to - from) * at_from / (at_from - at_to);
+    if (at_from < 0) from = crossing;
+    if (at_to < 0) to = crossing;
+  }
 
   const Real middle = 0.5 * (from + to);
   const auto breadth = [&](Real s) { return section.breadth(plane.origin[0] + s * t[0]); };
@@ -153,15 +160,15 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   Real total = 0, moment = 0, area = 0, first = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Real strip = (to - from) * share[i] * breadth(s[i]);
-    const Real depth = std::max(penetration(s[i]), 0.0);
+    const Real depth = needs.whole ? penetration(s[i]) : std::max(penetration(s[i]), 0.0);
     area += strip;
     first += strip * (s[i] - middle);
     total += strip * depth;
     moment += strip * depth * (s[i] - middle);
   }
-  if (!(total > kTouching * smaller * area)) return false;
+  if (!needs.whole && !(total > kTouching * smaller * area)) return false;
 
-  const Real p = middle + moment / total;
+  const Real p = middle + (needs.whole ? first / area : moment / total);
   plane.area = area;
   plane.volume = plane.ramp * total;
   plane.penetration = penetration(p);

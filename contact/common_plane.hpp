@@ -30,6 +30,7 @@ struct CommonPlane {
   Real area = 0;              ///< [m^2] under pressure
   Real volume = 0;            ///< [m^3] integral of the penetration, times ramp
   Real penetration = 0;       ///< [m] at `point`
+  Real deepest = 0;           ///< [m] largest penetration, where the whole overlap is asked for
   std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
   /// The centre of the area under pressure with its weights, where asked for: friction acts there,
@@ -45,6 +46,9 @@ struct CommonPlane {
 struct PlaneNeeds {
   bool middle = false;  ///< the centres of their areas
   Real opening = 0;  ///< [m] faces that are nearer than this count as touching, as far as they are
+  /// The overlap of both faces as a whole, pressed or not: volume and penetration may be negative,
+  /// and the force acts at the middle. A bond needs it.
+  bool whole = false;
 };
 
 /// The planes between two faces, lower first by id: one, or up to four where warped or concave

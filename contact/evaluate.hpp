@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -11,11 +13,13 @@ namespace brunt {
 struct EvaluationStep {
   Real dt = 0;
   Real longest = 0;
+  TouchStep touches;
 };
 
 /// Evaluates the candidates and appends a record for each that carries force, in their order.
 /// F = k volume + c area closing speed at the centre of pressure, not below 0 (contact.md 2.5);
 /// friction goes on from its past, or from what both faces carried (2.6). No past: no friction.
+/// What is left of first touches goes to part.face_touches.
 template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
                     const Section& section, const EvaluationStep& step,
@@ -32,6 +36,14 @@ void evaluate_particles(const Entities<Dim>& entities,
                         const EvaluationStep& step, FrictionHistory<Dim>* history,
                         typename Records<Dim>::Part& part);
 
+/// Faces that are nearer than this [m] meet; of particles a distance of this part of their radius.
+inline constexpr Real kMeets = 1e-6;
+template <int Dim>
+Real meeting_distance(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper) {
+  const Real area = std::min(lower.area, upper.area);
+  return kMeets * (Dim == 3 ? std::sqrt(area) : area);
+}
+
 /// How many records and flows of heat a part had before the contacts of a pair or a particle.
 struct PartEnds {
   std::size_t record = 0, flow = 0;
@@ -44,7 +56,7 @@ template <int Dim>
 void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate,
                    const Section& section, const PartEnds& ends, typename Records<Dim>::Part& part);
 
-/// The same for a particle, whose candidates are first .. last, and whose contacts part.hits are.
+/// The same for a particle, whose candidates are first .. last.
 /// area [m^2] of the particle
 template <int Dim>
 void add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,

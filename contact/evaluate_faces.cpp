@@ -22,7 +22,7 @@ Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& fac
 
 template <int Dim>
 ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                             const CommonPlane<Dim>& plane) {
+                             const CommonPlane<Dim>& plane, const FirstTouch& touch) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
   ContactRecord<Dim> record;
@@ -36,7 +36,10 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   const Vec<Dim> v_upper = add_corners(entities.nodes, upper, plane.upper_weight, 1, record);
   const Real closing = (v_lower - v_upper).dot(plane.normal);
   record.spring = candidate.stiffness * plane.volume;
-  record.damping = std::max(candidate.damping * plane.ramp * plane.area * closing, -record.spring);
+  record.damping = candidate.damping * plane.ramp * plane.area * closing;
+  record.opening = -touch.overlap;
+  record.bonded = touch.bonded;
+  if (!touch.bonded) record.damping = std::max(record.damping, -record.spring);
   return record;
 }
 /// What a new contact takes over from those that its faces had, on the upper side [Pa].
@@ -50,7 +53,8 @@ Vec<Dim> inherited(const FaceTraction<Dim>& lower, const FaceTraction<Dim>& uppe
 template <int Dim>
 void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
                   const CommonPlane<Dim>& plane, const Section& section, Real dt,
-                  FrictionHistory<Dim>& history, typename Records<Dim>::Part& part) {
+                  FrictionHistory<Dim>& history, FirstTouch& touch,
+                  typename Records<Dim>::Part& part) {
   const auto l = static_cast<std::size_t>(candidate.lower);
   const auto u = static_cast<std::size_t>(candidate.upper);
   auto& record = part.face_on_face.back();
@@ -66,6 +70,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
               step.weight.begin() + n_lower);
   step.area = plane.ramp * plane.area;
   step.pressed = plane.area;
+  step.bonded = touch.bonded;
   step.stiffness = candidate.stiffness;
   step.damping = candidate.damping;
   step.dt = dt;
@@ -74,8 +79,78 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
     step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
   }
   record.friction = static_cast<std::int32_t>(part.frictions.size());
-  part.frictions.push_back(friction_of(entities.nodes, record, step));
+  const auto& friction = part.frictions.emplace_back(friction_of(entities.nodes, record, step));
+  touch.slips = touch.slips || (friction.slips && candidate.rubs->cohesion > 0);
   warm_faces(entities, candidate, step, part);
+}
+
+template <int Dim>
+using Planes = std::array<CommonPlane<Dim>, 4>;
+
+/// What two faces keep from time 0, if anything.
+template <int Dim>
+FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
+                       const Section& section, const FaceCandidate& candidate) {
+  FirstTouch touch;
+  Planes<Dim> planes;
+  const int n = common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{false, 0, true});
+  const Real meets = meeting_distance(lower, upper);
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.deepest > candidate.limit) return FirstTouch{};  // seen from behind
+    if (!candidate.presses && plane.deepest > meets) {
+      touch.overlap = std::max(touch.overlap, plane.deepest);
+    }
+    const bool bonds = candidate.rubs != nullptr && candidate.rubs->bonds();
+    touch.bonded = touch.bonded || (bonds && plane.penetration >= -meets);
+  }
+  return touch;
+}
+
+/// [J] that a bond holds in tension where it opens beyond its strength; 0: it holds.
+template <int Dim>
+Real torn_energy(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
+  constexpr Real kWidest = 0.25;  // of the depth: farther, the lists may not see both faces
+  bool tears = false;
+  Real energy = 0;
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    const Real opening = std::max(-plane.penetration, 0.0);
+    tears = tears || candidate.stiffness * opening > candidate.rubs->tension ||
+            opening > kWidest * candidate.limit;
+    energy += 0.5 * candidate.stiffness * plane.ramp * plane.area * opening * opening;
+  }
+  return tears ? energy : 0;
+}
+
+/// The planes that carry force, with what is left of the first touch of their faces.
+template <int Dim>
+int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
+              const FaceCandidate& candidate, const TouchStep& step, FirstTouch& touch,
+              Planes<Dim>& planes) {
+  const bool rubs = candidate.rubs != nullptr;
+  if (!touch.matters()) {
+    return common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{rubs, 0});
+  }
+  touch.torn = 0;
+  if (!step.again) {
+    touch.bonded = touch.bonded && !touch.slips;
+    touch.slips = false;
+  }
+  int n = common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{false, 0, true});
+  Real deepest = 0;
+  for (int i = 0; i < n; ++i) {
+    deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
+  }
+  touch.overlap = std::min(touch.overlap, deepest);
+  touch.bonded = touch.bonded && n > 0;
+  if (touch.bonded) {
+    n = common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{true, -touch.overlap, true});
+    touch.torn = torn_energy(planes, n, candidate);
+    if (touch.torn == 0) return n;
+    touch.bonded = false;
+  }
+  return common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{rubs, -touch.overlap});
 }
 }  // namespace
 
@@ -83,24 +158,34 @@ template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
                     const Section& section, const EvaluationStep& step,
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   for (const auto& candidate : candidates) {
-    const auto lower = static_cast<std::size_t>(candidate.lower);
-    const auto upper = static_cast<std::size_t>(candidate.upper);
-    if (!entities.reaches[lower].meets(entities.reaches[upper])) continue;
-    const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section,
-                                     planes, PlaneNeeds{candidate.rubs != nullptr, 0});
+    const auto l = static_cast<std::size_t>(candidate.lower);
+    const auto u = static_cast<std::size_t>(candidate.upper);
+    if (!entities.reaches[l].meets(entities.reaches[u])) continue;
+    const auto &lower = entities.planes[l], &upper = entities.planes[u];
+    const GlobalId first = entities.faces[l].id, second = entities.faces[u].id;
+    FirstTouch touch;
+    if (step.touches.time_zero) {
+      touch = first_touch(lower, upper, section, candidate);
+    } else if (const auto* before = step.touches.before->of_faces(first, second)) {
+      touch = *before;
+    }
+    const int n = step.touches.time_zero && !candidate.presses
+                      ? 0
+                      : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
       if (plane.penetration > candidate.limit) continue;
-      part.face_on_face.push_back(record_of(entities, candidate, plane));
+      part.face_on_face.push_back(record_of(entities, candidate, plane, touch));
       part.face_on_face.back().ordinal = plane.ordinal;
       if (candidate.rubs == nullptr || history == nullptr) continue;
-      add_friction(entities, candidate, plane, section, step.dt, *history, part);
+      add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
     }
-    if (candidate.heat == nullptr) continue;
-    add_face_heat<Dim>(entities, candidate, section, ends, part);
+    touch.key = {0, 0, first, second};
+    if (touch.matters()) part.face_touches.push_back(touch);
+    if (candidate.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }
 

@@ -118,11 +118,57 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
   warm_particle(now.particle, face, step, part);
 }
 
+/// Adds an overlap to what the particle has on the same surface, in the order of surfaces.
+void keep_deepest(GlobalId particle, GlobalId surface, Real overlap, std::size_t first,
+                  std::vector<FirstTouch>& touches) {
+  const ContactKey key{1, 0, particle, surface};
+  auto at = touches.begin() + static_cast<std::ptrdiff_t>(first);
+  while (at != touches.end() && at->key < key) ++at;
+  if (at == touches.end() || !(at->key == key)) at = touches.insert(at, {key, 0, false, false, 0});
+  at->overlap = std::max(at->overlap, overlap);
+}
+
+/// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
+/// at time 0 begins with it.
+template <int Dim>
+void track_overlaps(const ContactParticle& particle, std::span<const ParticleCandidate> candidates,
+                    const TouchStep& step, typename Records<Dim>::Part& part) {
+  if (!step.time_zero && step.before->empty()) return;
+  auto& touches = part.particle_touches;
+  const std::size_t first = touches.size();
+  for (const auto& hit : part.hits) {
+    if (!hit.kept) continue;
+    const bool presses = candidates[static_cast<std::size_t>(hit.candidate)].presses;
+    // A smaller overlap is rounding.
+    const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
+    if (presses || hit.overlap <= least) continue;
+    if (!step.time_zero && !step.before->of_particle(particle.id, hit.body, hit.piece)) continue;
+    keep_deepest(particle.id, surface_of(hit.body, hit.piece), hit.overlap, first, touches);
+  }
+  for (std::size_t i = first; i < touches.size(); ++i) {
+    auto& touch = touches[i];
+    if (!step.time_zero) {
+      const auto* before =
+          step.before->of_particle(particle.id, static_cast<Label>(touch.key.second >> 32),
+                                   static_cast<Label>(touch.key.second));
+      touch.overlap = std::min(touch.overlap, before->overlap);
+    }
+    for (auto& hit : part.hits) {
+      if (surface_of(hit.body, hit.piece) != touch.key.second) continue;
+      hit.overlap -= touch.overlap;
+      hit.kept = hit.kept && hit.overlap > 0;
+    }
+  }
+}
+
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
-                 std::span<const ParticleCandidate> candidates, const Section& section, Real dt,
-                 FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
+                 std::span<const ParticleCandidate> candidates, const Section& section,
+                 const EvaluationStep& step, FrictionHistory<Dim>* history,
+                 typename Records<Dim>::Part& part) {
+  const Real dt = step.dt;
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
+  track_overlaps<Dim>(now.particle, candidates, step.touches, part);
   Real squared_frequency = 0, zeta = 0;
   for (auto& hit : part.hits) {
     if (!hit.kept) continue;
@@ -134,7 +180,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
     }
     zeta = std::max(zeta, candidate.zeta);
   }
-  if (squared_frequency > 0) {
+  if (squared_frequency > 0 && !now.particle.held) {
     const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(zeta);
     part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
@@ -171,7 +217,7 @@ void evaluate_particles(const Entities<Dim>& entities,
       hit.nearest = nearest_point<Dim>(plane, x);
     }
     if (!part.hits.empty()) {
-      record_hits(entities, now, candidates, section, step.dt, history, part);
+      record_hits(entities, now, candidates, section, step, history, part);
     }
     if (!entities.nodes.warm) continue;
     add_particle_heat<Dim>(entities, candidates, {starts[s], starts[s + 1]},

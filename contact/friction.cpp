@@ -177,8 +177,11 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   }
   slip = in_plane<Dim>(slip, n);
   const Real speed = in_plane<Dim>(velocity, n).norm();
-  const Real normal_force = std::max(record.spring + record.damping, 0.0);
-  const Real limit = step.options->coefficient(speed, normal_force / step.pressed) * normal_force;
+  const Real push = record.spring + record.damping;
+  const Real normal_force = step.bonded ? push : std::max(push, 0.0);
+  const Real pressure = std::max(push, 0.0) / step.pressed;
+  Real limit = step.options->coefficient(speed, pressure) * normal_force;
+  if (step.bonded) limit = std::max(limit + step.options->cohesion * step.pressed, 0.0);
   const auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   friction.traction = slid.traction;
   friction.slips = slid.slips;

@@ -95,11 +95,12 @@ struct FrictionStep {
   ContactSide lower, upper;
   std::array<Real, Friction<Dim>::kNodes> weight{};  ///< of the nodes, each side's sum to one
   Vec<Dim> point = Vec<Dim>::Zero();                 ///< [m] where the force acts
-  Real area = 0;       ///< [m^2] that carries traction; of a particle its share [1]
-  Real pressed = 0;    ///< [m^2] area under pressure
-  Real stiffness = 0;  ///< [Pa/m] of the tangential spring; of a particle [N/m]
-  Real damping = 0;    ///< [Pa s/m] where it sticks; of a particle [N s/m]
-  Real dt = 0;         ///< [s]
+  Real area = 0;        ///< [m^2] that carries traction; of a particle its share [1]
+  Real pressed = 0;     ///< [m^2] area under pressure
+  bool bonded = false;  ///< cohesion adds to the limit, and a pull counts against it
+  Real stiffness = 0;   ///< [Pa/m] of the tangential spring; of a particle [N/m]
+  Real damping = 0;     ///< [Pa s/m] where it sticks; of a particle [N s/m]
+  Real dt = 0;          ///< [s]
   const Friction<Dim>* before = nullptr;
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past
 };

@@ -27,12 +27,18 @@ struct ContactManager<Dim>::Implementation {
   /// with_motion: velocities are those of the step under way, else of the last evaluation.
   void renew(Real ahead, bool with_motion);
   /// Records and votes of the lists at the present motion; friction goes on from its past, or is
-  /// left out where there is none.
+  /// left out where there is none: at time 0, and where the last evaluation is repeated.
   void evaluate(Real dt, const StepVote& longest, Real ahead, FrictionHistory<Dim>* past);
   /// Makes the records of the last step the past of this one, and books their work at nodes.v.
   void begin_friction(Real dt);
   /// Books what friction did in this step, and what the faces carry from now on. Collective.
   void end_friction();
+  /// Where bodies press at time 0: accelerations of their points, and what the springs hold, from
+  /// the records. Collective.
+  void press_at_start();
+  /// Tables of what pairs keep from time 0, as those of friction.
+  void save_touches(std::vector<StateTable>& tables) const;
+  void load_touches(const StateTables& tables);
   /// Finds the nodes of all records in new tables at the same positions.
   void name_nodes();
   /// Tables of what contacts remember: one for each place of a contact among those of its lower
@@ -42,6 +48,7 @@ struct ContactManager<Dim>::Implementation {
   void load_friction(const StateTables& tables);
   /// Mixed bits of what all contacts remember, in any order.
   std::uint64_t friction_hash() const;
+  std::uint64_t touch_hash() const;
   /// What each face carries, from the records of all ranks. Collective.
   void sum_tractions();
 
@@ -55,11 +62,21 @@ struct ContactManager<Dim>::Implementation {
   Candidates<Dim> candidates;
   Records<Dim> records;
   FrictionHistory<Dim> history;
+  FirstTouches touches;  // as the last evaluation left them
   StepVote vote;
   Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation
   bool started = false;  // forces have been evaluated
   WallTime list_time;    // within add_forces, not taken yet
 };
+
+/// The node to which the energies of a contact are booked; its evaluator owns it.
+template <int Dim>
+std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
+  const LocalIndex node = key.of_particle
+                              ? entities.particles[entities.particle_with(key.first)].node
+                              : entities.faces[entities.face_with(key.first)].node[0];
+  return static_cast<std::size_t>(node);
+}
 
 }  // namespace brunt

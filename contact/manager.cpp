@@ -42,11 +42,13 @@ template <int Dim>
 void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& longest, Real ahead,
                                                    FrictionHistory<Dim>* past) {
   records.clear();
+  const bool repeated = past == nullptr;
+  const EvaluationStep step{dt, ahead, {&touches, repeated && !started, repeated && started}};
   const auto on_faces = candidates.faces();
   records.for_parts(on_faces.size(), kWorthThreads,
                     [&](std::size_t first, std::size_t last, auto& part) {
                       evaluate_faces<Dim>(entities, on_faces.subspan(first, last - first), section,
-                                          {dt, ahead}, past, part);
+                                          step, past, part);
                     });
   const auto on_particles = candidates.particles();
   const auto starts = candidates.particle_starts();
@@ -54,9 +56,10 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
     records.for_parts(
         starts.size() - 1, kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
           evaluate_particles<Dim>(entities, on_particles, starts.subspan(first, last - first + 1),
-                                  section, {dt, ahead}, past, part);
+                                  section, step, past, part);
         });
   }
+  records.collect_touches(touches);
   vote = longest;
   vote.take(records.vote());
 }
@@ -102,6 +105,15 @@ void ContactManager<Dim>::rearrange() {
   const Real ahead = own.look_ahead(0, longest);
   own.renew(ahead, false);
   own.evaluate(0, longest, ahead, nullptr);
+  own.records.clear();
+}
+
+template <int Dim>
+void ContactManager<Dim>::start() {
+  auto& own = *implementation_;
+  if (own.started || !own.pairs.presses()) return;
+  own.evaluate(0, own.vote, own.ahead_last, nullptr);
+  own.press_at_start();
   own.records.clear();
 }
 
@@ -180,6 +192,7 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
   };
   add_in_shares(nodes.size(), totals, add);
   if (nodes.rubs) totals.state_hash += implementation_->friction_hash();
+  totals.state_hash += implementation_->touch_hash();
 }
 
 template <int Dim>

@@ -32,6 +32,13 @@ struct PairReport {
   std::int64_t planes = 0;   ///< common planes and particle contacts that carry force
 };
 
+/// Contacts of a pair of bodies that overlap at time 0 and are not felt until they have opened.
+struct InitialOverlaps {
+  std::string name;          ///< of the pair, as in PairReport
+  std::size_t contacts = 0;  ///< pairs of faces, and particles on surfaces
+  Real deepest = 0;          ///< [m]
+};
+
 /// How much work the contact lists were; it says nothing about the answer.
 struct ContactWork {
   std::size_t builds = 0;      ///< of the lists, since time 0
@@ -60,6 +67,9 @@ class ContactManager {
   StepVote stable_step(Real dt_last) const;
   /// Reads the surfaces anew and rebuilds the lists; what is booked stays with the points' ids.
   void rearrange();
+  /// Before the first step: where bodies press at time 0, accelerations of their points and the
+  /// energy of their springs. Collective.
+  void start();
   /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping. Lists that may miss
   /// a contact there are rebuilt first.
   void add_forces(Real dt);
@@ -77,6 +87,9 @@ class ContactManager {
   void load_state(const StateTables& tables);
   /// origin  [m] of the positions, in the coordinates about whose origin torques are taken
   std::vector<PairReport> reports(const Vec<Dim>& origin = Vec<Dim>::Zero()) const;
+  /// What of the overlaps of time 0 is left, of the contacts evaluated here; pairs without are left
+  /// out. Not collective.
+  std::vector<InitialOverlaps> initial_overlaps() const;
   /// Contacts of the last evaluation; positions relative to the scene's origin; normal from
   /// body_a to body_b, force on body_b.
   ContactView view() const;

@@ -2,20 +2,12 @@
 #include <algorithm>
 
 #include "contact/implementation.hpp"
+#include "contact/keyed_rows.hpp"
 #include "core/state_hash.hpp"
 
 namespace brunt {
 
 namespace {
-/// The node to which the energies of a contact are booked; its evaluator owns it.
-template <int Dim>
-std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
-  const LocalIndex node = key.of_particle
-                              ? entities.particles[entities.particle_with(key.first)].node
-                              : entities.faces[entities.face_with(key.first)].node[0];
-  return static_cast<std::size_t>(node);
-}
-
 template <class Row, class AnyFriction>
 void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.key.second);
@@ -35,60 +27,30 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.heat);
 }
 
-std::string table_of(bool of_particle, std::size_t place) {
-  return (of_particle ? "contact.friction.particle." : "contact.friction.face.") +
-         std::to_string(place);
-}
+constexpr const char* kTable = "contact.friction";
 }  // namespace
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>& tables) const {
-  std::vector<std::vector<const Friction<Dim>*>> by_place[2];
-  const Friction<Dim>* last = nullptr;
-  std::size_t place = 0;
+  std::vector<const Friction<Dim>*> all;
   records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
-    if (friction == nullptr) return;
-    const auto& key = friction->key;
-    const bool same =
-        last != nullptr && last->key.first == key.first && last->key.of_particle == key.of_particle;
-    place = same ? place + 1 : 0;
-    last = friction;
-    auto& places = by_place[key.of_particle];
-    if (places.size() <= place) places.resize(place + 1);
-    places[place].push_back(friction);
+    if (friction != nullptr) all.push_back(friction);
   });
-  for (const bool of_particle : {false, true}) {
-    const auto& places = by_place[of_particle ? 1 : 0];
-    for (std::size_t p = 0; p < places.size(); ++p) {
-      const auto& chosen = places[p];
-      save_rows(
-          table_of(of_particle, p), chosen.size(),
-          [&](std::size_t k) { return chosen[k]->key.first; },
-          [&](auto& row, std::size_t k) { visit_friction(row, *chosen[k]); }, tables);
-    }
-  }
+  save_keyed(
+      kTable, all, [](const auto& friction) -> const ContactKey& { return friction.key; },
+      [](auto& row, const auto& friction) { visit_friction(row, friction); }, tables);
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::load_friction(const StateTables& tables) {
   std::vector<Friction<Dim>> known;
-  const auto load = [&](bool of_particle, GlobalId first) {
-    for (std::size_t place = 0; tables.has(table_of(of_particle, place)); ++place) {
-      const auto& rows = tables.rows(table_of(of_particle, place));
-      if (!rows.has(first)) return;
-      auto& friction = known.emplace_back();
-      friction.key.of_particle = of_particle ? 1 : 0;
-      friction.key.first = first;
-      StateCounter counter;
-      visit_friction(counter, friction);
-      StateReader row(rows.row(first, counter.count));
-      visit_friction(row, friction);
-    }
-  };
+  const auto visit = [](auto& row, auto& friction) { visit_friction(row, friction); };
   for (const auto& face : entities.faces) {
-    if (face.owned) load(false, face.id);
+    if (face.owned) load_keyed(kTable, false, face.id, tables, visit, known);
   }
-  for (const auto& particle : entities.particles) load(true, particle.id);
+  for (const auto& particle : entities.particles) {
+    load_keyed(kTable, true, particle.id, tables, visit, known);
+  }
   records.attach([&](const ContactKey& key) -> const Friction<Dim>* {
     const auto at = std::lower_bound(
         known.begin(), known.end(), key,
@@ -121,6 +83,12 @@ void ContactManager<Dim>::Implementation::end_friction() {
     nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;
   });
+  for (const auto& touch : touches.all()) {
+    if (!(touch.torn > 0)) continue;
+    const std::size_t at = book_of(entities, touch.key);
+    nodes.spring_energy[at] -= touch.torn;
+    nodes.pair_energy[at] += touch.torn;
+  }
   // What ended gives its spring's energy away. Its forces acted for the first half of the step:
   // heat where it was slipping, for the node that holds its books.
   std::fill(nodes.ended_heat.begin(), nodes.ended_heat.end(), 0.0);

@@ -32,6 +32,9 @@ inline void describe(Schema& s, DecayingFriction& law) {
             "must not be above static; friction that rises with speed is a table over slip_speed");
 }
 
+/// What bodies that overlap at time 0 feel of it.
+enum class InitialOverlap : int { track, press };
+
 /// What a pair of bodies may be given; a key not given comes from `default`.
 struct PairOptions {
   bool ignore = false;
@@ -40,11 +43,18 @@ struct PairOptions {
   std::optional<Varying> friction;  ///< coefficient, constant or over speed or pressure; none: 0
   std::optional<DecayingFriction> decaying{};  ///< instead of `friction`
 
+  Real cohesion = 0;  ///< [Pa] shear strength without pressure of faces that touch at time 0
+  Real tension = 0;   ///< [Pa] tensile strength of faces that touch at time 0
+  InitialOverlap initial_overlap = InitialOverlap::track;
+
   ContactHeat heat{};
   FrictionHeat friction_heat{};
 
+  bool bonds() const { return cohesion > 0 || tension > 0; }
+
   bool passes_heat() const { return heat.index() != 0; }
   bool rubs() const {
+    if (bonds()) return true;
     if (decaying) return decaying->at_rest > 0;
     return friction && !(friction->is_constant() && friction->constant == 0);
   }
@@ -58,8 +68,8 @@ struct PairOptions {
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
-  static constexpr const char* kLater[] = {"tied",    "shear_limit", "cohesion",
-                                           "tension", "joint",       "bonded"};
+  static constexpr const char* kLater[] = {"tied", "shear_limit", "joint", "bonded"};
+  static constexpr const char* kInitialOverlap[] = {"track", "press"};
   static constexpr Varying::Over kFrictionOver[] = {Varying::Over::slip_speed,
                                                     Varying::Over::pressure};
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
@@ -70,6 +80,15 @@ inline void describe(Schema& s, PairOptions& pair) {
   s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
          {"1", positive(), between(0.01, 10)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
+  s.real({"cohesion",
+          "shear strength without pressure of faces that touch at time 0, until they slip or open"},
+         pair.cohesion, {"Pa", at_least(0), between(0, 1e9)});
+  s.real({"tension", "tensile strength of faces that touch at time 0, until they open"},
+         pair.tension, {"Pa", at_least(0), between(0, 1e9)});
+  s.choice({"initial_overlap",
+            "bodies that overlap at time 0 feel it once they have opened (track) or at once "
+            "(press)"},
+           pair.initial_overlap, kInitialOverlap);
   s.one_of({"heat", "whether heat passes between them where they touch"}, pair.heat);
   s.object({"friction_heat", "what becomes of the heat of friction"}, pair.friction_heat);
   s.later(kLater);

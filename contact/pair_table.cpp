@@ -53,6 +53,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       if (pair.ignore || !apart || !can_touch(first->second, second->second)) continue;
       pairs_.emplace_back(a, b);
       rubs_ = rubs_ || pair.rubs();
+      presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;
       const auto given = options.pair_names.find({a, b});
       names_.push_back(given != options.pair_names.end() ? given->second
                                                          : body_names[a] + "-" + body_names[b]);

@@ -24,6 +24,8 @@ class PairTable {
   bool rubs() const { return rubs_; }
   /// Widest opening [m] through which heat passes to each body, by label; empty: none has any.
   const std::vector<Real>& gaps() const { return gaps_; }
+  /// True if in any of these pairs an overlap at time 0 is felt at once.
+  bool presses() const { return presses_; }
   /// Pairs of bodies that may touch, first <= second, with the names that history.csv uses.
   const std::vector<std::pair<Label, Label>>& pairs() const { return pairs_; }
   const std::vector<std::string>& names() const { return names_; }
@@ -36,6 +38,7 @@ class PairTable {
   std::vector<std::string> names_;
   bool rubs_ = false;
   std::vector<Real> gaps_;  // [m]
+  bool presses_ = false;
 };
 
 }  // namespace brunt

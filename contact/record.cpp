@@ -56,7 +56,20 @@ void Records<Dim>::clear() {
     part.frictions.clear();
     part.face_heat.clear();
     part.particle_heat.clear();
+    part.face_touches.clear();
+    part.particle_touches.clear();
     part.vote = StepVote{};
+  }
+}
+
+template <int Dim>
+void Records<Dim>::collect_touches(FirstTouches& touches) const {
+  touches.clear();
+  for (const auto& part : parts_) {
+    for (const auto& touch : part.face_touches) touches.add(touch);
+  }
+  for (const auto& part : parts_) {
+    for (const auto& touch : part.particle_touches) touches.add(touch);
   }
 }
 

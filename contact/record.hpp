@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "contact/friction.hpp"
+#include "contact/first_touch.hpp"
 #include "contact/heat.hpp"
 #include "contact/particle_face.hpp"
 #include "core/step_vote.hpp"
@@ -26,6 +26,8 @@ struct ContactRecord {
   Real damping = 0;            ///< [N]
   Real area = 0;               ///< [m^2]
   Real penetration = 0;        ///< [m]
+  Real opening = 0;            ///< [m] of its plane's needs
+  bool bonded = false;         ///< its plane is the whole overlap of both faces
   std::int32_t friction = -1;  ///< its place among those of the same part; -1: it slides freely
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
@@ -46,6 +48,7 @@ class Records {
     std::vector<ContactRecord<Dim>> face_on_face, particle_on_face;
     std::vector<Friction<Dim>> frictions;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
+    std::vector<FirstTouch> face_touches, particle_touches;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     StepVote vote;
   };
@@ -89,6 +92,8 @@ class Records {
       }
     }
   }
+  /// What pairs keep from time 0, in the order of keys.
+  void collect_touches(FirstTouches& touches) const;
   /// nodes_of(record) names the nodes of each contact anew.
   template <class NodesOf>
   void name_nodes(const NodesOf& nodes_of) {

@@ -102,7 +102,8 @@ void append_polygon(const Entities<Dim>& entities, const Section& section,
                     const ContactRecord<Dim>& record, ContactView& view) {
   const auto lower = entities.face_with(record.first), upper = entities.face_with(record.second);
   std::array<CommonPlane<Dim>, 4> planes;
-  const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes);
+  const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes,
+                                   PlaneNeeds{false, record.opening, record.bonded});
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
     if (plane.point != record.point) continue;

@@ -62,6 +62,7 @@ void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
   if (nodes.rubs) own.save_friction(tables);
+  own.save_touches(tables);
 }
 
 template <int Dim>
@@ -80,6 +81,7 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   own.dt_last = common.dt_last;
   own.started = common.started != 0;
   if (!own.started) return rearrange();
+  own.load_touches(tables);
   rearrange();
   const StepVote longest = own.longest_after(own.dt_last);
   own.ahead_last = own.look_ahead(own.dt_last, longest);

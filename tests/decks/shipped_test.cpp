@@ -63,6 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"taylor-bar",
                 {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
                  "parameters.size=0.9 mm", "time.end=3 us"}},
+        Shipped{"cutting-2d",
+                {"heat=conduct", "parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
         Shipped{"taylor-bar-axisymmetric",
                 {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
                  "time.end=3 us"}},
@@ -88,6 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Shipped{"half-spaces", {"time.end=1 ms", "parameters.width=0.4 mm"}},
                     Shipped{"composite-rod", {"time.end=20 s"}},
                     Shipped{"hot-block", {"time.end=15 us"}},
+                    Shipped{"cutting-2d",
+                            {"parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
                     Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;

@@ -38,7 +38,10 @@ bodies:
     temperature: 400 K
 boundaries:
   still: {body: cold, where: all, fix: [x, y]}
-  press: {body: hot, where: all, velocity: [0, {table: [[0, -0.1 m/s], [10 us, -0.1 m/s], [10.001 us, 0]], over: time}]}
+  press:
+    body: hot
+    where: all
+    velocity: [0, {table: [[0, -0.1 m/s], [10 us, -0.1 m/s], [10.001 us, 0]], over: time}]
 contact:
   default:
     heat: {conductance: {table: [[0, 1000 W/m^2/K], [1 GPa, 101000 W/m^2/K]], over: pressure}}

@@ -58,7 +58,10 @@ bodies:
   e:
     rigid: true
     shape: {polygon: {points: [[0, 0], [1, 0], [0, 1]], thickness: 1}}
-    motion: {velocity: [0, 0, 1], spin: {axis: z, rate: 1 rpm, about: [0, 0, 0]}}
+    motion:
+      velocity: [0, 0, 1]
+      spin: {axis: z, rate: 1 rpm, about: [0, 0, 0]}
+      temperature: 300
   f: {rigid: true, shape: {plane: {origin: [0, 0, -9], normal: z, extent: 4}}}
   g:
     material: j2
@@ -75,15 +78,17 @@ bodies:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
 contact:
-  default: {friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}, heat: {conductance: 1e4 W/m^2/K, gap: 1 mm},
-            friction_heat: {fraction: 0.5, split: 0.3}}
+  default:
+    friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}
+    heat: {conductance: 1e4 W/m^2/K, gap: 1 mm}
+    friction_heat: {fraction: 0.5, split: 0.3}
   pairs:
     ab:
       between: [a, b]
       friction: {table: [[0, 0.3], [1 m/s, 0.2]], over: slip_speed}
       heat: {conductance: 2e4 W/m^2/K}
     ac: {between: [a, c], friction: {static: 0.4, kinetic: 0.4, decay: 0}}
-    ad: {between: [a, d], friction: 0.3}
+    ad: {between: [a, d], friction: 0.3, cohesion: 1 MPa, tension: 0.5 MPa, initial_overlap: press}
 boundaries:
   all: {body: a, where: all, fix: [x]}
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}

@@ -9,7 +9,8 @@
 
 namespace brunt::testing {
 
-/// Bodies by label 0, 1, ...; each body is a group of its own.
+/// Bodies by label 0, 1, ...; each body is a group of its own. They may be put into each other by
+/// hand: what overlaps at time 0 presses.
 template <int Dim>
 struct ContactScene {
   struct Group {
@@ -21,6 +22,8 @@ struct ContactScene {
   Geometry geometry = Dim == 3 ? Geometry::three_d : Geometry::plane_strain;
   Real depth = 1;  // [m]
   std::unique_ptr<ContactManager<Dim>> contact;
+
+  ContactScene() { options.fallback.initial_overlap = InitialOverlap::press; }
 
   Group& add_group() {
     auto& group = groups.emplace_back();

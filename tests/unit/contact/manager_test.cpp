@@ -111,6 +111,7 @@ template <int Dim>
 ContactScene<Dim> bouncer(Real zeta, Real height) {
   ContactScene<Dim> scene;
   scene.options.fallback = {false, 1.0, zeta, {}};
+  scene.options.fallback.initial_overlap = InitialOverlap::press;
   add_sheet(scene, 2, -10, 20, 0.0, true, 0, 0);
   auto& group = scene.add_group();
   Vec<Dim> x = Vec<Dim>::Constant(0.3);

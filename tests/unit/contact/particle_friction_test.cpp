@@ -78,6 +78,7 @@ ContactScene<Dim> pressed(bool quads, std::uint64_t seed, Real zeta, Vec<Dim> x,
                           Real depth = kPressed) {
   ContactScene<Dim> scene;
   scene.options.fallback = {false, 1.0, zeta, constant(kCoefficient)};
+  scene.options.fallback.initial_overlap = InitialOverlap::press;
   add_random_floor(scene, quads, seed);
   x[Dim - 1] = kRadius - depth;
   add_particle<Dim>(scene, x);
@@ -229,6 +230,7 @@ template <int Dim>
 ContactScene<Dim> block_on_table() {
   ContactScene<Dim> scene;
   scene.options.fallback = {false, 1.0, 0.01, constant(kCoefficient)};
+  scene.options.fallback.initial_overlap = InitialOverlap::press;
   add_sheet(scene, 8, 0, 1.6, 0, true, 0, 0);
   add_sheet(scene, 1, 0.13, 1, -kPressed, false, kSpring, 1);
   auto& p = scene.groups[1].points;
@@ -346,6 +348,7 @@ template <int Dim>
 void check_collision(Real face_mass) {
   ContactScene<Dim> scene;
   scene.options.fallback = {false, 1.0, 0, constant(kCoefficient)};
+  scene.options.fallback.initial_overlap = InitialOverlap::press;
   const auto corners = unit_face(Vec<Dim>());
   scene.add_face(scene.add_group(), corners, 1e8, 1, face_mass / static_cast<Real>(corners.size()));
   const Real v = 0.01, k = kSpring * 1e8 * std::pow(2 * kRadius, Dim - 1) /

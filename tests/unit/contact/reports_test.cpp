@@ -17,6 +17,7 @@ constexpr Real kSpring = 1e4, kPressed = 1e-3, kCoefficient = 0.3;  // [N/m], [m
 ContactOptions rubbing() {
   ContactOptions options;
   options.fallback = {false, 1.0, 0, Varying{}};
+  options.fallback.initial_overlap = InitialOverlap::press;
   options.fallback.friction->constant = kCoefficient;
   return options;
 }

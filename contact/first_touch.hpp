@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include "contact/friction.hpp"
+
+namespace brunt {
+
+/// What two faces, or a particle and a surface, keep from time 0 (contact.md 2.9): an overlap of
+/// which contact takes no notice, which only shrinks, by as much as they open; and a bond of
+/// cohesion and tension, which breaks for good.
+struct FirstTouch {
+  ContactKey key;       ///< of faces with ordinal 0; of a particle with `second` its surface
+  Real overlap = 0;     ///< [m]
+  bool bonded = false;  ///< in the last evaluation
+  bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
+  Real torn = 0;        ///< [J] that the bond held when it broke, in this evaluation
+
+  /// False once nothing is left that would make the contact unlike any other.
+  bool matters() const { return overlap > 0 || bonded || torn > 0; }
+};
+
+/// Names the surface that the pieces of a body show to particles.
+inline GlobalId surface_of(Label body, Label piece) {
+  return (static_cast<GlobalId>(body) << 32) | piece;
+}
+
+/// Every first touch whose contact is evaluated here, in the order of keys.
+class FirstTouches {
+ public:
+  bool empty() const { return touches_.empty(); }
+  void clear() { touches_.clear(); }
+  /// In the order of keys.
+  void add(const FirstTouch& touch) { touches_.push_back(touch); }
+  /// nullptr where there is none.
+  const FirstTouch* of_faces(GlobalId lower, GlobalId upper) const;
+  const FirstTouch* of_particle(GlobalId particle, Label body, Label piece) const;
+  std::vector<FirstTouch>& all() { return touches_; }
+  const std::vector<FirstTouch>& all() const { return touches_; }
+
+ private:
+  const FirstTouch* find(const ContactKey& key) const;
+  std::vector<FirstTouch> touches_;
+};
+
+/// How a step finds the touches of time 0, or makes them.
+struct TouchStep {
+  const FirstTouches* before = nullptr;  ///< those of the last evaluation
+  bool time_zero = false;                ///< they begin now, and no force is evaluated
+  bool again = false;  ///< the last evaluation is repeated: what slid in it has not broken yet
+};
+
+}  // namespace brunt

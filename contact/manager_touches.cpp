@@ -1,0 +1,119 @@
+/// What pairs keep from time 0, from run to run.
+#include <algorithm>
+
+#include "contact/implementation.hpp"
+#include "contact/keyed_rows.hpp"
+#include "core/state_hash.hpp"
+
+namespace brunt {
+
+namespace {
+constexpr const char* kTable = "contact.first";
+
+template <class Row, class AnyTouch>
+void visit_touch(Row& row, AnyTouch& touch) {
+  row(touch.key.second);
+  row(touch.overlap);
+  row(touch.bonded);
+  row(touch.slips);
+}
+}  // namespace
+
+/// A spring k g over an area A holds k/2 of the integral of g^2, which is half its force times the
+/// penetration where it acts.
+template <int Dim>
+void ContactManager<Dim>::Implementation::press_at_start() {
+  auto& nodes = entities.nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes.spring_energy[i] = 0;
+    if (!nodes.owned[i]) continue;
+    surfaces[static_cast<std::size_t>(nodes.surface[i])]
+        ->points->f[static_cast<std::size_t>(nodes.point[i])]
+        .setZero();
+  }
+  const auto elsewhere = imports.send_home(records, nodes);
+  apply<Dim>(records, elsewhere, 0, surfaces, nodes);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes.owned[i] || nodes.mass[i] == 0) continue;
+    auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+    const auto p = static_cast<std::size_t>(nodes.point[i]);
+    points.a[p] = points.f[p] / nodes.mass[i];
+  }
+  records.visit([&](const ContactRecord<Dim>& record) {
+    nodes.spring_energy[book_of(entities, key_of(record))] +=
+        0.5 * record.spring * record.penetration;
+  });
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::save_touches(std::vector<StateTable>& tables) const {
+  std::vector<const FirstTouch*> all;
+  for (const auto& touch : touches.all()) all.push_back(&touch);
+  save_keyed(
+      kTable, all, [](const auto& touch) -> const ContactKey& { return touch.key; },
+      [](auto& row, const auto& touch) { visit_touch(row, touch); }, tables);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::load_touches(const StateTables& tables) {
+  const auto visit = [](auto& row, auto& touch) { visit_touch(row, touch); };
+  touches.clear();
+  for (const auto& face : entities.faces) {
+    if (face.owned) load_keyed(kTable, false, face.id, tables, visit, touches.all());
+  }
+  for (const auto& particle : entities.particles) {
+    load_keyed(kTable, true, particle.id, tables, visit, touches.all());
+  }
+}
+
+template <int Dim>
+std::uint64_t ContactManager<Dim>::Implementation::touch_hash() const {
+  std::uint64_t sum = 0;
+  for (const auto& touch : touches.all()) {
+    EntityHash hash(touch.key.first);
+    hash.add(touch.key.second);
+    hash.add(touch.overlap);
+    hash.add(static_cast<std::uint64_t>(touch.bonded ? 1 : 0) + (touch.slips ? 2 : 0));
+    sum += hash.value();
+  }
+  return sum;
+}
+
+template <int Dim>
+std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
+  const auto& own = *implementation_;
+  const auto& pairs = own.pairs.pairs();
+  std::vector<InitialOverlaps> found(pairs.size());
+  const auto bodies_of = [&](const ContactKey& key) -> std::pair<Label, Label> {
+    const auto& entities = own.entities;
+    if (key.of_particle) {
+      const Label body = entities.particles[entities.particle_with(key.first)].body;
+      return std::minmax(body, static_cast<Label>(key.second >> 32));
+    }
+    return std::minmax(entities.faces[entities.face_with(key.first)].body,
+                       entities.faces[entities.face_with(key.second)].body);
+  };
+  for (const auto& touch : own.touches.all()) {
+    if (!(touch.overlap > 0)) continue;
+    const auto at = std::find(pairs.begin(), pairs.end(), bodies_of(touch.key));
+    auto& overlaps = found[static_cast<std::size_t>(at - pairs.begin())];
+    overlaps.name = own.pairs.names()[static_cast<std::size_t>(at - pairs.begin())];
+    ++overlaps.contacts;
+    overlaps.deepest = std::max(overlaps.deepest, touch.overlap);
+  }
+  std::erase_if(found, [](const auto& overlaps) { return overlaps.contacts == 0; });
+  return found;
+}
+
+template std::vector<InitialOverlaps> ContactManager<2>::initial_overlaps() const;
+template std::vector<InitialOverlaps> ContactManager<3>::initial_overlaps() const;
+template void ContactManager<2>::Implementation::press_at_start();
+template void ContactManager<3>::Implementation::press_at_start();
+template std::uint64_t ContactManager<2>::Implementation::touch_hash() const;
+template std::uint64_t ContactManager<3>::Implementation::touch_hash() const;
+template void ContactManager<2>::Implementation::save_touches(std::vector<StateTable>&) const;
+template void ContactManager<3>::Implementation::save_touches(std::vector<StateTable>&) const;
+template void ContactManager<2>::Implementation::load_touches(const StateTables&);
+template void ContactManager<3>::Implementation::load_touches(const StateTables&);
+
+}  // namespace brunt
