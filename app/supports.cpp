@@ -21,9 +21,8 @@ bool acts(const Constraint<Dim>& constraint, Real time) {
 }  // namespace
 
 template <int Dim>
-void Supports<Dim>::move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions,
+void Supports<Dim>::move_rigid(Points<Dim>& points, std::vector<RigidMotion<Dim>> motions,
                                std::set<Label> free) {
-  auto& points = surfaces.points();
   Rigid rigid{&points, std::move(motions), std::move(free), {}, {}, {}};
   rigid.motions.push_back({});  // the last one: held
   name_motions(rigid);
@@ -192,13 +191,17 @@ void visit_held(Row& row, Held& held, std::size_t k) {
 }
 
 std::string table_of(const std::string& constraint) { return "support." + constraint; }
+std::string rigid_table(std::size_t group) {
+  return group == 0 ? "rigid" : "rigid." + std::to_string(group);
+}
 }  // namespace
 
 template <int Dim>
 void Supports<Dim>::save_state(std::vector<StateTable>& tables) const {
-  for (const auto& rigid : rigid_) {
+  for (std::size_t k = 0; k < rigid_.size(); ++k) {
+    const auto& rigid = rigid_[k];
     save_rows(
-        "rigid", static_cast<std::size_t>(rigid.points->n_owned),
+        rigid_table(k), static_cast<std::size_t>(rigid.points->n_owned),
         [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_held(row, rigid, i); }, tables);
   }
@@ -211,9 +214,10 @@ void Supports<Dim>::save_state(std::vector<StateTable>& tables) const {
 
 template <int Dim>
 void Supports<Dim>::load_state(const StateTables& tables) {
-  for (auto& rigid : rigid_) {
+  for (std::size_t k = 0; k < rigid_.size(); ++k) {
+    auto& rigid = rigid_[k];
     load_rows(
-        "rigid", static_cast<std::size_t>(rigid.points->n_owned),
+        rigid_table(k), static_cast<std::size_t>(rigid.points->n_owned),
         [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_held(row, rigid, i); }, tables);
   }

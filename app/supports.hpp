@@ -31,8 +31,9 @@ template <int Dim>
 class Supports {
  public:
   explicit Supports(Vec<Dim> origin) : origin_(std::move(origin)) {}
-  /// free  bodies of these surfaces that are not held or moved here (core/rigid/free_bodies.hpp)
-  void move_rigid(RigidSurfaces<Dim>& surfaces, std::vector<RigidMotion<Dim>> motions,
+  /// Points of rigid bodies, without mass; free  bodies among them that are not held or moved here
+  /// (core/rigid/free_bodies.hpp)
+  void move_rigid(Points<Dim>& points, std::vector<RigidMotion<Dim>> motions,
                   std::set<Label> free = {});
   void constrain(Constraint<Dim> constraint);
   /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.

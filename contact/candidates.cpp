@@ -140,7 +140,8 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
       boxes.offered.push_back(box_of_face(entities, f));
       // Faces of rigid bodies have the larger ids: they are the lower ones among themselves alone.
       const auto& face = entities.faces[f];
-      if (face.owned && !face.everywhere()) boxes.wanted.push_back(boxes.offered.back());
+      if (face.owned && !face.rigid() && face.compliance == 0)
+        boxes.wanted.push_back(boxes.offered.back());
     }
     for (std::size_t p = 0; p < entities.particles.size(); ++p) {
       boxes.wanted.push_back(box_of_particle(entities, p));

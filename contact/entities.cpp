@@ -145,7 +145,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       if (pairs.strongest(facet.body).ignore) continue;
       auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
       face.area_start = area_at_start(face, *surface.points);
-      face.held = surface.held;
+      face.held = surface.held, face.everywhere = surface.everywhere;
       deepest = std::max(deepest, face.depth);
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }
@@ -266,7 +266,7 @@ StepVote Entities<Dim>::stiffness_vote() const {
 #pragma omp for schedule(static) nowait
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const auto& face = faces[f];
-      if (face.everywhere() || face.held || !(face.area_start > 0)) continue;
+      if (!face.deforms() || face.held || !(face.area_start > 0)) continue;
       const Real area = std::max(planes[f].area, face.footprint);
       const Real elements = std::sqrt(2 * face.areal_mass / face.stiffness);
       const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);

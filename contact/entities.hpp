@@ -33,8 +33,8 @@ struct ContactFace {
   Real compliance = 0;  ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
   bool held = false;    ///< votes no step
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told
-  /// Faces of rigid bodies stand on every rank.
-  bool everywhere() const { return rigid() || compliance > 0; }
+  bool deforms() const { return stiffness > 0 && compliance == 0; }
+  bool everywhere = false;  ///< it stands on every rank
 };
 
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -59,6 +61,14 @@ template <int Dim>
 void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const Section& section,
                     const EvaluationStep& step, FrictionHistory<Dim>* history,
                     typename Records<Dim>::Part& part);
+
+/// Faces that are nearer than this [m] meet; of particles a distance of this part of their radius.
+inline constexpr Real kMeets = 1e-6;
+template <int Dim>
+Real meeting_distance(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper) {
+  const Real area = std::min(lower.area, upper.area);
+  return kMeets * (Dim == 3 ? std::sqrt(area) : area);
+}
 
 /// How many records and flows of heat a part had before the contacts of a pair or a particle.
 struct PartEnds {

@@ -85,15 +85,6 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   warm_faces(entities, candidate, step, part);
 }
 
-/// Faces that are nearer than this, of the size of the smaller one, meet.
-constexpr Real kMeets = 1e-6;
-
-template <int Dim>
-Real meeting_distance(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper) {
-  const Real area = std::min(lower.area, upper.area);
-  return kMeets * (Dim == 3 ? std::sqrt(area) : area);
-}
-
 template <int Dim>
 using Planes = std::array<CommonPlane<Dim>, 4>;
 
@@ -195,8 +186,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     }
     touch.key = {0, 0, first, second};
     if (touch.matters()) part.face_touches.push_back(touch);
-    if (candidate.heat == nullptr) continue;
-    add_face_heat<Dim>(entities, candidate, section, ends, part);
+    if (candidate.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }
 

@@ -10,11 +10,9 @@ template <int Dim>
 void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate,
                    const Section& section, const PartEnds& ends,
                    typename Records<Dim>::Part& part) {
-  constexpr Real kMeets = 1e-6;  // of the smaller face's size
   const auto l = static_cast<std::size_t>(candidate.lower);
   const auto u = static_cast<std::size_t>(candidate.upper);
-  const Real area = std::min(entities.planes[l].area, entities.planes[u].area);
-  const Real meets = kMeets * (Dim == 3 ? std::sqrt(area) : area);
+  const Real meets = meeting_distance(entities.planes[l], entities.planes[u]);
   const PlaneNeeds needs{true, std::max(meets, gap_of(*candidate.heat))};
   std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
@@ -27,7 +25,7 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
       const auto& record = part.face_on_face[r];
       if (record.ordinal != plane.ordinal) continue;
       pressed = std::min(record.area, plane.area);
-      pressure = (record.spring + record.damping) / record.area;
+      pressure = std::max((record.spring + record.damping) / record.area, 0.0);
     }
     part.face_heat.push_back(heat_path<Dim>(entities.faces[l], entities.faces[u], plane,
                                             *candidate.heat, pressed, pressure));
@@ -48,11 +46,12 @@ void find_near_faces(const Entities<Dim>& entities, std::span<const ParticleCand
   const auto& particle =
       entities.particles[static_cast<std::size_t>(candidates[range.first].particle)];
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
+  const Real meets = kMeets * particle.radius;
   for (std::size_t i = range.first; i < range.second; ++i) {
     const auto& candidate = candidates[i];
     const auto f = static_cast<std::size_t>(candidate.face);
     if (candidate.heat == nullptr || entities.planes[f].area == 0) continue;
-    const Real reach = particle.radius + gap_of(*candidate.heat);
+    const Real reach = particle.radius + std::max(gap_of(*candidate.heat), meets);
     const Real farthest = std::max(reach, candidate.limit);
     if (!entities.boxes[f].meets(SearchBox<Dim>::about(x, farthest))) continue;
     ParticleHit<Dim> hit;
@@ -65,7 +64,7 @@ void find_near_faces(const Entities<Dim>& entities, std::span<const ParticleCand
     const bool behind = hit.nearest.normal.dot(x - hit.nearest.point) < 0;
     if (hit.nearest.distance <= (behind ? farthest : reach)) hits.push_back(hit);
   }
-  if (!hits.empty()) choose_hits<Dim>(x, particle.radius + widest, hits);
+  if (!hits.empty()) choose_hits<Dim>(x, particle.radius + std::max(widest, meets), hits);
 }
 }  // namespace
 
@@ -83,25 +82,21 @@ int add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCan
   if (!any) return 0;
   const auto& particle =
       entities.particles[static_cast<std::size_t>(candidates[range.first].particle)];
-  if (widest > 0) find_near_faces<Dim>(entities, candidates, range, widest, part.near_hits);
-  const auto& hits = widest > 0 ? part.near_hits : part.hits;
-  const auto heat_of = [&](const ParticleHit<Dim>& hit) {
-    return candidates[static_cast<std::size_t>(hit.candidate)].heat;
-  };
-  const auto contacts = std::count_if(hits.begin(), hits.end(), [&](const auto& hit) {
-    return hit.kept && heat_of(hit) != nullptr;
-  });
+  const auto& hits = part.near_hits;
+  find_near_faces<Dim>(entities, candidates, range, widest, part.near_hits);
+  const auto contacts =
+      std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.kept; });
   for (const auto& hit : hits) {
-    if (!hit.kept || heat_of(hit) == nullptr) continue;
-    const auto f =
-        static_cast<std::size_t>(candidates[static_cast<std::size_t>(hit.candidate)].face);
+    if (!hit.kept) continue;
+    const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
+    const auto f = static_cast<std::size_t>(candidate.face);
     ParticleTouch<Dim> touch{particle, entities.faces[f], hit, area, 0, static_cast<int>(contacts)};
     for (std::size_t r = ends.record; r < part.particle_on_face.size(); ++r) {
       const auto& record = part.particle_on_face[r];
       if (record.second != touch.face.id) continue;
       touch.pressure = (record.spring + record.damping) / (hit.share * area);
     }
-    part.particle_heat.push_back(heat_path<Dim>(entities.nodes, touch, *heat_of(hit)));
+    part.particle_heat.push_back(heat_path<Dim>(entities.nodes, touch, *candidate.heat));
   }
   std::sort(part.particle_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
             part.particle_heat.end(), [](const auto& a, const auto& b) { return a.key < b.key; });

@@ -77,7 +77,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& 
     const Real w = hit.nearest.weight[k];
     record.add(face.node[k], -w);
     velocity += w * nodes.v[node];
-    if (!face.everywhere()) compliance += w * w / nodes.mass[node];
+    if (face.deforms()) compliance += w * w / nodes.mass[node];
   }
   if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
@@ -134,13 +134,13 @@ void keep_deepest(GlobalId particle, GlobalId surface, Real overlap, std::size_t
 template <int Dim>
 void track_overlaps(const ContactParticle& particle, std::span<const ParticleCandidate> candidates,
                     const TouchStep& step, typename Records<Dim>::Part& part) {
-  constexpr Real kMeets = 1e-6;  // of the radius: a smaller overlap is rounding
   if (!step.time_zero && step.before->empty()) return;
   auto& touches = part.particle_touches;
   const std::size_t first = touches.size();
   for (const auto& hit : part.hits) {
     if (!hit.kept) continue;
     const bool presses = candidates[static_cast<std::size_t>(hit.candidate)].presses;
+    // A smaller overlap is rounding.
     const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
     if (presses || hit.overlap <= least) continue;
     if (!step.time_zero && !step.before->of_particle(particle.id, hit.body, hit.piece)) continue;

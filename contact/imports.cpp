@@ -67,7 +67,7 @@ void ContactImports<Dim>::renew(const ImportBoxes<Dim>& offers, Entities<Dim>& e
   std::vector<SearchBox<Dim>> boxes;
   std::vector<LocalIndex> face;
   for (std::size_t f = 0; f < entities.faces.size(); ++f) {
-    if (!entities.faces[f].owned || entities.faces[f].everywhere()) continue;
+    if (!entities.faces[f].owned || entities.faces[f].everywhere) continue;
     boxes.push_back(offers.offered[f]);
     face.push_back(static_cast<LocalIndex>(f));
   }

@@ -30,7 +30,7 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
     const auto& face = entities.faces[f];
     auto& one = all.faces.emplace_back();
     one.box = own.candidates.box_of_face(entities, f);
-    one.id = face.id, one.rigid = face.everywhere(), one.n_nodes = face.n_nodes;
+    one.id = face.id, one.rigid = face.everywhere, one.n_nodes = face.n_nodes;
     for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
       one.node[c] = name_of(entities.nodes, face.node[c]);
     }

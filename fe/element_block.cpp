@@ -158,7 +158,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.options.hourglass = resolved(set.options.hourglass, *set.material);
   block.gauss = set.options.integration == Integration::one_point ? 1 : Shape<Dim>::kGauss;
   block.adiabatic = set.adiabatic;
-  block.conducts = set.conducts, block.held = set.held;
+  block.conducts = set.conducts, block.held = set.held, block.rigid = set.rigid;
   block.temperature = set.temperature;
   block.n = static_cast<LocalIndex>(set.id.size());
   const int tile = block.elements_per_tile();

@@ -24,6 +24,7 @@ struct ElementSet {
   bool adiabatic = false;     ///< plastic work heats the element at once
   bool conducts = false;      ///< nodes have the temperature; plastic work heats them
   bool held = false;          ///< nothing of it ever moves: only its heat is computed
+  bool rigid = false;         ///< as held, without mass, its facets rigid; it moves as told
 };
 
 /// What the out-of-plane direction adds: an element of area A about radius r fills A (c + s r).
@@ -51,7 +52,7 @@ struct ElementBlock {
   ElementOptions options;  ///< hourglass resolved: never automatic
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;
-  bool conducts = false, held = false;
+  bool conducts = false, held = false, rigid = false;
   Real temperature = 0;  ///< [K] what the law sees where heat is off
   LocalIndex n = 0;      ///< elements
   LocalIndex n_padded = 0;

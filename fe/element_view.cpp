@@ -76,7 +76,9 @@ void add_point_fields(const Points<Dim>& points, const std::vector<LocalIndex>& 
   for (const LocalIndex node : nodes) {
     id.values.push_back(static_cast<Real>(points.id[node]));
     piece.values.push_back(static_cast<Real>(points.piece[node]));
-    view.point_mass.push_back(points.mass[node]);
+    // Means over a rigid body, which has no mass, are weighted by heat capacities.
+    const bool rigid = points.mass[node] == 0 && points.conducts;
+    view.point_mass.push_back(rigid ? points.capacity[node] : points.mass[node]);
     view.point_owned.push_back(node < points.n_owned);
   }
   fields.push_back(std::move(id));

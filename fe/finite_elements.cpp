@@ -109,6 +109,7 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) return;
   set_capacities();
   start_conduction();
+  if (blocks_.front().rigid) make_rigid();
 }
 
 template <int Dim>

@@ -53,6 +53,7 @@ class FiniteElements final : public Solid<Dim> {
   void make_blocks(const std::vector<ElementSet<Dim>>& sets);
   void start_steps();
   void set_capacities();
+  void make_rigid();
   void start_conduction();
   void interpolate_temperatures();
   void conduct(Real inverse_dt);

@@ -28,6 +28,13 @@ void FiniteElements<Dim>::set_capacities() {
   for (std::size_t k = 0; k < sum.size(); ++k) points_.capacity[k] = sum[k][0];
 }
 
+/// Leaves nothing but heat: no mass, and facets that contact sees as rigid.
+template <int Dim>
+void FiniteElements<Dim>::make_rigid() {
+  std::fill(points_.mass.begin(), points_.mass.end(), 0.0);
+  for (auto& facet : surface_.facets) facet.stiffness = facet.areal_mass = facet.depth = 0;
+}
+
 /// Conductances of the start, which the first vote asks for.
 template <int Dim>
 void FiniteElements<Dim>::start_conduction() {
@@ -76,6 +83,8 @@ void FiniteElements<Dim>::add_conduction(Real dt) {
 
 template void FiniteElements<2>::set_capacities();
 template void FiniteElements<3>::set_capacities();
+template void FiniteElements<2>::make_rigid();
+template void FiniteElements<3>::make_rigid();
 template void FiniteElements<2>::start_conduction();
 template void FiniteElements<3>::start_conduction();
 template void FiniteElements<2>::interpolate_temperatures();

@@ -17,7 +17,7 @@ std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& b
     auto& set = sets.emplace_back();
     set.material = block.material, set.options = block.options;
     set.temperature = block.temperature, set.adiabatic = block.adiabatic;
-    set.conducts = block.conducts, set.held = block.held;
+    set.conducts = block.conducts, set.held = block.held, set.rigid = block.rigid;
     for (LocalIndex e = 0; e < block.n; ++e) {
       std::array<LocalIndex, n> corners;
       bool mine = false;

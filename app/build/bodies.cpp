@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "app/build/heat.hpp"
 #include "app/deck/findings.hpp"
 #include "core/geometry/mesh.hpp"
 #include "core/geometry/placement.hpp"
@@ -63,7 +64,7 @@ void read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named,
 }
 
 template <int Dim>
-BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& named,
+BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& named, bool conducts,
                             Label& next_piece) {
   const Deck& deck = loaded.deck;
   const deck::Body& body = named.value;
@@ -74,7 +75,7 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
     if constexpr (Dim == 3) read_surface(loaded, named, geometry);
     geometry.piece_names = {""};
     piece = {0};
-  } else if (body.rigid) {
+  } else if (body.rigid && !conducts) {
     auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(surface.nodes);
     geometry.facets = std::move(surface.facets);
@@ -83,6 +84,9 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
     geometry.piece_names = by_piece ? std::move(surface.piece_names) : std::vector<std::string>{""};
     piece = by_piece ? std::move(surface.piece) : std::vector<Label>(geometry.facets.size(), 0);
   } else if (body.method == deck::Method::fe) {
+    if (!body.size && !body.cells) {
+      throw std::invalid_argument("conducts heat, and needs `size` or `cells` for its elements");
+    }
     auto mesh = mesh_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(mesh.nodes);
     geometry.elements = std::move(mesh.elements);
@@ -113,8 +117,13 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
   Label next_piece = 0;
   for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[b];
+    if (const auto wrong = heat_problem(loaded.deck, body, name); !wrong.empty()) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".material", wrong));
+      continue;
+    }
     try {
-      bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], next_piece));
+      const bool conducts = heat_mode(loaded.deck, body, name) == HeatMode::conducts;
+      bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], conducts, next_piece));
       bodies.back().label = static_cast<Label>(b);
     } catch (const std::invalid_argument& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));

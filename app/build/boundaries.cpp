@@ -221,7 +221,8 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
                      [&wanted = boundary.body](const auto& body) { return body.name == wanted; });
     if (found == deck.bodies.end()) continue;  // reported by the deck's own checks
     const auto label = static_cast<Label>(found - deck.bodies.begin());
-    if (found->value.rigid) {
+    const bool moves = !boundary.fix.empty() || boundary.velocity || boundary.force;
+    if (found->value.rigid && (moves || !acts_on_heat(boundary))) {
       problems.push_back(loaded.places.problem(
           path + ".body", "'" + boundary.body + "' is rigid: give it `motion` instead"));
       continue;
@@ -259,6 +260,25 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
   }
 }
 
+template <int Dim>
+void hold_temperatures(const LoadedDeck& loaded, Scene<Dim>& scene) {
+  for (Label label = 0; label < loaded.deck.bodies.size(); ++label) {
+    const auto& [name, body] = loaded.deck.bodies[label];
+    if (!body.motion || !body.motion->temperature) continue;
+    Solid<Dim>* solid = solid_of(scene, label);
+    if (!solid || !solid->points().conducts) continue;
+    HeatBoundary<Dim> heat;
+    heat.name = name + ".motion", heat.points = &solid->points();
+    heat.temperature = value_of(body.motion->temperature);
+    for (LocalIndex i = 0; i < solid->points().n_owned; ++i) {
+      if (solid->points().body[static_cast<std::size_t>(i)] == label) heat.chosen.push_back(i);
+    }
+    scene.heat.add(std::move(heat));
+  }
+}
+
+template void hold_temperatures<2>(const LoadedDeck&, Scene<2>&);
+template void hold_temperatures<3>(const LoadedDeck&, Scene<3>&);
 template void add_boundaries<2>(const LoadedDeck&, Scene<2>&, std::vector<DeckProblem>&);
 template void add_boundaries<3>(const LoadedDeck&, Scene<3>&, std::vector<DeckProblem>&);
 

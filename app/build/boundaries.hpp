@@ -12,4 +12,8 @@ template <int Dim>
 void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
                     std::vector<DeckProblem>& problems);
 
+/// Holds rigid bodies at the temperatures of their motions.
+template <int Dim>
+void hold_temperatures(const LoadedDeck& loaded, Scene<Dim>& scene);
+
 }  // namespace brunt

@@ -89,17 +89,7 @@ Gathered<Dim> gather(const LoadedDeck& loaded, const Scene<Dim>& scene,
   return gathered;
 }
 
-template <int Dim, class Test>
-std::vector<std::size_t> choose(const LoadedDeck& loaded,
-                                const std::vector<BodyGeometry<Dim>>& bodies, Test test) {
-  std::vector<std::size_t> chosen;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (test(loaded.deck.bodies[bodies[b].label].value)) chosen.push_back(b);
-  }
-  return chosen;
-}
-
-/// Bodies of one method and kind that deform.
+/// Bodies of one method and kind.
 template <int Dim>
 std::vector<std::size_t> choose(const LoadedDeck& loaded,
                                 const std::vector<BodyGeometry<Dim>>& bodies, deck::Method method,
@@ -107,7 +97,7 @@ std::vector<std::size_t> choose(const LoadedDeck& loaded,
   std::vector<std::size_t> chosen;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
-    if (body.rigid || body.method != method) continue;
+    if (body.method != method) continue;
     if (group_kind(loaded.deck, body, name) == kind) chosen.push_back(b);
   }
   return chosen;
@@ -168,7 +158,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
       set = sets.end() - 1;
       set->material = material, set->options = body.element;
       set->temperature = temperature, set->adiabatic = adiabatic;
-      set->conducts = kind.conducts, set->held = kind.held;
+      set->conducts = kind.conducts, set->held = kind.held, set->rigid = kind.rigid;
     }
     auto& corners = set->corners.emplace_back();
     for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -236,11 +226,31 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
   return particles;
 }
 
+namespace {
+/// Temperatures of surfaces that are held at them. They take any heat, and store next to none where
+/// they are told another temperature.
+template <int Dim>
+void keep_warm(const LoadedDeck& loaded, Points<Dim>& points) {
+  std::vector<Real> at_start;
+  for (const Label label : points.body) {
+    at_start.push_back(loaded.deck.bodies[label].value.motion->temperature->at(0));
+  }
+  points.conduct(at_start);
+  constexpr Real kNone = 1e-20;  // [J/K]
+  std::fill(points.capacity.begin(), points.capacity.end(), kNone);
+}
+}  // namespace
+
 template <int Dim>
 std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                                const std::vector<BodyGeometry<Dim>>& bodies,
-                                               NextIds& next) {
-  const auto chosen = choose(loaded, bodies, [](const deck::Body& body) { return body.rigid; });
+                                               bool warm, NextIds& next) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
+    if (!body.rigid || group_kind(loaded.deck, body, name) == kRigidConductors) continue;
+    if (is_warm_surface(loaded.deck, body, name) == warm) chosen.push_back(b);
+  }
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
   std::vector<Facet<Dim>> facets;
@@ -260,9 +270,11 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
         const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
         gathered.points.piece[node] = facet.piece;
       }
+      if (warm) facet.capacity = kInfinity;
       facets.push_back(facet);
     }
   }
+  if (warm) keep_warm(loaded, gathered.points);
   return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
 }
 
@@ -279,10 +291,10 @@ template std::unique_ptr<Solid<3>> make_particles<3>(const LoadedDeck&, const Sc
                                                      const std::vector<BodyGeometry<3>>&, GroupKind,
                                                      NextIds&);
 template std::unique_ptr<RigidSurfaces<2>> make_rigid<2>(const LoadedDeck&, const Scene<2>&,
-                                                         const std::vector<BodyGeometry<2>>&,
+                                                         const std::vector<BodyGeometry<2>>&, bool,
                                                          NextIds&);
 template std::unique_ptr<RigidSurfaces<3>> make_rigid<3>(const LoadedDeck&, const Scene<3>&,
-                                                         const std::vector<BodyGeometry<3>>&,
+                                                         const std::vector<BodyGeometry<3>>&, bool,
                                                          NextIds&);
 
 }  // namespace brunt

@@ -24,9 +24,10 @@ template <int Dim>
 std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                            const std::vector<BodyGeometry<Dim>>& bodies,
                                            GroupKind kind, NextIds& next);
+/// Rigid bodies that do not conduct: those whose surfaces are held at a temperature, or the others.
 template <int Dim>
 std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                                const std::vector<BodyGeometry<Dim>>& bodies,
-                                               NextIds& next);
+                                               bool warm, NextIds& next);
 
 }  // namespace brunt

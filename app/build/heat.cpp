@@ -28,14 +28,15 @@ bool is_held_with_its_sum(const Deck& deck, const std::string& name) {
   return std::all_of(names.begin(), names.end(),
                      [&](const std::string& one) { return is_held(deck, one); });
 }
+
+/// A rigid body that its forces move: its elements of heat would have to move with it.
+bool is_free(const deck::Body& body) { return deck::follows_forces(body); }
 }  // namespace
 
 HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name) {
   const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
                                      [&](const auto& m) { return m.name == body.material; });
-  if (deck.heat == deck::Heat::off || body.rigid || material == deck.materials.end()) {
-    return HeatMode::none;
-  }
+  if (deck.heat == deck::Heat::off || material == deck.materials.end()) return HeatMode::none;
   const auto& thermal = material->value.thermal;
   if (!thermal) return HeatMode::none;
   const auto names = names_of_sum(deck, name);
@@ -56,7 +57,11 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
                       (deck.heat == deck::Heat::automatic && warmed) ||
                       (deck.heat == deck::Heat::automatic &&
                        std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
-  if (thermal->k && driven) return HeatMode::conducts;
+  const bool held = body.motion && body.motion->temperature;
+  if (thermal->k && (driven || (held && deck.heat == deck::Heat::automatic))) {
+    return is_free(body) ? HeatMode::none : HeatMode::conducts;
+  }
+  if (body.rigid) return HeatMode::none;
   // An elastic material is never heated: it keeps no temperature.
   const bool yields = !std::holds_alternative<NoStrength>(material->value.strength);
   return yields ? HeatMode::adiabatic : HeatMode::none;
@@ -75,9 +80,26 @@ bool is_held(const Deck& deck, const std::string& name) {
   return held;
 }
 
+std::string heat_problem(const Deck& deck, const deck::Body& body, const std::string& name) {
+  if (!is_free(body)) return "";
+  deck::Body told = body;
+  told.motion.emplace();
+  if (heat_mode(deck, told, name) != HeatMode::conducts) return "";
+  return "'" + name +
+         "' moves freely, and such a body does not conduct heat yet: take k out of its "
+         "material, or give it `motion`";
+}
+
+bool is_warm_surface(const Deck& deck, const deck::Body& body, const std::string& name) {
+  return body.rigid && body.motion && body.motion->temperature &&
+         (deck.heat == deck::Heat::automatic || deck.heat == deck::Heat::conduct) &&
+         heat_mode(deck, body, name) != HeatMode::conducts;
+}
+
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name) {
   const bool conducts = heat_mode(deck, body, name) == HeatMode::conducts;
-  return {conducts, conducts && is_held_with_its_sum(deck, name)};
+  const bool held = conducts && (body.rigid || is_held_with_its_sum(deck, name));
+  return {conducts, held, body.rigid};
 }
 
 }  // namespace brunt

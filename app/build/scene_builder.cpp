@@ -34,22 +34,30 @@ Vec<Dim> rounded_center(const std::vector<BodyGeometry<Dim>>& bodies, Geometry g
   return center;
 }
 
-/// Rigid bodies that move as told; those that follow their forces come second.
+/// How the rigid bodies move that are told to.
+template <int Dim>
+std::vector<RigidMotion<Dim>> told_motions(const LoadedDeck& loaded, const Scene<Dim>& scene) {
+  std::vector<RigidMotion<Dim>> motions;
+  for (Label b = 0; b < loaded.deck.bodies.size(); ++b) {
+    const auto& body = loaded.deck.bodies[b].value;
+    if (deck::follows_forces(body) || !body.rigid || !body.motion) continue;
+    motions.push_back(motion_of<Dim>(body, b, scene.origin));
+  }
+  return motions;
+}
+
+/// Rigid surfaces: of bodies that are held, move as told, or follow their forces.
 template <int Dim>
 void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
                std::unique_ptr<RigidSurfaces<Dim>> surfaces, std::vector<DeckProblem>& problems) {
-  std::vector<RigidMotion<Dim>> motions;
   std::set<Label> free;
   for (Label b = 0; b < loaded.deck.bodies.size(); ++b) {
-    const auto& body = loaded.deck.bodies[b].value;
-    if (deck::follows_forces(body)) {
-      free.insert(b);
-    } else if (body.rigid && body.motion) {
-      motions.push_back(motion_of<Dim>(body, b, scene.origin));
-    }
+    if (deck::follows_forces(loaded.deck.bodies[b].value)) free.insert(b);
   }
-  scene.rigid = make_free_bodies(loaded, scene, *surfaces, problems);
-  scene.supports.move_rigid(*surfaces, std::move(motions), std::move(free));
+  if (auto bodies = make_free_bodies(loaded, scene, *surfaces, problems)) {
+    scene.rigid = std::move(bodies);
+  }
+  scene.supports.move_rigid(surfaces->points(), told_motions(loaded, scene), std::move(free));
   scene.solids.push_back(std::move(surfaces));
 }
 
@@ -101,9 +109,16 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     auto particles = make_particles(loaded, *scene, bodies, kind, next);
     if (particles) scene->solids.push_back(std::move(particles));
   }
-  if (auto rigid = make_rigid(loaded, *scene, bodies, next)) {
-    add_rigid(loaded, *scene, std::move(rigid), problems);
+  // Rigid faces come after all others: they are never the lower face of a pair.
+  if (auto rigid = make_elements(loaded, *scene, bodies, kRigidConductors, next)) {
+    scene->supports.move_rigid(rigid->points(), told_motions(loaded, *scene));
+    scene->solids.push_back(std::move(rigid));
   }
+  for (const bool warm : {false, true}) {
+    auto rigid = make_rigid(loaded, *scene, bodies, warm, next);
+    if (rigid) add_rigid(loaded, *scene, std::move(rigid), problems);
+  }
+  hold_temperatures(loaded, *scene);
   add_boundaries(loaded, *scene, problems);
   check_constraints(loaded, *scene, problems);
   check_overlaps(loaded, *scene, problems);

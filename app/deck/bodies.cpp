@@ -1,6 +1,7 @@
 #include "app/deck/bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace brunt::deck {
@@ -42,12 +43,14 @@ void describe(Schema& s, Spin& spin) {
 }
 
 void describe(Schema& s, Motion& motion) {
-  static constexpr const char* kLater[] = {"temperature"};
+  static constexpr std::array kOver{Varying::Over::time};
   s.list({"velocity", "velocity, kept for ever; a component that is free follows its forces"},
          motion.velocity, kVelocity, Schema::kVector, true);
   s.object({"spin", "rotation, kept for ever; without it the body does not turn"}, motion.spin);
-  s.later(kLater);
-  s.require(!motion.velocity.empty() || motion.spin, "", "needs a velocity, a spin or both");
+  s.varying({"temperature", "it is held at it, or its surface where it has no material"},
+            motion.temperature, {"K", at_least(0), between(50, 5000)}, kOver);
+  s.require(!motion.velocity.empty() || motion.spin || motion.temperature, "",
+            "needs a velocity, a spin or a temperature");
 }
 
 void describe(Schema& s, Body& body) {

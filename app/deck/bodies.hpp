@@ -25,6 +25,7 @@ struct Spin {
 struct Motion {
   std::vector<Real> velocity;  ///< [m/s]; NaN: this component follows its forces; empty: none
   std::optional<Spin> spin;
+  std::optional<Varying> temperature;  ///< [K] at which it is held, constant or over time
 };
 
 struct Body {

@@ -20,6 +20,7 @@ RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> fa
     : points_(std::move(points)) {
   surface_.points = &points_;
   surface_.facets = std::move(facets);
+  surface_.everywhere = true;
 }
 
 /// All points and facets stand on every rank; forces and work are kept by the owner of each point.
@@ -87,6 +88,13 @@ BodyView RigidSurfaces<Dim>::view(Label body) const {
     }
   }
   view.point_fields = {displacement, velocity, force, id};
+  if (points_.conducts) {
+    Field temperature{"temperature", 1, {}};
+    for (std::size_t i = 0; i < points_.x.size(); ++i) {
+      if (points_.body[i] == body) temperature.values.push_back(points_.temperature[i]);
+    }
+    view.point_fields.push_back(std::move(temperature));
+  }
   return view;
 }
 

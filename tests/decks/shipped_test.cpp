@@ -63,6 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"taylor-bar",
                 {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
                  "parameters.size=0.9 mm", "time.end=3 us"}},
+        Shipped{"cutting-2d",
+                {"heat=conduct", "parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
         Shipped{"taylor-bar-axisymmetric",
                 {"heat=conduct", "materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
                  "time.end=3 us"}},

@@ -58,7 +58,10 @@ bodies:
   e:
     rigid: true
     shape: {polygon: {points: [[0, 0], [1, 0], [0, 1]], thickness: 1}}
-    motion: {velocity: [0, 0, 1], spin: {axis: z, rate: 1 rpm, about: [0, 0, 0]}}
+    motion:
+      velocity: [0, 0, 1]
+      spin: {axis: z, rate: 1 rpm, about: [0, 0, 0]}
+      temperature: 300
   f: {rigid: true, shape: {plane: {origin: [0, 0, -9], normal: z, extent: 4}}}
   g:
     material: j2
@@ -81,8 +84,10 @@ bodies:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
 contact:
-  default: {friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m},
-            heat: {conductance: 1e4 W/m^2/K, gap: 1 mm}, friction_heat: {fraction: 0.5, split: 0.3}}
+  default:
+    friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}
+    heat: {conductance: 1e4 W/m^2/K, gap: 1 mm}
+    friction_heat: {fraction: 0.5, split: 0.3}
   pairs:
     ab:
       between: [a, b]

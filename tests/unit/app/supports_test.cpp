@@ -63,7 +63,7 @@ TEST(Supports, RigidBodyTurnsAndItsReactionIsTheForceOnIt) {
   RigidMotion<2> motion;
   motion.spin = kPi, motion.velocity = Vec<2>(0.5, 0);
   Supports<2> supports(Vec<2>::Zero());
-  supports.move_rigid(rigid, {motion});
+  supports.move_rigid(rigid.points(), {motion});
   supports.start();
   EXPECT_NEAR((rigid.points().v[0] - Vec<2>(0.5, kPi)).norm(), 0, 1e-15);
   const int steps = 100;
