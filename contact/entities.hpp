@@ -42,6 +42,7 @@ template <int Dim>
 struct FaceTraction {
   Real area = 0;                      ///< [m^2] that carries it
   Vec<Dim> force = Vec<Dim>::Zero();  ///< [N] on this face
+  Real growth = 1;                    ///< [1] of its area in the last step
 };
 
 struct ContactParticle {

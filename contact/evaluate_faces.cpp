@@ -50,6 +50,20 @@ Vec<Dim> inherited(const FaceTraction<Dim>& lower, const FaceTraction<Dim>& uppe
   return (upper.force - lower.force) / area;
 }
 
+/// What has come under pressure carries no traction yet, so that the force stays what it was: a
+/// traction that grew with its area would make energy. Areas that pass from pair to pair of the
+/// same face are no growth, and take their traction with them. Rigid faces that stand on every rank
+/// know nothing of their contacts.
+template <int Dim>
+Real kept_traction(const Entities<Dim>& entities, const FaceCandidate& candidate) {
+  Real growth = kInfinity;
+  for (const LocalIndex f : {candidate.lower, candidate.upper}) {
+    const auto k = static_cast<std::size_t>(f);
+    if (!entities.faces[k].rigid()) growth = std::min(growth, entities.tractions[k].growth);
+  }
+  return growth > 1 && growth < kInfinity ? 1 / growth : 1.0;
+}
+
 template <int Dim>
 void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
                   const CommonPlane<Dim>& plane, const Section& section, Real dt,
@@ -75,6 +89,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.damping = candidate.damping;
   step.dt = dt;
   step.before = history.of_faces(key_of(record));
+  step.kept = kept_traction(entities, candidate);
   if (step.before == nullptr) {
     step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
   }

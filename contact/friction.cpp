@@ -175,7 +175,7 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
         find_spin(lower, upper, n, step.dt, turn);
         slip = distance - turn(distance - step.dt * velocity);
       }
-      traction = in_plane<Dim>(turn(with_bodies(before->traction)), n);
+      traction = step.kept * in_plane<Dim>(turn(with_bodies(before->traction)), n);
       slider_before = before->area * traction;
       drag_before = before->area * turn(with_bodies(before->drag));
     }

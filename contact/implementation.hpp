@@ -52,6 +52,9 @@ struct ContactManager<Dim>::Implementation {
   /// Mixed bits of what all contacts remember, in any order.
   std::uint64_t friction_hash() const;
   std::uint64_t touch_hash() const;
+  /// How the areas of faces grew in the last step.
+  void save_growths(std::vector<StateTable>& tables) const;
+  void load_growths(const StateTables& tables);
   /// What each face carries, from the records of all ranks. Collective.
   void sum_tractions();
 

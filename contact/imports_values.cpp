@@ -106,15 +106,17 @@ template <int Dim>
 void ContactImports<Dim>::refresh_tractions(Entities<Dim>& entities) const {
   if (!entities.nodes.rubs) return;
   refresh_ghosts(
-      ranks(), tractions_, 1 + Dim,
+      ranks(), tractions_, 2 + Dim,
       [&](std::size_t i, Real* out) {
         const auto& from = entities.tractions[static_cast<std::size_t>(sent_from_[i])];
         out[0] = from.area;
         for (int c = 0; c < Dim; ++c) out[1 + c] = from.force[c];
+        out[1 + Dim] = from.growth;
       },
       [&](std::size_t i, const Real* in) {
         entities.tractions[i].area = in[0];
         for (int c = 0; c < Dim; ++c) entities.tractions[i].force[c] = in[1 + c];
+        entities.tractions[i].growth = in[1 + Dim];
       });
 }
 

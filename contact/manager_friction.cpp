@@ -28,6 +28,7 @@ void visit_friction(Row& row, AnyFriction& friction) {
 }
 
 constexpr const char* kTable = "contact.friction";
+constexpr const char* kGrowths = "contact.friction.growth";
 }  // namespace
 
 template <int Dim>
@@ -38,6 +39,7 @@ void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>&
   });
   save_keyed(
       kTable, all, [](auto& row, const auto& friction) { visit_friction(row, friction); }, tables);
+  save_growths(tables);
 }
 
 template <int Dim>
@@ -52,6 +54,29 @@ void ContactManager<Dim>::Implementation::load_friction(const StateTables& table
     return at == known.end() || !(at->key == key) ? nullptr : &*at;
   });
   sum_tractions();
+  load_growths(tables);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::save_growths(std::vector<StateTable>& tables) const {
+  std::vector<std::size_t> grown;
+  for (std::size_t f = 0; f < entities.faces.size(); ++f) {
+    if (entities.faces[f].owned && entities.tractions[f].growth != 1) grown.push_back(f);
+  }
+  save_rows(
+      kGrowths, grown.size(), [&](std::size_t k) { return entities.faces[grown[k]].id; },
+      [&](auto& row, std::size_t k) { row(entities.tractions[grown[k]].growth); }, tables);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::load_growths(const StateTables& tables) {
+  for (auto& traction : entities.tractions) traction.growth = 1;
+  if (!tables.has(kGrowths)) return;
+  const auto& rows = tables.rows(kGrowths);
+  for (std::size_t f = 0; f < entities.faces.size(); ++f) {
+    const auto& face = entities.faces[f];
+    if (face.owned && rows.has(face.id)) entities.tractions[f].growth = rows.row(face.id, 1)[0];
+  }
 }
 
 template <int Dim>
@@ -103,6 +128,7 @@ void ContactManager<Dim>::Implementation::end_friction() {
 template <int Dim>
 void ContactManager<Dim>::Implementation::sum_tractions() {
   auto& tractions = entities.tractions;
+  const auto before = tractions;
   std::fill(tractions.begin(), tractions.end(), FaceTraction<Dim>{});
   const auto elsewhere = imports.send_tractions(records, entities);
   auto next = elsewhere.begin();
@@ -124,6 +150,11 @@ void ContactManager<Dim>::Implementation::sum_tractions() {
     add(friction->key.second, friction->area, friction->slider());
   });
   while (next != elsewhere.end()) add_next();
+  for (std::size_t f = 0; f < tractions.size(); ++f) {
+    if (before[f].area > 0 && tractions[f].area > 0) {
+      tractions[f].growth = tractions[f].area / before[f].area;
+    }
+  }
 }
 
 template <int Dim>
