@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"block-on-incline", {"parameters.end=60 ms"}},
         Shipped{"half-spaces", {"time.end=1 ms", "parameters.width=0.4 mm"}},
         Shipped{"composite-rod", {"time.end=20 s"}}, Shipped{"hot-block", {"time.end=15 us"}},
-        Shipped{"tumbling-blocks", {"parameters.end=5 ms"}},
+        Shipped{"tumbling-blocks", {"parameters.end=4 ms", "bodies.plate.cells=[10, 10, 2]"}},
         Shipped{"cutting-2d", {"parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
         Shipped{"rubbing-blocks", {"time.end=9 us"}}, Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
