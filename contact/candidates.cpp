@@ -182,7 +182,8 @@ SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
   const auto& one = entities.particles[particle];
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
   const Real ahead = std::max(speed_reach_, entities.gap(one.body));
-  const Real reach = std::max(kDepthRadii * one.radius, one.radius + ahead);
+  const Real deepest = entities.any_open ? kOpenDepthRadii : kDepthRadii;
+  const Real reach = std::max(deepest * one.radius, one.radius + ahead);
   return finite_box<Dim>(SearchBox<Dim>::about(x, reach + 0.5 * skin_));
 }
 
@@ -253,7 +254,7 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
     const Real own = particle.modulus * (Dim == 3 ? diameter : 1.0);
     const Real of_face = face.stiffness * (Dim == 3 ? diameter * diameter : diameter);
     if (particles_.empty() || particles_.back().particle != i) starts_.push_back(particles_.size());
-    const Real held = kDepthRadii * particle.radius;
+    const Real held = (face.open ? kOpenDepthRadii : kDepthRadii) * particle.radius;
     particles_.push_back(
         {i, static_cast<LocalIndex>(f), options.stiffness * in_series(own, of_face),
          options.stiffness * own, options.damping, face.rigid() ? held : std::min(held, face.depth),

@@ -49,6 +49,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.depth = facet.depth;
   face.capacity = facet.capacity, face.effusivity = facet.effusivity;
   face.compliance = facet.compliance;
+  face.open = facet.open;
   return face;
 }
 
@@ -146,6 +147,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
       face.area_start = area_at_start(face, *surface.points);
       face.held = surface.held, face.everywhere = surface.everywhere;
+      any_open = any_open || face.open;
       deepest = std::max(deepest, face.depth);
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }

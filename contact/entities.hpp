@@ -35,6 +35,7 @@ struct ContactFace {
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told
   bool deforms() const { return stiffness > 0 && compliance == 0; }
   bool everywhere = false;  ///< it stands on every rank
+  bool open = false;        ///< of a surface with a rim, which has two sides for particles
 };
 
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.
@@ -81,6 +82,7 @@ struct Entities {
   Real size = 0;               ///< [m] median size of faces and particles, of all ranks
   std::vector<Real> gaps;      ///< [m] by body, up to which heat passes to it; empty: none
   bool any_particles = false;  ///< on any rank
+  bool any_open = false;       ///< faces of surfaces with a rim
 
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,

@@ -58,6 +58,7 @@ void find_near_faces(const Entities<Dim>& entities, std::span<const ParticleCand
     hit.plane = &entities.planes[f];
     hit.node = entities.faces[f].node;
     hit.body = entities.faces[f].body, hit.piece = entities.faces[f].piece;
+    hit.open = entities.faces[f].open;
     hit.limit = candidate.limit;
     hit.candidate = static_cast<LocalIndex>(i);
     hit.nearest = nearest_point<Dim>(entities.planes[f], x);

@@ -135,7 +135,7 @@ Real overlap_kept(const TouchStep& step, const PresentPair<Dim>& pair,
   } else if (const auto* before = step.before->of_particles(first, second)) {
     kept = std::min(before->overlap, overlap);
   }
-  if (kept > 0) touches.push_back({{2, 0, first, second}, kept, false, false, 0});
+  if (kept > 0) touches.push_back({{2, 0, first, second}, kept, false, false, 0, 0});
   return kept;
 }
 

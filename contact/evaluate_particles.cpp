@@ -25,30 +25,41 @@ bool in_box(const SearchBox<Dim>& box, const Vec<Dim>& x, Real reach) {
   return true;
 }
 
-/// True if the particle may overlap the face: its centre at most r before it or a few r behind.
+/// True if the particle may overlap the face: its centre at most r before it or a few r behind. An
+/// open surface holds what belongs to one of its `side`s as deep on the other.
 template <int Dim>
-bool in_reach(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
+bool in_reach(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r,
+              bool open, int side) {
   if (plane.area == 0) return false;
   const Real before = plane.normal.dot(x - plane.center);
+  if (open) {
+    const Real reach = side != 0 ? kOpenDepthRadii * r : r;
+    return std::fabs(before) <= reach + plane.warp && in_box<Dim>(box, x, reach);
+  }
   if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return false;
   return in_box<Dim>(box, x, before > plane.warp ? r : kDepthRadii * r);
 }
 
-/// The bound of a particle that closes on a face: to half a radius of overlap, or half a radius
-/// more. What would vote more than `longest` need not be near, nor listed.
+/// The bound of a particle that closes on face f: to half a radius of overlap, or half a radius
+/// more. What would vote more than `longest` need not be near, nor listed. On an open surface it
+/// closes from both sides, and where it touches either way.
 template <int Dim>
-void take_speed_vote(const Present<Dim>& now, const FacePlane<Dim>& plane,
-                     const SearchBox<Dim>& box, const Vec<Dim>& face_velocity, Real longest,
-                     StepVote& vote) {
-  const Vec<Dim> relative = now.v - face_velocity;
-  const Real closing = -relative.dot(plane.normal);
-  if (!(closing > 0)) return;
+void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
+                     Real longest, StepVote& vote) {
+  const auto& plane = entities.planes[f];
+  const Vec<Dim> relative = now.v - entities.face_velocity[f];
   const Real r = now.particle.radius;
-  const Real before = plane.normal.dot(now.x - plane.center);
-  if (before < -kDepthRadii * r) return;
+  Real closing = -relative.dot(plane.normal);
+  Real before = plane.normal.dot(now.x - plane.center);
+  if (entities.faces[f].open) {
+    if (std::fabs(before) <= r) closing = std::fabs(closing);
+    if (before < -r) closing = -closing;
+    before = std::fabs(before);
+  }
+  if (!(closing > 0) || before < -kDepthRadii * r) return;
   const Real step = (std::max(before - r - plane.warp, 0.0) + 0.5 * r) / closing;
   if (step > std::min(longest, vote.step)) return;
-  if (!in_box<Dim>(box, now.x, r + relative.norm() * longest)) return;
+  if (!in_box<Dim>(entities.boxes[f], now.x, r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
@@ -119,14 +130,29 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
   warm_particle(now.particle, face, step, part);
 }
 
-/// Adds an overlap to what the particle has on the same surface, in the order of surfaces.
-void keep_deepest(GlobalId particle, GlobalId surface, Real overlap, std::size_t first,
-                  std::vector<FirstTouch>& touches) {
+/// What the particle keeps of a surface; those from `first` on are its own, in the order of
+/// surfaces.
+FirstTouch& touch_of(GlobalId particle, GlobalId surface, std::size_t first,
+                     std::vector<FirstTouch>& touches) {
   const ContactKey key{1, 0, particle, surface};
   auto at = touches.begin() + static_cast<std::ptrdiff_t>(first);
   while (at != touches.end() && at->key < key) ++at;
-  if (at == touches.end() || !(at->key == key)) at = touches.insert(at, {key, 0, false, false, 0});
-  at->overlap = std::max(at->overlap, overlap);
+  if (at == touches.end() || !(at->key == key)) {
+    at = touches.insert(at, {key, 0, false, false, 0, 0});
+  }
+  return *at;
+}
+
+/// Keeps the sides of open surfaces where the particle touches them.
+template <int Dim>
+void remember_sides(const ContactParticle& particle, std::size_t first,
+                    typename Records<Dim>::Part& part) {
+  for (const auto& hit : part.hits) {
+    if (!hit.kept || hit.side == 0) continue;
+    auto& touch =
+        touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches);
+    if (touch.side == 0) touch.side = hit.side;
+  }
 }
 
 /// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
@@ -144,7 +170,8 @@ void track_overlaps(const ContactParticle& particle, std::span<const ParticleCan
     const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
     if (presses || hit.overlap <= least) continue;
     if (!step.time_zero && !step.before->of_particle(particle.id, hit.body, hit.piece)) continue;
-    keep_deepest(particle.id, surface_of(hit.body, hit.piece), hit.overlap, first, touches);
+    auto& touch = touch_of(particle.id, surface_of(hit.body, hit.piece), first, touches);
+    touch.overlap = std::max(touch.overlap, hit.overlap);
   }
   for (std::size_t i = first; i < touches.size(); ++i) {
     auto& touch = touches[i];
@@ -162,14 +189,23 @@ void track_overlaps(const ContactParticle& particle, std::span<const ParticleCan
   }
 }
 
+/// Where the particle belongs at an open surface, as it was at the last evaluation.
+template <int Dim>
+int side_of(const TouchStep& step, const ContactParticle& particle, const ContactFace<Dim>& face) {
+  const auto* before = step.before->of_particle(particle.id, face.body, face.piece);
+  return before == nullptr ? 0 : before->side;
+}
+
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
                  std::span<const ParticleCandidate> candidates, const Section& section,
                  const EvaluationStep& step, FrictionHistory<Dim>* history, ParticleLoad& load,
                  typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
+  const std::size_t first_touch = part.particle_touches.size();
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   track_overlaps<Dim>(now.particle, candidates, step.touches, part);
+  if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
@@ -206,13 +242,15 @@ void evaluate_particles(const Entities<Dim>& entities,
     for (std::size_t i = starts[s]; i < starts[s + 1]; ++i) {
       const auto f = static_cast<std::size_t>(candidates[i].face);
       const auto& plane = entities.planes[f];
-      take_speed_vote(now, plane, entities.boxes[f], entities.face_velocity[f], step.longest,
-                      part.vote);
-      if (!in_reach<Dim>(plane, entities.boxes[f], x, particle.radius)) continue;
+      const auto& face = entities.faces[f];
+      take_speed_vote(entities, f, now, step.longest, part.vote);
+      const int side = face.open ? side_of(step.touches, particle, face) : 0;
+      if (!in_reach<Dim>(plane, entities.boxes[f], x, particle.radius, face.open, side)) continue;
       auto& hit = part.hits.emplace_back();
       hit.plane = &plane;
-      hit.node = entities.faces[f].node;
-      hit.body = entities.faces[f].body, hit.piece = entities.faces[f].piece;
+      hit.node = face.node;
+      hit.body = face.body, hit.piece = face.piece;
+      hit.open = face.open, hit.side = side;
       hit.limit = candidates[i].limit;
       hit.candidate = static_cast<LocalIndex>(i);
       hit.nearest = nearest_point<Dim>(plane, x);

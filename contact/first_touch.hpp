@@ -5,9 +5,10 @@
 
 namespace brunt {
 
-/// What two faces or particles, or a particle and a surface, keep from time 0 (contact.md 2.9): an
-/// overlap of which contact takes no notice, which only shrinks, by as much as they open; and a
-/// bond of cohesion and tension, which breaks for good.
+/// What two faces or particles, or a particle and a surface, remember of how they met (contact.md
+/// 2.9): from time 0 an overlap of which contact takes no notice, which only shrinks, by as much as
+/// they open, and a bond of cohesion and tension, which breaks for good; and from when a particle
+/// came near an open surface the side from which it came, until it leaves.
 struct FirstTouch {
   ContactKey
       key;  ///< of faces or particles with ordinal 0; of a particle with `second` its surface
@@ -15,9 +16,10 @@ struct FirstTouch {
   bool bonded = false;  ///< in the last evaluation
   bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
   Real torn = 0;        ///< [J] that the bond held when it broke, in this evaluation
+  int side = 0;         ///< of an open surface: 1 before it, -1 behind it; 0: none
 
   /// False once nothing is left that would make the contact unlike any other.
-  bool matters() const { return overlap > 0 || bonded || torn > 0; }
+  bool matters() const { return overlap > 0 || bonded || torn > 0 || side != 0; }
 };
 
 /// Names the surface that the pieces of a body show to particles.

@@ -16,6 +16,7 @@ void visit_touch(Row& row, AnyTouch& touch) {
   row(touch.overlap);
   row(touch.bonded);
   row(touch.slips);
+  row(touch.side);
 }
 }  // namespace
 
@@ -67,7 +68,8 @@ std::uint64_t ContactManager<Dim>::Implementation::touch_hash() const {
     EntityHash hash(touch.key.first);
     hash.add(touch.key.second);
     hash.add(touch.overlap);
-    hash.add(static_cast<std::uint64_t>(touch.bonded ? 1 : 0) + (touch.slips ? 2 : 0));
+    hash.add(static_cast<std::uint64_t>(touch.bonded ? 1 : 0) + (touch.slips ? 2 : 0) +
+             4 * static_cast<std::uint64_t>(touch.side + 1));
     sum += hash.value();
   }
   return sum;

@@ -114,6 +114,11 @@ void find_side(const Vec<Dim>& x, Real radius, std::span<const ParticleHit<Dim>>
   } else if (!hit.nearest.smooth) {
     outward = hit.plane->normal;
   }
+  if (hit.open) {
+    const int present = outward.dot(arm) < 0 ? -1 : 1;
+    hit.side = closed ? (hit.side == 0 ? present : hit.side) : 0;
+    if (hit.side < 0) outward = -outward;
+  }
   hit.inside = closed && outward.dot(arm) < 0;
   if (hit.nearest.smooth) {
     hit.direction = outward;

@@ -36,8 +36,12 @@ struct ParticleHit {
   Label piece = 0;
   Real limit = 0;            ///< [m] how far behind the face the particle is still held
   LocalIndex candidate = 0;  ///< the caller's
+  bool open = false;         ///< the surface has a rim, and two sides
+  /// Of an open surface: 1 before it, -1 behind it, where the particle belongs; 0: not known yet,
+  /// or the particle is beside the rim. Given as it was, it goes out as it is.
+  int side = 0;
   NearestPoint<Dim> nearest;
-  bool inside = false;  ///< the particle's centre lies behind the surface
+  bool inside = false;  ///< the particle's centre lies behind the surface, or on its other side
   bool kept = true;     ///< one of the contacts of this particle, or it just touches
   bool pushes = true;   ///< it overlaps by more than what is left from time 0
   Vec<Dim> direction;   ///< unit, of the force on the particle
@@ -53,7 +57,9 @@ struct ParticleHit {
 /// those that push the same way, as two bricks side by side do, share:
 /// share_i = d_i / sum_j d_j max(0, n_i . n_j), which is 1 alone or at right angles.
 /// A gap of a millionth of a diameter counts as touching, for heat: it has no share.
-/// hits  in order of face id; `plane`, `node`, `body`, `piece`, `limit`, `nearest` given.
+/// An open surface is touched from both sides: a particle belongs to the one from which it came.
+/// hits  in order of face id; `plane`, `node`, `body`, `piece`, `limit`, `nearest`, of open
+///       surfaces `open` and `side` given.
 template <int Dim>
 void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits);
 
@@ -79,5 +85,8 @@ inline constexpr Real kBarrier = 16;
 inline constexpr Real kTouchingGap = 1e-6;
 /// Radii behind a face at which a particle is given up.
 inline constexpr Real kDepthRadii = 3;
+/// The same of open surfaces, which nothing else guards: at twenty times the speed of sound, 16
+/// times the energy, a particle comes to rest 4.6 radii behind.
+inline constexpr Real kOpenDepthRadii = 6;
 
 }  // namespace brunt

@@ -26,6 +26,7 @@ struct Facet {
   /// [1/kg] the most with which a free rigid body gives way to a force at one of its corners, of
   /// all directions, turning too; 0: its points move by themselves, or as told
   Real compliance = 0;
+  bool open = false;  ///< of a surface with a rim: both of its sides can be touched
   bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told

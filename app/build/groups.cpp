@@ -8,6 +8,7 @@
 #include "app/build/heat.hpp"
 #include "app/build/materials.hpp"
 #include "core/geometry/curve.hpp"
+#include "core/open_surface.hpp"
 #include "fe/finite_elements.hpp"
 #include "sph/particles.hpp"
 
@@ -274,6 +275,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
       facets.push_back(facet);
     }
   }
+  mark_open<Dim>(facets);
   if (warm) keep_warm(loaded, gathered.points);
   return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
 }

@@ -34,6 +34,7 @@ template <int Dim>
 ContactScene<Dim> two(const Vec<Dim>& apart, Real zeta = 0, Real mu = 0, Real mass = 1) {
   ContactScene<Dim> scene;
   scene.options.fallback = {false, 1.0, zeta, constant(mu)};
+  scene.options.fallback.initial_overlap = InitialOverlap::press;
   add_body<Dim>(scene, Vec<Dim>::Zero());
   add_body<Dim>(scene, apart, kRadius, kOwn, mass);
   scene.start();
@@ -65,6 +66,7 @@ TEST(ParticlePair, ForceOfTheSpringIsAlongTheCentres) {
 TEST(ParticlePair, SpringsAreInSeries) {
   ContactScene<3> scene;
   scene.options.fallback = {false, 0.5, 0, {}};
+  scene.options.fallback.initial_overlap = InitialOverlap::press;
   add_body<3>(scene, Vec3::Zero(), 0.25, 3e4);
   add_body<3>(scene, Vec3(0.3, 0, 0), 0.1, 1e4);
   scene.start();
@@ -230,6 +232,7 @@ TEST(ParticlePair, CloudKeepsMomentumAndEnergy) {
   for (const Real mu : {0.0, 0.4}) {
     ContactScene<3> scene;
     scene.options.fallback = {false, 0.5, 0.1, constant(mu)};
+    scene.options.fallback.initial_overlap = InitialOverlap::press;
     std::mt19937_64 random(3);
     std::uniform_real_distribution<Real> part(-1, 1), mass(0.5, 4);
     for (int i = 0; i < 40; ++i) {
@@ -284,6 +287,7 @@ TEST(ParticlePair, ListsMakeNoDifference) {
   const auto run = [](std::optional<Real> skin, SearchMode mode, bool rebuild) {
     ContactScene<3> scene;
     scene.options.fallback = {false, 0.5, 0.1, constant(0.3)};
+    scene.options.fallback.initial_overlap = InitialOverlap::press;
     scene.options.skin = skin, scene.options.search = mode;
     std::mt19937_64 random(5);
     std::uniform_real_distribution<Real> part(-1, 1);
