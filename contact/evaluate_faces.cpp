@@ -50,18 +50,25 @@ Vec<Dim> inherited(const FaceTraction<Dim>& lower, const FaceTraction<Dim>& uppe
   return (upper.force - lower.force) / area;
 }
 
-/// What has come under pressure carries no traction yet, so that the force stays what it was: a
-/// traction that grew with its area would make energy. Areas that pass from pair to pair of the
-/// same face are no growth, and take their traction with them. Rigid faces that stand on every rank
-/// know nothing of their contacts.
+/// What two faces say of the growth of the area between them, 0 where one does not know: areas that
+/// pass from pair to pair of one face are no change.
+Real common_growth(Real a, Real b) {
+  if (a == 0 || b == 0) return a + b;
+  if ((a - 1) * (b - 1) < 0) return 1;
+  return std::fabs(a - 1) < std::fabs(b - 1) ? a : b;
+}
+
+/// Part of a traction that is left where the area under pressure changes: t sqrt(A) stays, so that
+/// the spring keeps its energy. What comes under pressure carries nothing yet, and what is lifted
+/// off takes nothing along. Rigid faces that stand on every rank know nothing of their contacts.
 template <int Dim>
 Real kept_traction(const Entities<Dim>& entities, const FaceCandidate& candidate) {
-  Real growth = kInfinity;
-  for (const LocalIndex f : {candidate.lower, candidate.upper}) {
+  const auto growth_of = [&](LocalIndex f) {
     const auto k = static_cast<std::size_t>(f);
-    if (!entities.faces[k].rigid()) growth = std::min(growth, entities.tractions[k].growth);
-  }
-  return growth > 1 && growth < kInfinity ? 1 / growth : 1.0;
+    return entities.faces[k].rigid() ? 0.0 : entities.tractions[k].growth;
+  };
+  const Real growth = common_growth(growth_of(candidate.lower), growth_of(candidate.upper));
+  return growth > 0 ? 1 / std::sqrt(growth) : 1.0;
 }
 
 template <int Dim>
@@ -78,7 +85,6 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.options = candidate.rubs;
   step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
   step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
-  step.point = plane.middle;
   std::copy_n(plane.lower_at_middle.begin(), n_lower, step.weight.begin());
   std::copy_n(plane.upper_at_middle.begin(), record.n_nodes - n_lower,
               step.weight.begin() + n_lower);

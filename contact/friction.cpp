@@ -147,7 +147,6 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   Friction<Dim> friction;
   friction.key = key_of(record);
   friction.normal = record.normal;
-  friction.point = step.point;
   friction.n_nodes = record.n_nodes;
   friction.node = record.node;
   friction.area = step.area;
@@ -155,6 +154,10 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   const Corners<Dim> lower(nodes, record, step.weight, step.lower);
   const Corners<Dim> upper(nodes, record, step.weight, step.upper);
   const Vec<Dim>& n = record.normal;
+  // The common plane of large tilted faces lies off both: friction acts where they are.
+  const Vec<Dim> point =
+      record.of_particle ? step.point : Vec<Dim>(0.5 * (lower.point + upper.point));
+  friction.point = point;
 
   const Vec<Dim> velocity = upper.velocity - lower.velocity;
   Vec<Dim> slip = step.dt * velocity;
@@ -175,8 +178,9 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
         find_spin(lower, upper, n, step.dt, turn);
         slip = distance - turn(distance - step.dt * velocity);
       }
-      traction = step.kept * in_plane<Dim>(turn(with_bodies(before->traction)), n);
-      slider_before = before->area * traction;
+      const Vec<Dim> turned = in_plane<Dim>(turn(with_bodies(before->traction)), n);
+      traction = step.kept * turned;
+      slider_before = before->area * turned;
       drag_before = before->area * turn(with_bodies(before->drag));
     }
   }
@@ -199,8 +203,8 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
     const Vec<Dim> drag = -step.damping / step.dt * slip;
     friction.drag = within_limit<Dim>(slid.traction, drag, limit / step.area);
   }
-  share(upper, step.upper, step.point, friction.resultant(), friction);
-  share<Dim>(lower, step.lower, step.point, -friction.resultant(), friction);
+  share(upper, step.upper, point, friction.resultant(), friction);
+  share<Dim>(lower, step.lower, point, -friction.resultant(), friction);
   friction.heat = -0.5 * (slider_before + friction.slider()).dot(slid.slip);
   friction.damped = -0.5 * (drag_before + step.area * friction.drag).dot(slip);
   friction.stored = friction.energy() - energy_before;

@@ -104,7 +104,7 @@ struct FrictionStep {
   Real damping = 0;     ///< [Pa s/m] where it sticks; of a particle [N s/m]
   Real dt = 0;          ///< [s]
   const Friction<Dim>* before = nullptr;
-  Real kept = 1;  ///< [1] part of the past traction that is left once its area has grown
+  Real kept = 1;  ///< [1] part of the past traction that is left once its area has changed
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past
   /// The turn of the material on both sides, where no plane of the contact tells it.
   const BodyTurn<Dim>* turn = nullptr;
