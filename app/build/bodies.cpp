@@ -69,7 +69,7 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
   const Deck& deck = loaded.deck;
   const deck::Body& body = named.value;
   BodyGeometry<Dim> geometry;
-  const Sizing sizing{body.size, body.cells};
+  const Sizing sizing{body.size, body.cells, body.grading};
   std::vector<Label> piece;
   if (!body.file.empty()) {
     if constexpr (Dim == 3) read_surface(loaded, named, geometry);
@@ -125,6 +125,8 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
       const bool conducts = heat_mode(loaded.deck, body, name) == HeatMode::conducts;
       bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], conducts, next_piece));
       bodies.back().label = static_cast<Label>(b);
+    } catch (const GradingError& error) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".grading", error.what()));
     } catch (const std::invalid_argument& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));
     } catch (const std::runtime_error& error) {
