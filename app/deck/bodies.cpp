@@ -113,8 +113,9 @@ void describe(Schema& s, Body& body) {
   const bool is_stl = body.file.size() > 4 && body.file.substr(body.file.size() - 4) == ".stl";
   s.require(body.file.empty() || is_stl, "file",
             "only .stl is read in this version: write the surface as triangles");
-  s.require(body.file.empty() || body.rigid, "file",
-            "triangles are the surface of a body with rigid: true; one that deforms has a shape");
+  s.require(body.file.empty() || body.rigid || is_sph, "file",
+            "triangles are the surface of a body with rigid: true, or what particles fill with "
+            "method: sph; elements need a shape");
   s.require(body.file.empty() || s.geometry() == Geometry::three_d, "file",
             "only for geometry: 3d");
   s.require(!body.rigid || !is_sph, "rigid",

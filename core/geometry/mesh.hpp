@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/closed_surface.hpp"
 #include "core/geometry/grading.hpp"
 #include "core/geometry/shape.hpp"
 #include "core/surface.hpp"
@@ -66,6 +67,11 @@ FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Ge
 /// Fills a shape with particles of the given spacing [m], an axis each.
 template <int Dim>
 Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing,
+                        LatticeKind lattice);
+
+/// Fills a closed surface where it lies. Throws std::invalid_argument where its shells overlap, and
+/// where no particle fits in, or too many.
+Filling<3> fill_surface(const ClosedSurface& surface, const std::vector<Real>& spacing,
                         LatticeKind lattice);
 
 /// Outer faces of a mesh: those that exactly one element has, normals outward.
