@@ -184,6 +184,17 @@ class Schema {
           describe(s, blank);
         });
   }
+  /// One map, or a list of them: grading: {axis: z, ratio: 5}, or [{axis: x, ...}, {axis: z, ...}].
+  template <class T>
+  void one_or_more(const Key& key, std::vector<T>& entries) {
+    visit_one_or_more(
+        key, [&] { return entries.size(); }, [&] { entries.emplace_back(); },
+        [&](std::size_t i, Schema& s) { describe(s, entries[i]); },
+        [](Schema& s) {
+          T blank{};
+          describe(s, blank);
+        });
+  }
   /// A key with an empty name: the alternative stands among the keys of the map itself,
   /// shape: {box: {...}, translate: [...]}.
   template <class... Ts>
@@ -233,6 +244,10 @@ class Schema {
                            std::function<std::string(std::size_t)> name,
                            std::function<void(const std::string&)> add,
                            std::function<void(std::size_t, Schema&)> members, Members blank) = 0;
+  virtual void visit_one_or_more(const Key& key, std::function<std::size_t()> size,
+                                 std::function<void()> add,
+                                 std::function<void(std::size_t, Schema&)> members,
+                                 Members blank) = 0;
   virtual void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                             std::function<std::size_t()> index,
                             std::function<void(std::size_t)> choose, Members members,

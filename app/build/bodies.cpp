@@ -50,17 +50,31 @@ void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
                               ": x is the radius and never negative; a full bar begins at x = 0");
 }
 
-/// The surface in an STL file, scaled, turned and moved. A file is named from the deck's folder.
-void read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named,
-                  BodyGeometry<3>& geometry) {
-  const auto& body = named.value;
+/// The surface in an STL file, scaled. A file is named from the deck's folder.
+StlSurface read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named) {
   const std::filesystem::path deck_file =
       loaded.places.place("bodies." + named.name + ".file").file;
-  const auto surface = read_stl((deck_file.parent_path() / body.file).string());
-  for (const Vec3& x : surface.nodes) geometry.points.push_back(body.scale * x);
-  place_all<3>(body.shape, geometry.points);
-  for (const auto& [a, b, c] : surface.triangles) geometry.facets.push_back({a, b, c, -1});
+  StlSurface surface = read_stl((deck_file.parent_path() / named.value.file).string());
+  for (Vec3& x : surface.nodes) x *= named.value.scale;
+  return surface;
+}
+
+/// What a body takes from an STL file: the surface itself where it is rigid, else the particles
+/// that fill it, in a lattice along the axes of the file.
+void take_surface(const deck::Body& body, StlSurface surface, BodyGeometry<3>& geometry) {
   geometry.left_out = surface.degenerate;
+  if (body.rigid) {
+    geometry.points = std::move(surface.nodes);
+    for (const auto& [a, b, c] : surface.triangles) geometry.facets.push_back({a, b, c, -1});
+  } else {
+    const ClosedSurface closed(std::move(surface.nodes), std::move(surface.triangles),
+                               body.size->front());
+    auto filling = fill_surface(closed, *body.size, static_cast<LatticeKind>(body.lattice));
+    geometry.points = std::move(filling.points);
+    geometry.volume = filling.volume;
+    geometry.spacing = *body.size;
+  }
+  place_all<3>(body.shape, geometry.points);
 }
 
 template <int Dim>
@@ -69,12 +83,12 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
   const Deck& deck = loaded.deck;
   const deck::Body& body = named.value;
   BodyGeometry<Dim> geometry;
-  const Sizing sizing{body.size, body.cells};
+  const Sizing sizing{body.size, body.cells, body.grading};
   std::vector<Label> piece;
   if (!body.file.empty()) {
-    if constexpr (Dim == 3) read_surface(loaded, named, geometry);
+    if constexpr (Dim == 3) take_surface(body, read_surface(loaded, named), geometry);
     geometry.piece_names = {""};
-    piece = {0};
+    piece.assign(body.rigid ? geometry.facets.size() : geometry.points.size(), 0);
   } else if (body.rigid && !conducts) {
     auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(surface.nodes);
@@ -125,8 +139,11 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
       const bool conducts = heat_mode(loaded.deck, body, name) == HeatMode::conducts;
       bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], conducts, next_piece));
       bodies.back().label = static_cast<Label>(b);
+    } catch (const GradingError& error) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".grading", error.what()));
     } catch (const std::invalid_argument& error) {
-      problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));
+      const char* key = body.file.empty() ? ".shape" : ".file";
+      problems.push_back(loaded.places.problem("bodies." + name + key, error.what()));
     } catch (const std::runtime_error& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".file", error.what()));
     }

@@ -9,12 +9,6 @@
 namespace brunt {
 
 namespace {
-/// Smallest element size or spacing that the body is given [m]; 0 where it has none.
-Real smallest_size(const deck::Body& body) {
-  if (!body.size || body.size->empty()) return 0;
-  return *std::min_element(body.size->begin(), body.size->end());
-}
-
 template <int Dim>
 struct Choose {
   const Points<Dim>& points;
@@ -231,7 +225,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     if (!solid) continue;
     auto& points = solid->points();
     const Choose<Dim> choose{points, solid->surface(), scene.origin, label,
-                             0.1 * smallest_size(found->value)};
+                             0.1 * deck::smallest_size(found->value)};
     const auto chosen = std::visit(choose, boundary.where);
     if (chosen.empty()) {
       problems.push_back(loaded.places.problem(

@@ -78,8 +78,8 @@ std::string find_probe(const deck::Probe& given, const BodyView& view, Probe& pr
 /// Points within a tenth of the body's size behind the plane lie on it, and before the section.
 Real tolerance_of(const deck::Body& body, Real at) {
   constexpr Real kRounding = 1e-9;
-  if (!body.size || body.size->empty()) return kRounding * std::fabs(at);
-  return 0.1 * *std::min_element(body.size->begin(), body.size->end());
+  const Real size = deck::smallest_size(body);
+  return size > 0 ? 0.1 * size : kRounding * std::fabs(at);
 }
 
 template <int Dim>

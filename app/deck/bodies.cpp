@@ -13,6 +13,19 @@ constexpr Quantity kPlace{"m", {}, between(-1e4, 1e4)};
 void describe_finite_elements(Schema& s, Body& body) {
   s.integers({"cells", "number of cells along each axis of the shape, instead of size"}, body.cells,
              Schema::kVector, between(1, 1'000'000));
+  s.one_or_more({"grading",
+                 "element sizes in geometric progression along an axis, finer toward an end; size "
+                 "is the largest of them. Round shapes are finer towards a point of their rim, "
+                 "with elements that keep their shapes"},
+                body.grading);
+  s.require(std::none_of(body.grading.begin(), body.grading.end(),
+                         [&](const Grading& one) {
+                           return std::count_if(body.grading.begin(), body.grading.end(),
+                                                [&](const Grading& other) {
+                                                  return other.axis == one.axis;
+                                                }) > 1;
+                         }),
+            "grading", "names an axis twice");
   s.section(!body.rigid, "only for bodies that deform", [&](Schema& deforming) {
     deforming.object({"element", "options of the elements"}, body.element);
   });
@@ -24,6 +37,13 @@ void describe_particles(Schema& s, Body& body) {
   describe(s, body.sph);
 }
 }  // namespace
+
+Real smallest_size(const Body& body) {
+  if (!body.size || body.size->empty()) return 0;
+  Real ratio = 1;
+  for (const Grading& grading : body.grading) ratio = std::max(ratio, grading.ratio);
+  return *std::min_element(body.size->begin(), body.size->end()) / ratio;
+}
 
 bool follows_forces(const Body& body) {
   if (!body.rigid) return false;
@@ -55,7 +75,7 @@ void describe(Schema& s, Motion& motion) {
 
 void describe(Schema& s, Body& body) {
   static constexpr const char* kMethods[] = {"fe", "sph"};
-  static constexpr const char* kLater[] = {"grading", "erode"};
+  static constexpr const char* kLater[] = {"erode"};
   s.choice({"method", "finite elements or particles"}, body.method, kMethods);
   s.flag({"rigid", "does not deform"}, body.rigid);
   const bool is_sph = body.method == Method::sph;
@@ -93,8 +113,9 @@ void describe(Schema& s, Body& body) {
   const bool is_stl = body.file.size() > 4 && body.file.substr(body.file.size() - 4) == ".stl";
   s.require(body.file.empty() || is_stl, "file",
             "only .stl is read in this version: write the surface as triangles");
-  s.require(body.file.empty() || body.rigid, "file",
-            "triangles are the surface of a body with rigid: true; one that deforms has a shape");
+  s.require(body.file.empty() || body.rigid || is_sph, "file",
+            "triangles are the surface of a body with rigid: true, or what particles fill with "
+            "method: sph; elements need a shape");
   s.require(body.file.empty() || s.geometry() == Geometry::three_d, "file",
             "only for geometry: 3d");
   s.require(!body.rigid || !is_sph, "rigid",

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/deck/shapes.hpp"
+#include "core/geometry/grading.hpp"
 #include "core/schema.hpp"
 #include "fe/options.hpp"
 #include "sph/options.hpp"
@@ -37,6 +38,7 @@ struct Body {
   Real scale = 1;        ///< [m] that a unit of length of the file stands for
   std::optional<std::vector<Real>> size;  ///< [m] element size or particle spacing, along each axis
   std::optional<std::vector<int>> cells;  ///< number of cells along each axis; FE only
+  std::vector<Grading> grading;           ///< of the elements' sizes, by axis; FE only
   std::vector<Real> velocity;             ///< [m/s] at time 0; empty: at rest
   std::optional<Spin> spin;               ///< at time 0
   std::optional<Real> temperature;        ///< [K] at time 0; none: ambient
@@ -46,6 +48,9 @@ struct Body {
   Lattice lattice = Lattice::cubic;  ///< SPH
   SphOptions sph;                    ///< SPH
 };
+
+/// The smallest element size or spacing that the body is given [m]; 0 where it has `cells` or none.
+Real smallest_size(const Body& body);
 
 /// True for a rigid body of which something follows its forces.
 bool follows_forces(const Body& body);

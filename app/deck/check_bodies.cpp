@@ -63,6 +63,11 @@ void check_count(const Deck& deck, const std::string& path, const Body& body, Fi
     if (body.size)
       count *= std::ceil(lengths[c] / (*body.size)[std::min(c, body.size->size() - 1)]);
   }
+  // The mean of sizes in geometric progression is (1 - 1/ratio)/ln(ratio) of the largest.
+  for (const Grading& grading : body.grading) {
+    const Real r = grading.ratio;
+    if (body.size && r > 1) count *= std::log(r) / (1 - 1 / r);
+  }
   constexpr Real kMost = std::numeric_limits<LocalIndex>::max(), kMany = 3e7, kEnough = 1e6;
   if (!(count > kMany)) return;
   const Real enough = std::pow(volume / kEnough, 1.0 / static_cast<Real>(lengths.size()));

@@ -56,11 +56,12 @@ template <int Dim>
 Mesh<Dim> wall_mesh(const BrickWall& wall, const Sizing& sizing) {
   Mesh<Dim> mesh;
   for (const auto& brick : bricks_of<Dim>(wall)) {
-    std::array<int, Dim> n;
+    std::array<Layers, Dim> layers;
     for (std::size_t c = 0; c < Dim; ++c) {
-      n[c] = sizing.count(c, brick.high[static_cast<int>(c)] - brick.low[static_cast<int>(c)]);
+      const int at = static_cast<int>(c);
+      layers[c].n = sizing.count(c, brick.high[at] - brick.low[at]);
     }
-    const Mesh<Dim> one = box_grid<Dim>(brick.low, brick.high, n);
+    const Mesh<Dim> one = box_grid<Dim>(brick.low, brick.high, layers);
     const int first = static_cast<int>(mesh.nodes.size());
     mesh.nodes.insert(mesh.nodes.end(), one.nodes.begin(), one.nodes.end());
     for (auto corners : one.elements) {

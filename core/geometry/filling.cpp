@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -245,6 +246,36 @@ Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing
         "no particle fits in: the shape is smaller than one; give a smaller `size`");
   }
   place_all<Dim>(shape, filling.points);
+  return filling;
+}
+
+Filling<3> fill_surface(const ClosedSurface& surface, const std::vector<Real>& spacing,
+                        LatticeKind lattice) {
+  Real count = 1;
+  for (int c = 0; c < 3; ++c) count *= (surface.high()[c] - surface.low()[c]) / spacing.front();
+  constexpr Real kMost = std::numeric_limits<LocalIndex>::max();
+  if (count > kMost) {
+    throw std::invalid_argument(
+        "its box holds more particles than can be counted: look at `scale`, the length of a unit "
+        "of the file, and `size`");
+  }
+  Region<3> region;
+  region.low = surface.low(), region.high = surface.high();
+  region.volume = surface.volume();
+  region.inside = [&surface](const Vec3& x) {
+    const int winding = surface.winding(x);
+    if (winding == 0 || winding == 1) return winding == 1;
+    std::ostringstream message;
+    message << "shells of the surface overlap at (" << x[0] << ", " << x[1] << ", " << x[2]
+            << ") m: unite them where they were drawn";
+    throw std::invalid_argument(message.str());
+  };
+  Filling<3> filling;
+  fill_region<3>(region, spacing, lattice, filling);
+  filling.piece_names.emplace_back();
+  if (filling.points.empty()) {
+    throw std::invalid_argument("no particle fits in: give a smaller `size`");
+  }
   return filling;
 }
 

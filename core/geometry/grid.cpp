@@ -6,8 +6,11 @@
 namespace brunt {
 
 template <int Dim>
-Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max, const std::array<int, Dim>& n) {
+Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max,
+                   const std::array<Layers, Dim>& layers) {
   Mesh<Dim> mesh;
+  std::array<int, Dim> n;
+  for (std::size_t c = 0; c < Dim; ++c) n[c] = layers[c].n;
   const int nz = Dim == 3 ? n[Dim - 1] : 0;
   const auto index = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
   for (int k = 0; k <= nz; ++k) {
@@ -16,8 +19,7 @@ Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max, const std::array<in
         const int cell[3] = {i, j, k};
         Vec<Dim> x;
         for (int c = 0; c < Dim; ++c) {
-          // The ends are met exactly, so that bodies which share a plane touch without a gap.
-          x[c] = cell[c] == n[c] ? max[c] : min[c] + (max[c] - min[c]) * cell[c] / n[c];
+          x[c] = layers[static_cast<std::size_t>(c)].between(min[c], max[c], cell[c]);
         }
         mesh.nodes.push_back(x);
       }
@@ -121,11 +123,12 @@ Mesh<2> ring_grid(Real inner, Real outer, int n_radius, int n_around) {
   return keyed.mesh;
 }
 
-Mesh<3> extrude(const Mesh<2>& plane, Real length, int n) {
+Mesh<3> extrude(const Mesh<2>& plane, Real length, const Layers& layers) {
   Mesh<3> mesh;
+  const int n = layers.n;
   const int layer = static_cast<int>(plane.nodes.size());
   for (int k = 0; k <= n; ++k) {
-    const Real z = k == n ? length : length * k / n;
+    const Real z = layers.between(0, length, k);
     for (const auto& x : plane.nodes) mesh.nodes.emplace_back(x[0], x[1], z);
   }
   for (int k = 0; k < n; ++k) {
@@ -203,16 +206,24 @@ Mesh<3> ball_grid(Real radius, int n_radius) {
 }
 
 namespace {
-/// n + 1 points at equal arc lengths along a polyline.
-std::vector<Vec<2>> divide(const std::vector<Vec<2>>& line, int n) {
+/// The layers as they are counted from the other end.
+Layers mirrored(const Layers& layers) {
+  Layers other = layers;
+  std::reverse(other.at.begin(), other.at.end());
+  for (Real& at : other.at) at = 1 - at;
+  return other;
+}
+
+/// A point for each layer, by arc length along a polyline.
+std::vector<Vec<2>> divide(const std::vector<Vec<2>>& line, const Layers& layers) {
   std::vector<Real> length{0};
   for (std::size_t i = 1; i < line.size(); ++i) {
     length.push_back(length.back() + (line[i] - line[i - 1]).norm());
   }
   std::vector<Vec<2>> points{line.front()};
   std::size_t segment = 1;
-  for (int k = 1; k < n; ++k) {
-    const Real s = length.back() * k / n;
+  for (int k = 1; k < layers.n; ++k) {
+    const Real s = layers.between(0, length.back(), k);
     while (segment + 1 < line.size() && length[segment] < s) ++segment;
     const Real t = (s - length[segment - 1]) / (length[segment] - length[segment - 1]);
     points.push_back((1 - t) * line[segment - 1] + t * line[segment]);
@@ -223,17 +234,18 @@ std::vector<Vec<2>> divide(const std::vector<Vec<2>>& line, int n) {
 }  // namespace
 
 Mesh<2> transfinite_grid(const std::array<std::vector<Vec<2>>, 4>& sides,
-                         const std::array<int, 2>& n) {
+                         const std::array<Layers, 2>& layers) {
   // Coons 1967: sides 0 and 2 run against each other, and so do 1 and 3.
-  const auto bottom = divide(sides[0], n[0]), right = divide(sides[1], n[1]);
-  auto top = divide(sides[2], n[0]), left = divide(sides[3], n[1]);
+  const auto bottom = divide(sides[0], layers[0]), right = divide(sides[1], layers[1]);
+  auto top = divide(sides[2], mirrored(layers[0])), left = divide(sides[3], mirrored(layers[1]));
   std::reverse(top.begin(), top.end());
   std::reverse(left.begin(), left.end());
-  Mesh<2> mesh = box_grid<2>(Vec<2>(0, 0), Vec<2>(1, 1), n);
+  const int n[2] = {layers[0].n, layers[1].n};
+  Mesh<2> mesh = box_grid<2>(Vec<2>(0, 0), Vec<2>(1, 1), layers);
   std::size_t node = 0;
   for (int j = 0; j <= n[1]; ++j) {
     for (int i = 0; i <= n[0]; ++i) {
-      const Real u = static_cast<Real>(i) / n[0], v = static_cast<Real>(j) / n[1];
+      const Real u = layers[0].between(0, 1, i), v = layers[1].between(0, 1, j);
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
       const Vec<2> corners = (1 - u) * (1 - v) * bottom.front() + u * (1 - v) * bottom.back() +
                              u * v * top.back() + (1 - u) * v * top.front();
@@ -248,7 +260,7 @@ Mesh<2> transfinite_grid(const std::array<std::vector<Vec<2>>, 4>& sides,
   return mesh;
 }
 
-template Mesh<2> box_grid<2>(const Vec<2>&, const Vec<2>&, const std::array<int, 2>&);
-template Mesh<3> box_grid<3>(const Vec<3>&, const Vec<3>&, const std::array<int, 3>&);
+template Mesh<2> box_grid<2>(const Vec<2>&, const Vec<2>&, const std::array<Layers, 2>&);
+template Mesh<3> box_grid<3>(const Vec<3>&, const Vec<3>&, const std::array<Layers, 3>&);
 
 }  // namespace brunt

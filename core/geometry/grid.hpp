@@ -27,9 +27,29 @@ class KeyedMesh {
   std::map<Key, int> index_;
 };
 
-/// A box of n[0] x n[1] (x n[2]) cells from min to max.
+/// Layers of cells along one axis: evenly thick, or graded.
+struct Layers {
+  int n = 1;
+  std::vector<Real> at;  ///< n + 1 fractions from 0 to 1 where they are graded; empty: even
+
+  /// Layer k of nodes between two places [m]; the ends are met exactly, so that bodies which share
+  /// a plane touch without a gap.
+  Real between(Real low, Real high, int k) const {
+    if (k == n) return high;
+    return at.empty() ? low + (high - low) * k / n
+                      : low + (high - low) * at[static_cast<std::size_t>(k)];
+  }
+};
+
+/// Layers of cells along axis c of a shape that is `length` [m] long there.
+Layers layers_along(const Sizing& sizing, std::size_t c, Real length,
+                    const std::optional<Grading>& grading);
+/// With the sizing's own grading along that axis.
+Layers layers_along(const Sizing& sizing, int axis, Real length);
+
+/// A box of layers from min to max.
 template <int Dim>
-Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max, const std::array<int, Dim>& n);
+Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max, const std::array<Layers, Dim>& layers);
 
 /// A disc about the origin as an O-grid: a square core with rounded sides and rings about it;
 /// n_radius cells from centre to rim.
@@ -41,11 +61,15 @@ Mesh<2> ring_grid(Real inner, Real outer, int n_radius, int n_around);
 /// A ball about the origin: a cube with rounded sides and six blocks about it.
 Mesh<3> ball_grid(Real radius, int n_radius);
 
-/// A plane mesh extended along z from 0 to length in n layers.
-Mesh<3> extrude(const Mesh<2>& plane, Real length, int n);
+/// A plane mesh extended along z from 0 to length.
+Mesh<3> extrude(const Mesh<2>& plane, Real length, const Layers& layers);
 
-/// The quadrilateral between four sides, each a polyline [m]; n[0] cells along sides 0 and 2.
+/// The quadrilateral between four sides, each a polyline [m]; layers[0] along sides 0 and 2.
 Mesh<2> transfinite_grid(const std::array<std::vector<Vec<2>>, 4>& sides,
-                         const std::array<int, 2>& n);
+                         const std::array<Layers, 2>& layers);
+
+/// A polygon between its four corners. Of its two directions each grading takes the one that runs
+/// along its axis. Throws as mesh_shape does.
+Mesh<2> polygon_grid(const PolygonShape& polygon, const Sizing& sizing);
 
 }  // namespace brunt

@@ -8,7 +8,6 @@
 #include "core/geometry/brick_wall.hpp"
 #include "core/geometry/grid.hpp"
 #include "core/geometry/placement.hpp"
-#include "core/geometry/profile.hpp"
 
 namespace brunt {
 
@@ -36,58 +35,28 @@ constexpr auto faces() {
   }
 }
 
-/// Four sides of a polygon between its corners, each a polyline.
-std::array<std::vector<Vec<2>>, 4> sides_of(const PolygonShape& polygon) {
-  if (!polygon.corners) {
-    throw std::invalid_argument(
-        "a polygon of a deforming FE body needs `corners: [i, j, k, l]`, four of its points; fill "
-        "other polygons with particles (method: sph)");
+/// The one grading of a disc or ball; null where there is none.
+const Grading* round_grading(const Sizing& sizing) {
+  if (sizing.gradings.empty()) return nullptr;
+  if (sizing.gradings.size() > 1 || sizing.gradings.front().toward == Toward::both) {
+    throw GradingError(
+        "a round shape is finer towards one point of its rim: keep one axis, toward min or max");
   }
-  const int n = static_cast<int>(polygon.points.size());
-  std::vector<Vec<2>> outline;
-  for (const auto& point : polygon.points) outline.push_back(to_vector<2>(point));
-  require_simple(outline);
-  std::array<std::vector<Vec<2>>, 4> sides;
-  Real area = 0;
-  for (int i = 0; i < n; ++i) {
-    const auto a = to_vector<2>(polygon.points[static_cast<std::size_t>(i)]);
-    const auto b = to_vector<2>(polygon.points[static_cast<std::size_t>((i + 1) % n)]);
-    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-  }
-  const int step = area > 0 ? 1 : -1;  // corners and points may run clockwise
-  std::vector<int> corners = *polygon.corners;
-  for (const int c : corners) {
-    if (c < 0 || c >= n) throw std::invalid_argument("a corner is not one of the polygon's points");
-  }
-  std::sort(corners.begin(), corners.end());
-  if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) {
-    throw std::invalid_argument("the four corners must be different points");
-  }
-  if (step < 0) std::reverse(corners.begin(), corners.end());
-  for (std::size_t s = 0; s < 4; ++s) {
-    int i = corners[s];
-    const int last = corners[(s + 1) % 4];
-    sides[s].push_back(to_vector<2>(polygon.points[static_cast<std::size_t>(i)]));
-    while (i != last) {
-      i = (i + step + n) % n;
-      sides[s].push_back(to_vector<2>(polygon.points[static_cast<std::size_t>(i)]));
-    }
-  }
-  return sides;
+  return &sizing.gradings.front();
 }
 
-Real length_of(const std::vector<Vec<2>>& line) {
-  Real sum = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum += (line[i] - line[i - 1]).norm();
-  return sum;
+/// Cells from the centre of a disc or ball to its rim: its map makes the largest sqrt(ratio)
+/// larger.
+int round_count(const Sizing& sizing, Real radius, const Grading* grading) {
+  return sizing.count(0, grading ? std::sqrt(grading->ratio) * radius : radius);
 }
 
-/// Plane meshes and meshes of revolution in local coordinates.
-Mesh<2> polygon_grid(const PolygonShape& polygon, const Sizing& sizing) {
-  const auto sides = sides_of(polygon);
-  const Real along = std::max(length_of(sides[0]), length_of(sides[2]));
-  const Real across = std::max(length_of(sides[1]), length_of(sides[3]));
-  return transfinite_grid(sides, {sizing.count(0, along), sizing.count(1, across)});
+/// direction  unit vector of the grading's axis, in the mesh's own frame
+template <int Dim>
+void grade_round(const Grading* grading, const Vec<Dim>& direction, Real radius, Mesh<Dim>& mesh) {
+  if (!grading) return;
+  const Real sign = grading->toward == Toward::max ? 1 : -1;
+  grade_ball<Dim>(sign * direction, grading->ratio, radius, mesh.nodes);
 }
 
 int count_around(const Sizing& sizing, Real radius, int n_radius, Real thickness) {
@@ -102,40 +71,79 @@ Mesh<3> along_axis(Mesh<3> mesh, const Frame3& frame) {
   return mesh;
 }
 
+/// Bricks are many, and each would be finer at its own ends.
+template <int Dim>
+Mesh<Dim> even_wall(const BrickWall& wall, const Sizing& sizing) {
+  if (!sizing.gradings.empty()) throw GradingError("the bricks of a wall are meshed evenly");
+  return wall_mesh<Dim>(wall, sizing);
+}
+
 struct Mesher3 {
   const Sizing& sizing;
 
+  /// The grading along the axis of a shape, as it is seen from the base, and those across it.
+  std::pair<std::optional<Grading>, Sizing> split(const Frame3& frame) const {
+    std::optional<Grading> along;
+    Sizing across;
+    for (const Grading& grading : sizing.gradings) {
+      const Real cosine = frame.columns(grading.axis, 2);
+      constexpr Real kRounding = 1e-12;
+      if (std::fabs(cosine) > 1 - kRounding) {
+        along = turned(&grading, cosine < 0);
+      } else if (std::fabs(cosine) < kRounding) {
+        across.gradings.push_back(grading);
+      } else {
+        throw GradingError(std::string("the shape's own axis runs neither along ") +
+                           "xyz"[grading.axis] +
+                           " nor across it: stand it along an axis, and turn it by `rotate`");
+      }
+    }
+    return {along, across};
+  }
+
   Mesh<3> operator()(const Box& box) const {
     const Vec3 low = to_vector<3>(box.min), high = to_vector<3>(box.max);
-    std::array<int, 3> n;
-    for (std::size_t c = 0; c < 3; ++c) {
-      n[c] = sizing.count(c, high[static_cast<int>(c)] - low[static_cast<int>(c)]);
+    std::array<Layers, 3> layers;
+    for (int c = 0; c < 3; ++c) {
+      layers[static_cast<std::size_t>(c)] = layers_along(sizing, c, high[c] - low[c]);
     }
-    return box_grid<3>(low, high, n);
+    return box_grid<3>(low, high, layers);
   }
   Mesh<3> operator()(const Cylinder& c) const {
-    const auto disc = disc_grid(c.radius, sizing.count(0, c.radius));
-    return along_axis(extrude(disc, c.length, sizing.count(2, c.length)),
-                      frame_along(c.base, c.axis));
+    const Frame3 frame = frame_along(c.base, c.axis);
+    const auto [along, across] = split(frame);
+    const Grading* round = round_grading(across);
+    Mesh<2> disc = disc_grid(c.radius, round_count(sizing, c.radius, round));
+    if (round) {
+      const Vec3 direction = frame.columns.row(round->axis);
+      grade_round<2>(round, direction.head<2>(), c.radius, disc);
+    }
+    return along_axis(extrude(disc, c.length, layers_along(sizing, 2, c.length, along)), frame);
   }
   Mesh<3> operator()(const Tube& t) const {
+    const Frame3 frame = frame_along(t.base, t.axis);
+    const auto [along, across] = split(frame);
+    if (!across.gradings.empty()) {
+      throw GradingError("a tube is graded along its own axis alone");
+    }
     const int n = sizing.count(0, t.outer - t.inner);
     const Real middle = 0.5 * (t.inner + t.outer);
     const auto ring =
         ring_grid(t.inner, t.outer, n, count_around(sizing, middle, n, t.outer - t.inner));
-    return along_axis(extrude(ring, t.length, sizing.count(2, t.length)),
-                      frame_along(t.base, t.axis));
+    return along_axis(extrude(ring, t.length, layers_along(sizing, 2, t.length, along)), frame);
   }
   Mesh<3> operator()(const Sphere& s) const {
-    Mesh<3> mesh = ball_grid(s.radius, sizing.count(0, s.radius));
+    const Grading* grading = round_grading(sizing);
+    Mesh<3> mesh = ball_grid(s.radius, round_count(sizing, s.radius, grading));
+    if (grading) grade_round<3>(grading, Vec3::Unit(grading->axis), s.radius, mesh);
     for (auto& x : mesh.nodes) x += to_vector<3>(s.center);
     return mesh;
   }
   Mesh<3> operator()(const PolygonShape& p) const {
     if (!(p.thickness > 0)) throw std::invalid_argument("a polygon needs `thickness` in 3D");
-    return extrude(polygon_grid(p, sizing), p.thickness, sizing.count(2, p.thickness));
+    return extrude(polygon_grid(p, sizing), p.thickness, layers_along(sizing, 2, p.thickness));
   }
-  Mesh<3> operator()(const BrickWall& wall) const { return wall_mesh<3>(wall, sizing); }
+  Mesh<3> operator()(const BrickWall& wall) const { return even_wall<3>(wall, sizing); }
   Mesh<3> operator()(const Plane&) const {
     throw std::invalid_argument("a plane has no volume: it needs `rigid: true`");
   }
@@ -151,8 +159,15 @@ struct Mesher2 {
   Geometry geometry;
 
   Mesh<2> rectangle(const Vec<2>& low, const Vec<2>& high) const {
-    return box_grid<2>(low, high,
-                       {sizing.count(0, high[0] - low[0]), sizing.count(1, high[1] - low[1])});
+    return box_grid<2>(
+        low, high,
+        {layers_along(sizing, 0, high[0] - low[0]), layers_along(sizing, 1, high[1] - low[1])});
+  }
+  Mesh<2> graded_disc(Real radius) const {
+    const Grading* grading = round_grading(sizing);
+    Mesh<2> disc = disc_grid(radius, round_count(sizing, radius, grading));
+    if (grading) grade_round<2>(grading, Vec<2>::Unit(grading->axis), radius, disc);
+    return disc;
   }
   Mesh<2> shifted(Mesh<2> mesh, const std::vector<Real>& by) const {
     for (auto& x : mesh.nodes) x += to_vector<2>(by);
@@ -166,12 +181,15 @@ struct Mesher2 {
     if (geometry == Geometry::axisymmetric) {
       return rectangle(Vec<2>(0, base[1]), Vec<2>(c.radius, base[1] + c.length));
     }
-    return shifted(disc_grid(c.radius, sizing.count(0, c.radius)), c.base);
+    return shifted(graded_disc(c.radius), c.base);
   }
   Mesh<2> operator()(const Tube& t) const {
     const Vec<2> base = to_vector<2>(t.base);
     if (geometry == Geometry::axisymmetric) {
       return rectangle(Vec<2>(t.inner, base[1]), Vec<2>(t.outer, base[1] + t.length));
+    }
+    if (!sizing.gradings.empty()) {
+      throw GradingError("a ring in plane strain is meshed evenly about its centre");
     }
     const int n = sizing.count(0, t.outer - t.inner);
     const Real middle = 0.5 * (t.inner + t.outer);
@@ -179,8 +197,11 @@ struct Mesher2 {
         ring_grid(t.inner, t.outer, n, count_around(sizing, middle, n, t.outer - t.inner)), t.base);
   }
   Mesh<2> operator()(const Sphere& s) const {
-    Mesh<2> disc = disc_grid(s.radius, sizing.count(0, s.radius));
+    Mesh<2> disc = graded_disc(s.radius);
     if (geometry == Geometry::axisymmetric) {
+      if (sizing.along(0)) {
+        throw GradingError("a ball about the axis of symmetry is graded along it: axis: y");
+      }
       // The half x >= 0 of a disc whose core has an even number of cells: no element is cut.
       Mesh<2> half;
       std::map<int, int> kept;
@@ -206,7 +227,7 @@ struct Mesher2 {
     return shifted(disc, s.center);
   }
   Mesh<2> operator()(const PolygonShape& p) const { return polygon_grid(p, sizing); }
-  Mesh<2> operator()(const BrickWall& wall) const { return wall_mesh<2>(wall, sizing); }
+  Mesh<2> operator()(const BrickWall& wall) const { return even_wall<2>(wall, sizing); }
   Mesh<2> operator()(const Plane&) const {
     throw std::invalid_argument("a plane has no volume: it needs `rigid: true`");
   }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/closed_surface.hpp"
+#include "core/geometry/grading.hpp"
 #include "core/geometry/shape.hpp"
 #include "core/surface.hpp"
 
@@ -40,17 +42,21 @@ struct Filling {
 /// Element size along each axis of the shape, or numbers of cells. Round shapes take the first for
 /// their radius and the last for their axis.
 struct Sizing {
-  std::optional<std::vector<Real>> size;  ///< [m]: the next whole number of cells
+  std::optional<std::vector<Real>> size;  ///< [m]: the next whole number of cells, none larger
   std::optional<std::vector<int>> cells;
+  std::vector<Grading> gradings{};  ///< of elements: none twice along one axis
 
   /// Cells along axis c of a shape that is `length` [m] long there. Throws std::invalid_argument
   /// where neither size nor cells is given.
   int count(std::size_t c, Real length) const;
+  /// The grading along an axis of the deck; null where there is none.
+  const Grading* along(int axis) const;
 };
 
 enum class LatticeKind : int { cubic, hexagonal };
 
-/// Meshes a shape that deforms. Throws std::invalid_argument with what is wrong and what would do.
+/// Meshes a shape that deforms. Throws std::invalid_argument with what is wrong and what would do,
+/// GradingError where that is a grading.
 template <int Dim>
 Mesh<Dim> mesh_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry);
 
@@ -61,6 +67,11 @@ FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Ge
 /// Fills a shape with particles of the given spacing [m], an axis each.
 template <int Dim>
 Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing,
+                        LatticeKind lattice);
+
+/// Fills a closed surface where it lies. Throws std::invalid_argument where its shells overlap, and
+/// where no particle fits in, or too many.
+Filling<3> fill_surface(const ClosedSurface& surface, const std::vector<Real>& spacing,
                         LatticeKind lattice);
 
 /// Outer faces of a mesh: those that exactly one element has, normals outward.

@@ -211,6 +211,12 @@ Sizing or_coarse(const Sizing& sizing, const BodyShape& shape) {
 template <int Dim>
 FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry) {
   FacetMesh<Dim> surface;
+  const bool meshed = !std::holds_alternative<Plane>(shape.kind) &&
+                      !std::holds_alternative<PolygonShape>(shape.kind) &&
+                      !std::holds_alternative<Ogive>(shape.kind);
+  if (!meshed && !sizing.gradings.empty()) {
+    throw GradingError("the surface of this rigid shape has no sizes along an axis");
+  }
   if (const auto* plane = std::get_if<Plane>(&shape.kind)) {
     surface = flat<Dim>(*plane, sizing);
   } else if (const auto* polygon = std::get_if<PolygonShape>(&shape.kind)) {

@@ -120,6 +120,10 @@ Json value_schema(const KeyInfo& key) {
       if (key.children.size() == 1 && key.children.front().bare) {
         return schema_of(key.children.front());
       }
+      if (key.list_allowed) {
+        const Json one = map_schema(key.children);
+        return Json{{"anyOf", {one, Json{{"type", "array"}, {"items", one}}}}};
+      }
       return map_schema(key.children);
     case Type::named:
       return Json{{"type", key.list_allowed ? Json{"object", "array"} : Json("object")},

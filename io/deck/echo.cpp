@@ -155,6 +155,17 @@ void Echo::visit_named(const Key& key, bool, std::function<std::size_t()> size,
   put(key.name, std::move(map));
 }
 
+void Echo::visit_one_or_more(const Key& key, std::function<std::size_t()> size,
+                             std::function<void()>,
+                             std::function<void(std::size_t, Schema&)> members, Members) {
+  Node list = list_node();
+  for (std::size_t i = 0; i < size(); ++i) {
+    list.items.push_back(members_of([&](Schema& s) { members(i, s); }));
+  }
+  if (size() == 1) put(key.name, std::move(list.items.front()));
+  if (size() > 1) put(key.name, std::move(list));
+}
+
 void Echo::visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                         std::function<std::size_t()> index, std::function<void(std::size_t)>,
                         Members members, std::function<void(std::size_t, Schema&)>) {

@@ -127,6 +127,12 @@ class KeyWalker final : public Schema {
     info.list_allowed = list_allowed;
     info.children = children_of(blank);
   }
+  void visit_one_or_more(const Key& key, std::function<std::size_t()>, std::function<void()>,
+                         std::function<void(std::size_t, Schema&)>, Members blank) override {
+    KeyInfo& info = add(key, KeyInfo::Type::map);
+    info.list_allowed = true;
+    info.children = children_of(blank);
+  }
   void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                     std::function<std::size_t()> index, std::function<void(std::size_t)>, Members,
                     std::function<void(std::size_t, Schema&)> blank) override {
@@ -213,7 +219,7 @@ std::string type_text(const KeyInfo& key) {
   const std::string unit = key.unit.empty() || key.unit == "1" ? "" : " [" + key.unit + "]";
   switch (key.type) {
     case Type::map:
-      return "map";
+      return key.list_allowed ? "map, or list of maps" : "map";
     case Type::named:
       return key.list_allowed ? "map of named entries, or list" : "map of named entries";
     case Type::one_of:

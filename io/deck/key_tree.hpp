@@ -39,7 +39,7 @@ struct KeyInfo {
   std::string unit;  ///< SI; "1" for a number, "" where there is none
   Range range, plausible;
   int size = 0;                    ///< of lists: 0 any, Schema::kVector by the geometry
-  bool list_allowed = false;       ///< named entries: may stand as a list
+  bool list_allowed = false;       ///< map, named entries: a list may stand in its place
   bool in_line = false;            ///< one_of: stands among the keys of its map
   bool bare = false;               ///< the value of an alternative, not a key of its own
   std::vector<std::string> words;  ///< of choices, with synonyms as "a|b"

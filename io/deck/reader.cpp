@@ -221,6 +221,28 @@ const Entry* Reader::chosen_alternative(const Key& key, const Node& node, const 
   return nullptr;
 }
 
+void Reader::visit_one_or_more(const Key& key, std::function<std::size_t()> size,
+                               std::function<void()> add,
+                               std::function<void(std::size_t, Schema&)> members, Members) {
+  const Node* node = find(key);
+  if (!node) return;
+  const std::string path = path_of(key.name);
+  const auto read_entry = [&](const Node& value, const std::string& entry_path) {
+    add();
+    const std::size_t i = size() - 1;
+    read_members(value.is_null() ? empty_map() : value, entry_path,
+                 [&](Schema& s) { members(i, s); });
+  };
+  if (!node->is_list()) return read_entry(*node, path);
+  if (node->items.empty())
+    problem(*node, path, "expects a map or a list of maps, got an empty list");
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    const std::string entry_path = path + "." + std::to_string(i);
+    report_.places[entry_path] = node->items[i].place;
+    read_entry(node->items[i], entry_path);
+  }
+}
+
 void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                           std::function<std::size_t()>, std::function<void(std::size_t)> choose,
                           Members members, std::function<void(std::size_t, Schema&)>) {

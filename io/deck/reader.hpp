@@ -68,6 +68,9 @@ class Reader final : public Schema {
                    std::function<std::string(std::size_t)> name,
                    std::function<void(const std::string&)> add,
                    std::function<void(std::size_t, Schema&)> members, Members blank) override;
+  void visit_one_or_more(const Key& key, std::function<std::size_t()> size,
+                         std::function<void()> add,
+                         std::function<void(std::size_t, Schema&)> members, Members blank) override;
   void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                     std::function<std::size_t()> index, std::function<void(std::size_t)> choose,
                     Members members, std::function<void(std::size_t, Schema&)> blank) override;

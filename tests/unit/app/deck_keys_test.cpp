@@ -35,6 +35,7 @@ bodies:
     material: jc
     shape: {box: {min: [0, 0, 0], max: [1, 1, 1]}, translate: [1, 1, 1]}
     size: 0.1
+    grading: {axis: z, ratio: 5, toward: both}
     velocity: [1, 2, 3]
     spin: {axis: x, rate: 3 rad/s, about: [0, 0, 0]}
     temperature: 300

@@ -12,7 +12,7 @@
 namespace brunt {
 namespace {
 
-Sizing sized(Real h) { return {std::vector<Real>{h}, {}}; }
+Sizing sized(Real h) { return {std::vector<Real>{h}, {}, {}}; }
 
 /// Volume by the tetrahedra from the origin to the outer faces (divergence theorem); each quad is
 /// split at its centre, which both neighbours share.
