@@ -182,6 +182,7 @@ template <int Dim>
 void Scene<Dim>::check_own(Real time) const {
   // Elements and particles first: an inverted element is why its points are no numbers.
   for (const auto& solid : solids) solid->check(time, body_names);
+  if (contact) contact->check(time, origin);
   for (const auto& solid : solids) {
     const auto& points = solid->points();
     for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {

@@ -138,13 +138,17 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   nodes.rubs = pairs.rubs();
   gaps = pairs.gaps();
   nodes.turns = pairs.particles_rub();
+  nodes.asks_material = pairs.asks_material();
   for (const auto* surface : surfaces) nodes.warm = nodes.warm || surface->points->conducts;
   std::vector<Real> sizes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const auto& surface = *surfaces[s];
-    for (const auto& facet : surface.facets) {
+    conducts.push_back(surface.points->conducts);
+    for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+      const auto& facet = surface.facets[f];
       if (pairs.strongest(facet.body).ignore) continue;
       auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
+      face.facet = static_cast<LocalIndex>(f);
       face.area_start = area_at_start(face, *surface.points);
       face.held = surface.held, face.everywhere = surface.everywhere;
       any_open = any_open || face.open;
@@ -196,6 +200,7 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   boxes.resize(faces.size());
   reaches.resize(faces.size());
   if (nodes.rubs) tractions.assign(faces.size(), {});
+  if (nodes.asks_material) materials.assign(faces.size(), {});
 }
 
 template <int Dim>
@@ -232,6 +237,19 @@ void Entities<Dim>::inherit_tractions(const Entities& old) {
     if (before < old.faces.size() && old.faces[before].id == faces[f].id) {
       tractions[f] = old.tractions[before];
     }
+  }
+}
+
+template <int Dim>
+void Entities<Dim>::read_materials(const std::vector<Surface<Dim>*>& surfaces) {
+#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].facet < 0) continue;
+    const auto& surface = *surfaces[static_cast<std::size_t>(faces[f].surface)];
+    const auto at = static_cast<std::size_t>(faces[f].facet);
+    materials[f] = surface.facet_material.empty()
+                       ? SurfaceMaterial{surface.facets[at].temperature, kInfinity}
+                       : surface.facet_material[at];
   }
 }
 

@@ -36,6 +36,7 @@ struct ContactFace {
   bool deforms() const { return stiffness > 0 && compliance == 0; }
   bool everywhere = false;  ///< it stands on every rank
   bool open = false;        ///< of a surface with a rim, which has two sides for particles
+  LocalIndex facet = -1;    ///< its place in its surface; -1: only another rank has it
 };
 
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.
@@ -77,6 +78,9 @@ struct Entities {
   std::vector<SearchBox<Dim>> boxes;         ///< of planes
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
+  /// Behind each face, as of the step's start; empty where no friction asks for it.
+  std::vector<SurfaceMaterial> materials;
+  std::vector<char> conducts;  ///< by surface: its points keep the temperature
   StepVote constant_vote;      ///< bound from the springs of particles and of free rigid bodies
   Real deepest = 0;            ///< [m] largest depth of a face of any rank
   Real size = 0;               ///< [m] median size of faces and particles, of all ranks
@@ -94,6 +98,8 @@ struct Entities {
   /// Place of the face or particle with an id; it is there.
   std::size_t face_with(GlobalId id) const;
   std::size_t particle_with(GlobalId id) const;
+  /// Takes what friction asks of materials from the groups, for the faces that are here.
+  void read_materials(const std::vector<Surface<Dim>*>& surfaces);
   /// Takes over what the same faces remember in an older table.
   void inherit_tractions(const Entities& old);
   /// Planes, velocities and boxes of all faces at nodes.x, nodes.v.

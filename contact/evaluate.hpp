@@ -62,6 +62,19 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
                     const EvaluationStep& step, FrictionHistory<Dim>* history,
                     typename Records<Dim>::Part& part);
 
+/// Sets what the friction of two faces, of a particle and a face, or of two particles asks of the
+/// materials of both sides, where its options ask for it; sides and weights of the step are there.
+template <int Dim>
+void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const ContactRecord<Dim>& record, FrictionStep<Dim>& step);
+template <int Dim>
+void ask_particle(const Entities<Dim>& entities, const ContactParticle& particle, LocalIndex face,
+                  const ContactRecord<Dim>& record, FrictionStep<Dim>& step);
+template <int Dim>
+void ask_pair(const Entities<Dim>& entities, const ContactParticle& first,
+              const ContactParticle& second, const ContactRecord<Dim>& record,
+              FrictionStep<Dim>& step);
+
 /// Faces that are nearer than this [m] meet; of particles a distance of this part of their radius.
 inline constexpr Real kMeets = 1e-6;
 template <int Dim>

@@ -94,6 +94,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.stiffness = candidate.stiffness;
   step.damping = candidate.damping;
   step.dt = dt;
+  ask_faces(entities, candidate, record, step);
   step.before = history.of_faces(key_of(record));
   step.kept = kept_traction(entities, candidate);
   if (step.before == nullptr) {

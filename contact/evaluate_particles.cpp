@@ -123,6 +123,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
   step.stiffness = candidate.stiffness * now.breadth;
   step.damping = hit.damping;
   step.dt = dt;
+  ask_particle(entities, now.particle, candidate.face, record, step);
   step.before = history.of_particle(record.first, face.body, face.piece, face.id, record.normal);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   auto& friction = part.frictions.emplace_back(friction_of(entities.nodes, record, step));

@@ -190,8 +190,16 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   const Real push = record.spring + record.damping;
   const Real normal_force = step.bonded ? push : std::max(push, 0.0);
   const Real pressure = std::max(push, 0.0) / step.pressed;
-  Real limit = step.options->coefficient(speed, pressure) * normal_force;
+  friction.state = {step.material.temperature, step.material.flow_stress, pressure, speed};
+  // A coefficient may be infinite at no pressure: c/p, a friction that does not depend on it.
+  if (pressure > 0 || step.bonded) {
+    friction.coefficient = step.options->coefficient(friction.state);
+  }
+  Real limit = friction.coefficient * normal_force;
   if (step.bonded) limit = std::max(limit + step.options->cohesion * step.pressed, 0.0);
+  if (step.options->shear_limit) {
+    limit = std::min(limit, step.material.flow_stress / std::sqrt(3.0) * step.pressed);
+  }
   auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   if (slid.slips && step.turn) {  // what the forces take from the centres is heat (decisions.md)
     slip = between_centres;

@@ -43,7 +43,9 @@ struct Friction {
   Real damped = 0;                     ///< [J] by the drag in the last step
   Real stored = 0;                     ///< [J] gained by the spring in the last step
   Real pairs = 0;                      ///< [J] what changes of the contact itself took from motion
-  Real taken = 0;  ///< [J] half of what `force` takes from the motion of the step under way
+  Real taken = 0;        ///< [J] half of what `force` takes from the motion of the step under way
+  Sliding state;         ///< at which `coefficient` was found
+  Real coefficient = 0;  ///< [1] of the last step
 
   Vec<Dim> slider() const { return area * traction; }              ///< [N] on the upper side
   Vec<Dim> resultant() const { return area * (traction + drag); }  ///< [N]
@@ -103,6 +105,9 @@ struct FrictionStep {
   Real stiffness = 0;   ///< [Pa/m] of the tangential spring; of a particle [N/m]
   Real damping = 0;     ///< [Pa s/m] where it sticks; of a particle [N s/m]
   Real dt = 0;          ///< [s]
+  /// Of both sides together: their mean temperature, and the flow stress of the softer one. Set
+  /// where the options ask for it.
+  SurfaceMaterial material;
   const Friction<Dim>* before = nullptr;
   Real kept = 1;  ///< [1] part of the past traction that is left once its area has changed
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past

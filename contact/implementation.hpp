@@ -1,6 +1,7 @@
 #pragma once
 #include "contact/evaluate.hpp"
 #include "contact/manager.hpp"
+#include "core/errors.hpp"
 
 namespace brunt {
 
@@ -29,8 +30,12 @@ struct ContactManager<Dim>::Implementation {
   /// Records and votes of the lists at the present motion; friction goes on from its past, or is
   /// left out where there is none: at time 0, and where the last evaluation is repeated.
   void evaluate(Real dt, const StepVote& longest, Real ahead, FrictionHistory<Dim>* past);
+  /// Reads what friction asks of materials at the start of the step. Collective among neighbours.
+  void read_materials();
   /// Makes the records of the last step the past of this one, and books their work at nodes.v.
   void begin_friction(Real dt);
+  /// Remembers a coefficient of friction that is no number at least 0, and votes for no step.
+  void find_wrong_friction();
   /// Books what friction did in this step, and what the faces carry from now on. Collective.
   void end_friction();
   /// Where bodies press at time 0: accelerations of their points, and what the springs hold, from
@@ -71,6 +76,9 @@ struct ContactManager<Dim>::Implementation {
   std::vector<PairSide> sides;      // by candidate of pairs; empty where nothing conducts
   FrictionHistory<Dim> history;
   FirstTouches touches;  // as the last evaluation left them
+  /// The first coefficient of friction of the last evaluation that is none, with its contact.
+  std::optional<PhysicsFailure> wrong_friction;
+  Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]
   StepVote vote;
   Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation

@@ -187,17 +187,25 @@ void ContactImports<Dim>::refresh_motion(ContactNodes<Dim>& nodes) const {
   for (std::size_t s = 0; s < plans_.size(); ++s) {
     const auto& points = *surfaces_[s]->points;
     const auto& spin = surfaces_[s]->spin;
+    const auto& material = surfaces_[s]->particle_material;
+    constexpr int kMotion = 2 * Dim;
+    const int before_material = kMotion + (nodes.turns ? 3 : 0);
     refresh_ghosts(
-        ranks(), plans_[s], 2 * Dim + (nodes.turns ? 3 : 0),
+        ranks(), plans_[s], before_material + (nodes.asks_material ? 2 : 0),
         [&](std::size_t i, Real* out) {
           for (int c = 0; c < Dim; ++c) out[c] = points.x[i][c], out[Dim + c] = points.v[i][c];
-          if (!nodes.turns) return;
-          for (int c = 0; c < 3; ++c) out[2 * Dim + c] = i < spin.size() ? spin[i][c] : 0.0;
+          for (int c = 0; c < 3 && nodes.turns; ++c) {
+            out[kMotion + c] = i < spin.size() ? spin[i][c] : 0.0;
+          }
+          if (!nodes.asks_material) return;
+          const SurfaceMaterial shown = i < material.size() ? material[i] : SurfaceMaterial{};
+          out[before_material] = shown.temperature, out[before_material + 1] = shown.flow_stress;
         },
         [&](std::size_t i, const Real* in) {
           for (int c = 0; c < Dim; ++c) nodes.x[i][c] = in[c], nodes.v[i][c] = in[Dim + c];
-          if (!nodes.turns) return;
-          for (int c = 0; c < 3; ++c) nodes.spin[i][c] = in[2 * Dim + c];
+          for (int c = 0; c < 3 && nodes.turns; ++c) nodes.spin[i][c] = in[kMotion + c];
+          if (!nodes.asks_material) return;
+          nodes.material[i] = {in[before_material], in[before_material + 1]};
         });
   }
 }

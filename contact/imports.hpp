@@ -43,7 +43,7 @@ class ContactImports {
   /// boxes meet the `wanted` boxes of this rank, and the particles whose boxes meet those of its
   /// own. Collective.
   void renew(const ImportBoxes<Dim>& offers, Entities<Dim>& entities);
-  /// Brings x, v and spin of the imported nodes up to date. Collective among neighbours.
+  /// Brings x, v, spin and material of the imported nodes up to date. Collective among neighbours.
   void refresh_motion(ContactNodes<Dim>& nodes) const;
   /// Sends what records give to nodes of other ranks home, unsummed; returns what others send here,
   /// sorted by key. Collective.
@@ -65,6 +65,9 @@ class ContactImports {
                   const std::function<void(GlobalId, GlobalId, const PairSide&)>& take) const;
   /// Brings the temperatures [K] of nodes that others own up to date. Collective among neighbours.
   void refresh_temperatures(std::vector<Real>& temperature) const;
+  /// Brings what friction asks of the materials behind faces that others own up to date.
+  /// Collective among neighbours.
+  void refresh_materials(std::vector<SurfaceMaterial>& materials) const;
   /// Brings the tractions of the faces that others own up to date. Collective among neighbours.
   void refresh_tractions(Entities<Dim>& entities) const;
 

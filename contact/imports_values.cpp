@@ -121,6 +121,19 @@ void ContactImports<Dim>::refresh_tractions(Entities<Dim>& entities) const {
 }
 
 template <int Dim>
+void ContactImports<Dim>::refresh_materials(std::vector<SurfaceMaterial>& materials) const {
+  refresh_ghosts(
+      ranks(), tractions_, 2,
+      [&](std::size_t i, Real* out) {
+        const auto& from = materials[static_cast<std::size_t>(sent_from_[i])];
+        out[0] = from.temperature, out[1] = from.flow_stress;
+      },
+      [&](std::size_t i, const Real* in) {
+        materials[i] = {in[0], in[1]};
+      });
+}
+
+template <int Dim>
 std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
     const Records<Dim>& records, const Entities<Dim>& entities) const {
   std::vector<TractionShare<Dim>> received;
@@ -147,6 +160,8 @@ template void ContactImports<2>::plan_tractions(const Entities<2>&);
 template void ContactImports<3>::plan_tractions(const Entities<3>&);
 template void ContactImports<2>::refresh_temperatures(std::vector<Real>&) const;
 template void ContactImports<3>::refresh_temperatures(std::vector<Real>&) const;
+template void ContactImports<2>::refresh_materials(std::vector<SurfaceMaterial>&) const;
+template void ContactImports<3>::refresh_materials(std::vector<SurfaceMaterial>&) const;
 template void ContactImports<2>::refresh_tractions(Entities<2>&) const;
 template void ContactImports<3>::refresh_tractions(Entities<3>&) const;
 template std::vector<HeatShare> ContactImports<2>::send_heat(const Records<2>&,

@@ -10,10 +10,14 @@ namespace {
 /// How much longer than the last a step may be where particles look ahead for what is near.
 constexpr Real kStepGrowth = 4;
 
-/// Friction between particles needs to know how the material about them turns.
+/// Friction between particles needs to know how the material about them turns; some friction, how
+/// hot and hard what rubs is.
 template <int Dim>
-void ask_spin(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs) {
-  for (auto* surface : surfaces) surface->asks_spin = pairs.particles_rub();
+void ask_surfaces(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs) {
+  for (auto* surface : surfaces) {
+    surface->asks_spin = pairs.particles_rub();
+    surface->asks_material = pairs.asks_material();
+  }
 }
 }  // namespace
 
@@ -86,7 +90,7 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
                                     std::vector<Surface<Dim>*> surfaces,
                                     std::vector<std::string> body_names, Real depth) {
   PairTable pairs(options, surfaces, body_names);
-  ask_spin(surfaces, pairs);
+  ask_surfaces(surfaces, pairs);
   implementation_ = std::make_unique<Implementation>(
       options, Section{geometry, depth}, std::move(pairs), std::move(surfaces), ContactRanks{});
   rearrange();
@@ -97,7 +101,7 @@ ContactManager<Dim>::ContactManager(const ContactManager& whole,
                                     std::vector<Surface<Dim>*> surfaces, const Deal& deal,
                                     const Communicator& ranks) {
   const auto& own = *whole.implementation_;
-  ask_spin(surfaces, own.pairs);
+  ask_surfaces(surfaces, own.pairs);
   implementation_ = std::make_unique<Implementation>(
       own.options, own.section, own.pairs, std::move(surfaces), ContactRanks{&ranks, &deal});
   rearrange();
@@ -157,6 +161,7 @@ void ContactManager<Dim>::add_forces(Real dt) {
     }
   }
   own.imports.refresh_tractions(own.entities);
+  own.read_materials();
   own.evaluate(dt, longest, ahead, &own.history);
   const auto elsewhere = own.imports.send_home(own.records, nodes);
   apply<Dim>(own.records, elsewhere, dt, own.surfaces, nodes);

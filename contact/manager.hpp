@@ -78,6 +78,9 @@ class ContactManager {
   /// Heat of the contacts of this step, after all other heat but that which holds temperatures.
   /// Collective among neighbours.
   void add_heat(Real dt);
+  /// Throws PhysicsError where the last evaluation found a coefficient of friction below 0 or not
+  /// finite; it has also voted for no step. origin  [m] of the positions. Not collective.
+  void check(Real time, const Vec<Dim>& origin) const;
   void add_totals(Totals<Dim>& totals) const;
   /// Forces and energies of the owned points that contact moves.
   void save_state(std::vector<StateTable>& tables) const;

@@ -1,5 +1,6 @@
 /// How friction goes on from step to step: its past, its books, and what faces carry.
 #include <algorithm>
+#include <sstream>
 
 #include "contact/implementation.hpp"
 #include "contact/keyed_rows.hpp"
@@ -80,6 +81,53 @@ void ContactManager<Dim>::Implementation::load_growths(const StateTables& tables
 }
 
 template <int Dim>
+void ContactManager<Dim>::Implementation::read_materials() {
+  auto& nodes = entities.nodes;
+  if (!nodes.asks_material) return;
+  entities.read_materials(surfaces);
+  imports.refresh_materials(entities.materials);
+  nodes.read_temperatures(surfaces);
+  imports.refresh_temperatures(nodes.temperature);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::find_wrong_friction() {
+  wrong_friction.reset();
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+    if (friction == nullptr || wrong_friction) return;
+    if (friction->coefficient >= 0 && friction->coefficient < kInfinity) return;
+    const auto& at = friction->state;
+    std::ostringstream cause;
+    cause << "it must be at least 0, and is found at T = " << at.temperature
+          << " K, yield = " << at.flow_stress << " Pa, p = " << at.pressure
+          << " Pa, v = " << at.speed << " m/s";
+    const auto [a, b] = std::minmax(record.lower_body, record.upper_body);
+    const auto pair = std::find(pairs.pairs().begin(), pairs.pairs().end(), std::pair(a, b));
+    const auto place = static_cast<std::size_t>(pair - pairs.pairs().begin());
+    wrong_friction = {0,
+                      "",
+                      "contact " + pairs.names()[place],
+                      "coefficient of friction",
+                      friction->coefficient,
+                      cause.str()};
+    wrong_friction_at = friction->point;
+  });
+  if (wrong_friction) vote.take({-1, "coefficient of friction", 0, 0});
+}
+
+template <int Dim>
+void ContactManager<Dim>::check(Real time, const Vec<Dim>& origin) const {
+  if (!implementation_->wrong_friction) return;
+  PhysicsFailure failure = *implementation_->wrong_friction;
+  failure.time = time;
+  const Vec<Dim> at = implementation_->wrong_friction_at + origin;
+  std::ostringstream place;
+  for (int c = 0; c < Dim; ++c) place << (c == 0 ? " at (" : ", ") << at[c];
+  failure.entity += place.str() + ") m";
+  throw PhysicsError(failure);
+}
+
+template <int Dim>
 void ContactManager<Dim>::Implementation::begin_friction(Real dt) {
   if (!entities.nodes.rubs) return;
   history.clear();
@@ -93,6 +141,7 @@ template <int Dim>
 void ContactManager<Dim>::Implementation::end_friction() {
   auto& nodes = entities.nodes;
   if (!nodes.rubs) return;
+  find_wrong_friction();
   records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
     if (friction == nullptr) return;
     const std::size_t at = book_of(entities, friction->key);
@@ -190,6 +239,8 @@ std::uint64_t ContactManager<Dim>::Implementation::friction_hash() const {
   return sum;
 }
 
+template void ContactManager<2>::check(Real, const Vec<2>&) const;
+template void ContactManager<3>::check(Real, const Vec<3>&) const;
 template struct ContactManager<2>::Implementation;
 template struct ContactManager<3>::Implementation;
 

@@ -31,6 +31,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
     field->push_back(Vec<Dim>::Zero());
   }
   if (turns) spin.push_back(Vec3::Zero());
+  if (asks_material) material.emplace_back();
   spring_energy.push_back(0);
   damping_energy.push_back(0);
   if (warm) {
@@ -56,6 +57,8 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
     const auto& known = surfaces[static_cast<std::size_t>(surface[i])]->spin;
     const auto p = static_cast<std::size_t>(point[i]);
     if (turns && p < known.size()) spin[i] = known[p];
+    const auto& shown = surfaces[static_cast<std::size_t>(surface[i])]->particle_material;
+    if (asks_material && p < shown.size()) material[i] = shown[p];
     if (!warm || !points.conducts) continue;
     capacity[i] = points.capacity[static_cast<std::size_t>(point[i])];
   }
@@ -70,6 +73,11 @@ void ContactNodes<Dim>::foresee_temperatures(const std::vector<Surface<Dim>*>& s
     const auto p = static_cast<std::size_t>(point[i]);
     temperature[i] = points.temperature[p] + dt * points.heat_rate[p] / points.capacity[p];
   }
+}
+
+template <int Dim>
+void ContactNodes<Dim>::read_temperatures(const std::vector<Surface<Dim>*>& surfaces) {
+  if (warm) temperature = present_temperatures(surfaces);
 }
 
 template <int Dim>

@@ -22,16 +22,18 @@ struct ContactNodes {
   std::vector<Vec<Dim>> spring, damping;            ///< [N] forces of this evaluation
   std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
   std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
-  bool rubs = false;                 ///< some pair has friction; else the fields below are empty
-  std::vector<Vec<Dim>> friction;    ///< [N] of this evaluation
-  bool turns = false;                ///< particles rub on particles; else `spin` is empty
-  std::vector<Vec3> spin;            ///< [rad/s] of the material, where its surface tells it
-  bool warm = false;                 ///< some points conduct; else the fields below are empty
-  std::vector<Real> temperature;     ///< [K] at the end of the step, but for contact
-  std::vector<Real> capacity;        ///< [J/K]; 0: takes no heat
-  std::vector<Real> heat_rate;       ///< [W] of this evaluation
-  std::vector<Real> ended_heat;      ///< [J] of friction that ended in this step
-  std::vector<Real> friction_given;  ///< [J] of friction, to any nodes, booked since time 0
+  bool rubs = false;               ///< some pair has friction; else the fields below are empty
+  std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
+  bool turns = false;              ///< particles rub on particles; else `spin` is empty
+  std::vector<Vec3> spin;          ///< [rad/s] of the material, where its surface tells it
+  bool asks_material = false;      ///< some friction does; else `material` is empty
+  std::vector<SurfaceMaterial> material;  ///< of a particle, where its surface tells it
+  bool warm = false;                      ///< some points conduct; else the fields below are empty
+  std::vector<Real> temperature;          ///< [K] at the end of the step, but for contact
+  std::vector<Real> capacity;             ///< [J/K]; 0: takes no heat
+  std::vector<Real> heat_rate;            ///< [W] of this evaluation
+  std::vector<Real> ended_heat;           ///< [J] of friction that ended in this step
+  std::vector<Real> friction_given;       ///< [J] of friction, to any nodes, booked since time 0
   std::vector<Real> friction_heat, friction_stored, friction_damped,
       pair_energy;  ///< [J] booked since time 0
 
@@ -42,6 +44,8 @@ struct ContactNodes {
                         const Vec<Dim>& velocity);
   /// Takes x, v and spin of the points that are here from the groups.
   void read_motion(const std::vector<Surface<Dim>*>& surfaces);
+  /// `temperature` of owned points now, before heat of this step is known.
+  void read_temperatures(const std::vector<Surface<Dim>*>& surfaces);
   /// Temperatures [K] of owned points now, by node; 0 elsewhere, and where none is kept.
   std::vector<Real> present_temperatures(const std::vector<Surface<Dim>*>& surfaces) const;
   /// The temperatures that owned points will have after dt by the heat they have so far.

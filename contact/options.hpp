@@ -32,6 +32,15 @@ inline void describe(Schema& s, DecayingFriction& law) {
             "must not be above static; friction that rises with speed is a table over slip_speed");
 }
 
+/// The state on which friction may depend where two bodies slide, in the order of the names of its
+/// expressions: T, yield, p, v.
+struct Sliding {
+  Real temperature = 0;          ///< [K] mean of the surfaces of both sides
+  Real flow_stress = kInfinity;  ///< [Pa] of the softer side; infinite where neither yields
+  Real pressure = 0;             ///< [Pa]
+  Real speed = 0;                ///< [m/s] of slip
+};
+
 /// What bodies that overlap at time 0 feel of it.
 enum class InitialOverlap : int { track, press };
 
@@ -40,8 +49,9 @@ struct PairOptions {
   bool ignore = false;
   Real stiffness = 0.5;             ///< phi: fraction of the springs of both sides in series
   Real damping = 0.1;               ///< zeta: fraction of critical
-  std::optional<Varying> friction;  ///< coefficient, constant or over speed or pressure; none: 0
+  std::optional<Varying> friction;  ///< coefficient [1]; none: 0
   std::optional<DecayingFriction> decaying{};  ///< instead of `friction`
+  bool shear_limit = false;  ///< friction is never above flow stress / sqrt(3) of the softer side
 
   Real cohesion = 0;  ///< [Pa] shear strength without pressure of faces that touch at time 0
   Real tension = 0;   ///< [Pa] tensile strength of faces that touch at time 0
@@ -59,27 +69,49 @@ struct PairOptions {
     if (decaying) return decaying->at_rest > 0;
     return friction && !(friction->is_constant() && friction->constant == 0);
   }
-  /// Coefficient of friction at a slip speed [m/s] and a pressure [Pa].
-  Real coefficient(Real speed, Real pressure) const {
-    if (decaying) return decaying->coefficient(speed);
+  /// True where friction depends on the temperature or the flow stress of what rubs.
+  bool asks_material() const {
+    if (shear_limit && rubs()) return true;
+    if (!friction || decaying) return false;
+    if (friction->over == Varying::Over::sliding)
+      return friction->depends[0] || friction->depends[1];
+    return friction->over == Varying::Over::temperature;
+  }
+  /// Coefficient of friction [1]. That of an expression may be anything: the caller looks at it.
+  Real coefficient(const Sliding& at) const {
+    if (decaying) return decaying->coefficient(at.speed);
     if (!friction) return 0;
-    if (friction->is_constant()) return friction->constant;
-    return friction->at(friction->over == Varying::Over::pressure ? pressure : speed);
+    switch (friction->over) {
+      case Varying::Over::nothing:
+        return friction->constant;
+      case Varying::Over::sliding:
+        return friction->evaluate({at.temperature, at.flow_stress, at.pressure, at.speed});
+      case Varying::Over::temperature:
+        return friction->at(at.temperature);
+      case Varying::Over::pressure:
+        return friction->at(at.pressure);
+      default:
+        return friction->at(at.speed);
+    }
   }
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
-  static constexpr const char* kLater[] = {"tied", "shear_limit", "joint"};
+  static constexpr const char* kLater[] = {"tied", "joint"};
   static constexpr const char* kInitialOverlap[] = {"track", "press"};
-  static constexpr Varying::Over kFrictionOver[] = {Varying::Over::slip_speed,
-                                                    Varying::Over::pressure};
+  static constexpr Varying::Over kFrictionOver[] = {
+      Varying::Over::temperature, Varying::Over::slip_speed, Varying::Over::pressure,
+      Varying::Over::sliding};
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
   s.flag({"bonded", "particles of both bodies share one SPH sum, as those of one body"},
          pair.bonded);
   s.varying_or_law({"friction",
-                    "coefficient of Coulomb friction; or a table over slip_speed or pressure; or "
-                    "static, kinetic and decay"},
+                    "coefficient of Coulomb friction; or a table; or an expression of T [K], mean "
+                    "of both surfaces, yield [Pa], flow stress of the softer one, p [Pa] and v "
+                    "[m/s], pressure and slip speed; or static, kinetic and decay"},
                    pair.friction, pair.decaying, {"1", at_least(0), between(0, 2)}, kFrictionOver);
+  s.flag({"shear_limit", "friction is never above flow stress / sqrt(3) of the softer side"},
+         pair.shear_limit);
   s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
          {"1", positive(), between(0.01, 10)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});

@@ -57,6 +57,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
       pairs_.emplace_back(a, b);
       rubs_ = rubs_ || pair.rubs();
+      asks_material_ = asks_material_ || pair.asks_material();
       presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;
       if (first->second.particles && second->second.particles && !pair.bonded) {
         meeting_.insert({a, b});

@@ -35,6 +35,8 @@ class PairTable {
   PairOptions strongest(Label body) const;
   /// True if any of these pairs has friction.
   bool rubs() const { return rubs_; }
+  /// True if in any of these pairs friction depends on temperature or flow stress.
+  bool asks_material() const { return asks_material_; }
   /// True if in any of these pairs an overlap at time 0 is felt at once.
   bool presses() const { return presses_; }
   /// Widest opening [m] through which heat passes to each body, by label; empty: none has any.
@@ -51,6 +53,7 @@ class PairTable {
   std::vector<std::string> names_;
   bool rubs_ = false;
   bool presses_ = false;
+  bool asks_material_ = false;
   std::vector<Real> gaps_;   // [m]
   std::set<Label> selves_;   // bodies that the deck pairs with themselves
   std::set<Label> meeting_;  // bodies whose particles may touch those of others

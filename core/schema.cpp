@@ -7,7 +7,7 @@ namespace brunt {
 
 Real Varying::at(Real s) const {
   if (over == Over::nothing) return constant;
-  assert(over != Over::expression && !abscissa.empty());
+  assert(!is_expression() && !abscissa.empty());
   if (s <= abscissa.front()) return ordinate.front();
   if (s >= abscissa.back()) return ordinate.back();
   const auto next = std::upper_bound(abscissa.begin(), abscissa.end(), s);

@@ -7,6 +7,7 @@
 /// Visitors make of it: the reader with its errors, the manual, the JSON schema, the echo of the
 /// resolved deck, `explain`, and the generated wrong decks. The default is the struct's
 /// initialiser.
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -46,16 +47,20 @@ struct Quantity {
   Range plausible{};
 };
 
-/// A value that may depend on something: a constant, a table or an expression of t, x, y, z.
+/// A value that may depend on something: a constant, a table or an expression.
 struct Varying {
-  enum class Over { nothing, time, temperature, slip_speed, pressure, eps_p, expression };
+  /// expression: of t, x, y, z; sliding: an expression of T, yield, p, v where two bodies slide
+  enum class Over { nothing, time, temperature, slip_speed, pressure, eps_p, expression, sliding };
   Over over = Over::nothing;
   Real constant = 0;
   std::vector<Real> abscissa, ordinate;  ///< table: linear between, held outside; SI
-  std::string expression;                ///< over == expression: SI numbers in, SI number out
-  /// Compiled expression, made by the reader; arguments t, x, y, z in SI.
-  std::function<Real(Real t, const Vec3& x)> evaluate;
+  std::string expression;                ///< SI numbers in, SI number out
+  /// Compiled expression, made by the reader, of its four arguments in SI, in the order above. May
+  /// be called by many threads at once.
+  std::function<Real(const std::array<Real, 4>&)> evaluate;
+  std::array<bool, 4> depends{};  ///< which of the arguments stand in it
   bool is_constant() const { return over == Over::nothing; }
+  bool is_expression() const { return over == Over::expression || over == Over::sliding; }
   /// Value of a constant or of a table at argument s.
   Real at(Real s) const;
 };

@@ -21,8 +21,9 @@ struct Facet {
   /// [m] penetration at which it lets go: depth of the element normal to the face at its birth,
   /// half of it where the element's other face is free too; rigid: 0
   Real depth = 0;
-  Real capacity = 0;    ///< [J/m^2/K] rho cp h / 2 of the element behind; 0: takes no heat
-  Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)] sqrt(k rho cp) at time 0
+  Real capacity = 0;     ///< [J/m^2/K] rho cp h / 2 of the element behind; 0: takes no heat
+  Real effusivity = 0;   ///< [J/m^2/K/s^(1/2)] sqrt(k rho cp) at time 0
+  Real temperature = 0;  ///< [K] of its body at time 0, which lasts where nothing heats it
   /// [1/kg] the most with which a free rigid body gives way to a force at one of its corners, of
   /// all directions, turning too; 0: its points move by themselves, or as told
   Real compliance = 0;
@@ -41,6 +42,12 @@ struct SurfaceParticle {
   Real effusivity = 0;    ///< [J/m^2/K/s^(1/2)] at time 0
 };
 
+/// What friction asks of the material behind a facet, or of a particle.
+struct SurfaceMaterial {
+  Real temperature = 0;          ///< [K]; not read where the points of the surface conduct
+  Real flow_stress = kInfinity;  ///< [Pa] infinite: it never yields
+};
+
 /// What a group shows to contact: plain data.
 template <int Dim>
 struct Surface {
@@ -53,6 +60,11 @@ struct Surface {
   /// [rad/s] of the material about each owned point of a group of particles, half the curl of its
   /// velocity at mid-step; in 2D z alone. Empty where it is not asked for.
   std::vector<Vec3> spin;
+  bool asks_material = false;  ///< contact reads what follows
+  /// Of each facet, as the last update_state found it; empty where nothing yields or is heated.
+  std::vector<SurfaceMaterial> facet_material;
+  /// Of each owned point of a group of particles; empty where it is not asked for.
+  std::vector<SurfaceMaterial> particle_material;
 };
 
 }  // namespace brunt

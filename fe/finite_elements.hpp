@@ -29,7 +29,8 @@ class FiniteElements final : public Solid<Dim> {
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
   Surface<Dim>& surface() override { return surface_; }
-  void update_state(Real) override {}
+  /// Shows contact the materials behind the facets, where friction asks for them.
+  void update_state(Real) override;
   void add_internal_forces(Real dt) override;
   void add_conduction(Real dt) override;
   StepVote stable_step() const override;
@@ -57,6 +58,7 @@ class FiniteElements final : public Solid<Dim> {
   void start_conduction();
   void interpolate_temperatures();
   void conduct(Real inverse_dt);
+  void find_elements_of_facets();
   ElementStep<Dim> element_step(const ElementBlock<Dim>& block, Real dt);
 
   Points<Dim> points_;
@@ -70,6 +72,8 @@ class FiniteElements final : public Solid<Dim> {
       corner_heat_;    ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
   bool held_ = false;  ///< nothing of it ever moves: only its heat is computed
   Surface<Dim> surface_;
+  /// Block and element behind each facet; empty until contact asks for their materials.
+  std::vector<std::pair<std::size_t, LocalIndex>> element_of_facet_;
   GhostPlan ghosts_;
 };
 

@@ -60,6 +60,7 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   const Real size = element_volume<Dim>(corner_positions(block, e, points), true, Thickness{1, 0});
   facet.depth = size / face_area(facet.node, points.x);
   facet.stiffness = block.material->modulus() / facet.depth;
+  facet.temperature = block.temperature;
   facet.areal_mass = 0.5 * block.material->density * facet.depth;
   if (block.conducts) {
     facet.capacity = facet.areal_mass * block.material->specific_heat;

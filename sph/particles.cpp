@@ -135,13 +135,29 @@ void SphParticles<Dim>::publish_spins() {
 }
 
 template <int Dim>
+void SphParticles<Dim>::publish_materials() {
+  surface_.particle_material.resize(n_owned());
+  for (const auto& block : blocks_) {
+    const auto& state = block.state;
+    const auto& strength = *block.set.material->strength;
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
+      auto& shown = surface_.particle_material[static_cast<std::size_t>(block.set.particle[slot])];
+      shown.temperature =
+          state.temperature.empty() ? block.set.temperature : state.temperature[slot];
+      shown.flow_stress = strength.flow_stress(state, slot, block.set.temperature);
+    });
+  }
+}
+
+template <int Dim>
 void SphParticles<Dim>::update_state(Real dt) {
+  if (points_.conducts) take_temperatures();
   if (held_) {
     if (!settled_) refresh_motion(), refresh_gradients();
     settled_ = true;
+    if (surface_.asks_material) publish_materials();
     return;
   }
-  if (points_.conducts) take_temperatures();
   for_each(n_owned(), [&](std::size_t i) {
     auto& state = state_[i];
     const Vec<Dim> half = 0.5 * dt * points_.v[i];
@@ -158,6 +174,7 @@ void SphParticles<Dim>::update_state(Real dt) {
     const std::size_t n_tiles = block.state.size() / kTile;
     for_each(n_tiles, [&](std::size_t tile) { update_tile(block, tile * kTile, dt); });
   }
+  if (surface_.asks_material) publish_materials();
 }
 
 template <int Dim>

@@ -117,6 +117,7 @@ class SphParticles final : public Solid<Dim> {
   void hold(std::size_t n);
   void label_sums();
   void publish_spins();
+  void publish_materials();
   void take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing);
   void renew_ghosts(Real skin);
   void refresh_ghost_positions();

@@ -68,7 +68,9 @@ struct Choose {
 
 PrescribedVelocity function_of(const Varying& varying) {
   if (varying.over == Varying::Over::expression) {
-    return [evaluate = varying.evaluate](Real t, const Vec3& x) { return evaluate(t, x); };
+    return [evaluate = varying.evaluate](Real t, const Vec3& x) {
+      return evaluate({t, x[0], x[1], x[2]});
+    };
   }
   return [varying](Real t, const Vec3&) { return varying.at(t); };
 }

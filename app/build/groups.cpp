@@ -267,6 +267,8 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
       facet.id = next.element++ << 3;
       facet.body = bodies[b].label;
       facet.piece = bodies[b].piece[f];
+      facet.temperature =
+          loaded.deck.bodies[facet.body].value.temperature.value_or(loaded.deck.ambient);
       for (int c = 0; c < facet.n_nodes(); ++c) {
         const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
         gathered.points.piece[node] = facet.piece;

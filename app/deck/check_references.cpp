@@ -80,6 +80,41 @@ void check_pairs(const Deck& deck, Findings& findings) {
   }
 }
 
+/// True where some body of that name, or of any, is of a material that yields.
+bool yields(const Deck& deck, const std::string& name) {
+  return std::any_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
+    if (body.value.rigid || (name != "any" && body.name != name)) return false;
+    return std::any_of(deck.materials.begin(), deck.materials.end(), [&](const auto& material) {
+      return material.name == body.value.material &&
+             !std::holds_alternative<NoStrength>(material.value.strength);
+    });
+  });
+}
+
+/// Friction that asks for the flow stress of bodies that have none.
+void check_flow_stress(const Deck& deck, const std::string& path, const PairOptions& pair,
+                       const Names& bodies, Findings& findings) {
+  const auto yielding = [&](const std::string& name) { return yields(deck, name); };
+  if (!findings.sound("materials") || std::any_of(bodies.begin(), bodies.end(), yielding)) return;
+  const std::string who = bodies.size() == 1 ? "no body" : "neither body";
+  const bool asks =
+      pair.friction && pair.friction->over == Varying::Over::sliding && pair.friction->depends[1];
+  if (asks && findings.stands(path + ".friction")) {
+    findings.warn(path + ".friction", "`yield` is infinite: " + who + " has a `strength`");
+  }
+  if (pair.shear_limit && findings.stands(path + ".shear_limit")) {
+    findings.warn(path + ".shear_limit", "limits nothing: " + who + " has a `strength`");
+  }
+}
+
+void check_friction(const Deck& deck, Findings& findings) {
+  check_flow_stress(deck, "contact.default", deck.contact.fallback, {"any"}, findings);
+  for (const auto& [name, pair] : deck.contact.pairs) {
+    if (pair.between.size() != 2) continue;
+    check_flow_stress(deck, "contact.pairs." + name, pair.options, pair.between, findings);
+  }
+}
+
 void check_names_of_bodies(const Deck& deck, Findings& findings) {
   const Names bodies = names_of(deck.bodies);
   for (const auto& [name, boundary] : deck.boundaries) {
@@ -143,6 +178,7 @@ void check_expressions(const Deck& deck, Findings& findings) {
 void check_references(const Deck& deck, Findings& findings) {
   check_materials_of_bodies(deck, findings);
   check_pairs(deck, findings);
+  check_friction(deck, findings);
   check_names_of_bodies(deck, findings);
   check_expressions(deck, findings);
 }

@@ -27,6 +27,7 @@ class ElasticStrength final : public Strength {
   void update(MaterialTile& tile, Real dt) const override;
   bool yields() const override { return false; }
   bool needs_temperature() const override { return false; }
+  Real flow_stress(const MaterialState&, std::size_t, Real) const override { return kInfinity; }
 
  private:
   Real shear_;

@@ -53,6 +53,11 @@ class Strength {
   virtual void update(MaterialTile& tile, Real dt) const = 0;
   virtual bool yields() const = 0;
   virtual bool needs_temperature() const = 0;
+  /// Flow stress [Pa] of point k as the last step left it: at its plastic strain, last plastic rate
+  /// and temperature; infinite where the material never yields.
+  /// fixed_temperature [K] what the law sees where heat is off
+  virtual Real flow_stress(const MaterialState& state, std::size_t k,
+                           Real fixed_temperature) const = 0;
 };
 
 /// The equation of state: updates pressure, tangent bulk modulus and energy of a tile.

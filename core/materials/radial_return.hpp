@@ -90,6 +90,11 @@ class RadialReturn final : public Strength {
   }
   bool yields() const override { return true; }
   bool needs_temperature() const override { return law_.needs_temperature(); }
+  Real flow_stress(const MaterialState& state, std::size_t k,
+                   Real fixed_temperature) const override {
+    const Real T = state.temperature.empty() ? fixed_temperature : state.temperature[k];
+    return law_.flow_stress(state.eps_p[k], state.strain_rate[k], T);
+  }
 
  private:
   static constexpr int kStep = lanes_of<V>;

@@ -26,7 +26,7 @@ Node text_node(const std::string& text) {
 
 Node varying_node(const Varying& varying) {
   if (varying.is_constant()) return number(varying.constant);
-  if (varying.over == Varying::Over::expression) return scalar_node(varying.expression);
+  if (varying.is_expression()) return scalar_node(varying.expression);
   Node rows = list_node();
   for (std::size_t i = 0; i < varying.abscissa.size(); ++i) {
     rows.items.push_back(numbers({varying.abscissa[i], varying.ordinate[i]}));

@@ -53,11 +53,12 @@ Real evaluate_one(const mu::Parser& parser) {
 std::string body_of(const std::string& text) { return text.substr(text.find('=') + 1); }
 
 /// muParser's words, with what a user can do about the most frequent one.
-std::string problem_of(const mu::ParserError& error) {
+/// known  what is known besides parameters, or ""
+std::string problem_of(const mu::ParserError& error, const std::string& known = "") {
   std::string message = error.GetMsg();
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
     const std::string& name = error.GetToken();
-    message = "'" + name + "' is not known in an expression";
+    message = "'" + name + "' is not known in an expression" + known;
     if (!name.empty() && name[0] != '$') message += "; a parameter is written $" + name;
   }
   return message;
@@ -66,14 +67,11 @@ std::string problem_of(const mu::ParserError& error) {
 /// A copy of a compiled expression with its own variables.
 struct Instance {
   mu::Parser parser;
-  mu::value_type t = 0, x = 0, y = 0, z = 0;
+  std::array<mu::value_type, 4> argument{};
 
-  explicit Instance(const std::string& body) {
+  Instance(const std::string& body, const ArgumentNames& names) {
     prepare(parser);
-    parser.DefineVar("t", &t);
-    parser.DefineVar("x", &x);
-    parser.DefineVar("y", &y);
-    parser.DefineVar("z", &z);
+    for (std::size_t k = 0; k < names.size(); ++k) parser.DefineVar(names[k], &argument[k]);
     parser.SetExpr(body);
   }
 };
@@ -81,13 +79,14 @@ struct Instance {
 /// Callable from many threads: each call takes an instance out of a pool and puts it back.
 class PooledExpression {
  public:
-  explicit PooledExpression(std::string body) : body_(std::move(body)) {}
-  PooledExpression(const PooledExpression& other) : body_(other.body_) {}
+  PooledExpression(std::string body, const ArgumentNames& names)
+      : body_(std::move(body)), names_(names) {}
+  PooledExpression(const PooledExpression& other) : body_(other.body_), names_(other.names_) {}
   PooledExpression& operator=(const PooledExpression&) = delete;
 
-  Real operator()(Real t, const Vec3& x) const {
+  Real operator()(const std::array<Real, 4>& arguments) const {
     std::unique_ptr<Instance> instance = take();
-    instance->t = t, instance->x = x[0], instance->y = x[1], instance->z = x[2];
+    instance->argument = arguments;
     const Real value = evaluate_one(instance->parser);
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(instance));
@@ -104,10 +103,11 @@ class PooledExpression {
         return instance;
       }
     }
-    return std::make_unique<Instance>(body_);
+    return std::make_unique<Instance>(body_, names_);
   }
 
   std::string body_;
+  ArgumentNames names_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Instance>> free_;  ///< cache, under mutex_
 };
@@ -224,7 +224,8 @@ std::vector<std::string> names_in(const std::string& text) {
   return names;
 }
 
-bool depends_on_place_or_time(const std::string& text) {
+std::array<bool, 4> arguments_in(const std::string& text, const ArgumentNames& names) {
+  std::array<bool, 4> found{};
   for (std::size_t i = 0; i < text.size();) {
     if (!is_name_character(text[i]) && text[i] != '$') {
       ++i;
@@ -233,10 +234,15 @@ bool depends_on_place_or_time(const std::string& text) {
     std::size_t end = i + 1;
     while (end < text.size() && is_name_character(text[end])) ++end;
     const std::string name = text.substr(i, end - i);
-    if (name == "t" || name == "x" || name == "y" || name == "z") return true;
+    for (std::size_t k = 0; k < names.size(); ++k) found[k] = found[k] || name == names[k];
     i = end;
   }
-  return false;
+  return found;
+}
+
+bool depends_on(const std::string& text, const ArgumentNames& names) {
+  const auto found = arguments_in(text, names);
+  return std::any_of(found.begin(), found.end(), [](bool one) { return one; });
 }
 
 ExpressionResult evaluate_expression(const std::string& text, const ParameterValues& parameters) {
@@ -270,19 +276,22 @@ ExpressionResult evaluate_expression(const std::string& text, const ParameterVal
   return result;
 }
 
-CompiledExpression compile_expression(const std::string& text, const ParameterValues& parameters) {
+CompiledExpression compile_expression(const std::string& text, const ParameterValues& parameters,
+                                      const ArgumentNames& names) {
   CompiledExpression compiled;
   const std::string body = with_numbers(body_of(text), parameters);
   compiled.text = "=" + body;
   compiled.problem = form_problem(body);
   if (!compiled.problem.empty()) return compiled;
   try {
-    const PooledExpression pooled(body);
-    const Real start = pooled(0, Vec3::Zero());
+    const PooledExpression pooled(body, names);
+    const Real start = pooled({});
     static_cast<void>(start);
     compiled.evaluate = pooled;
   } catch (const mu::ParserError& error) {
-    compiled.problem = problem_of(error);
+    std::string known;
+    for (const char* name : names) known += std::string(known.empty() ? " of " : ", ") + name;
+    compiled.problem = problem_of(error, known);
   }
   return compiled;
 }

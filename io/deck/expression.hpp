@@ -1,5 +1,6 @@
 #pragma once
 /// Expressions of the deck: "= 2*$size + 0.1*$gap". muParser's functions and `pi`.
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -31,20 +32,28 @@ struct ExpressionResult {
 bool is_expression(const std::string& text);
 /// Names behind "$", in order, each once; "$$" is none.
 std::vector<std::string> names_in(const std::string& text);
-/// True if t, x, y or z stands in it.
-bool depends_on_place_or_time(const std::string& text);
+/// The four arguments that an expression may have.
+using ArgumentNames = std::array<const char*, 4>;
+inline constexpr ArgumentNames kTimeAndPlace{"t", "x", "y", "z"};
+inline constexpr ArgumentNames kSliding{"T", "yield", "p", "v"};
+/// Which of the arguments stand in it.
+std::array<bool, 4> arguments_in(const std::string& text, const ArgumentNames& names);
+/// True if any of them does.
+bool depends_on(const std::string& text, const ArgumentNames& names);
 
 /// Evaluates an expression of parameters. It is evaluated in other base units too: the sum of a
 /// length and a number cannot pass, and the dimension of the result follows.
 ExpressionResult evaluate_expression(const std::string& text, const ParameterValues& parameters);
 
-/// An expression of t, x, y, z, SI in, SI out, with parameters put in as SI numbers.
+/// An expression of four arguments, SI in, SI out, with parameters put in as SI numbers.
 struct CompiledExpression {
   std::string text;  ///< with the numbers of the parameters: reads back
-  std::function<Real(Real t, const Vec3& x)> evaluate;  ///< may be called by many threads at once
+  /// May be called by many threads at once.
+  std::function<Real(const std::array<Real, 4>&)> evaluate;
   std::string problem;
 };
-CompiledExpression compile_expression(const std::string& text, const ParameterValues& parameters);
+CompiledExpression compile_expression(const std::string& text, const ParameterValues& parameters,
+                                      const ArgumentNames& names);
 
 /// Evaluates "= $a / $b" over what `lookup` knows; throws std::invalid_argument with the reason.
 Real evaluate_formula(const std::string& text,

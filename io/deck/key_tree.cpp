@@ -185,7 +185,8 @@ class KeyWalker final : public Schema {
   }
   static void take_overs(KeyInfo& info, std::span<const Varying::Over> overs) {
     for (const Varying::Over over : overs) {
-      info.words.emplace_back(over == Varying::Over::expression ? "expression" : over_word(over));
+      const bool expression = over == Varying::Over::expression || over == Varying::Over::sliding;
+      info.words.emplace_back(expression ? "expression" : over_word(over));
     }
   }
 

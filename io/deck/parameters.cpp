@@ -163,7 +163,7 @@ class Resolver {
       }
       return;
     }
-    if (depends_on_place_or_time(node.text)) {
+    if (depends_on(node.text, kTimeAndPlace)) {
       problems_.push_back({node.place, path, "a parameter cannot depend on t, x, y or z"});
       return;
     }

@@ -123,6 +123,8 @@ class Reader final : public Schema {
                                                bool allow_free = false);
   /// Unfolds {unit: mm, value: [...]}: a copy with the unit behind each bare number.
   std::optional<Node> with_unit_once(const Node& node, const std::string& path);
+  std::optional<Varying> compiled_value(const Node& node, const std::string& path,
+                                        const Quantity& quantity, Varying::Over kind);
   std::optional<Varying> varying_value(const Node& node, const std::string& path,
                                        const Quantity& quantity,
                                        std::span<const Varying::Over> over);

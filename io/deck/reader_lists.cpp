@@ -187,25 +187,63 @@ void Reader::integers(const Key& key, std::optional<std::vector<int>>& value, in
   value = std::move(numbers);
 }
 
+namespace {
+/// States of sliding at which a coefficient is tried: cold and hot, soft and hard, any pressure and
+/// speed of bodies that rub. None of their arguments is 0.
+std::vector<std::array<Real, 4>> sliding_samples() {
+  std::vector<std::array<Real, 4>> samples;
+  for (const Real T : {300.0, 100.0, 700.0, 1500.0}) {
+    for (const Real yield : {1e8, 1e6, 1e9}) {
+      for (const Real p : {1e6, 1e3, 1e9}) {
+        for (const Real v : {1.0, 1e-3, 100.0}) samples.push_back({T, yield, p, v});
+      }
+    }
+  }
+  return samples;
+}
+
+/// What is wrong with an expression that has no value in its range at any of these states.
+std::string sliding_problem(const Varying& varying, const Range& range) {
+  const auto samples = sliding_samples();
+  for (const auto& at : samples) {
+    const Real value = varying.evaluate(at);
+    if (std::isfinite(value) && value >= range.min && value <= range.max) return "";
+  }
+  return "is " + shortest_text(varying.evaluate(samples.front())) +
+         " at T = 300 K, yield = 100 MPa, p = 1 MPa, v = 1 m/s, and at least " +
+         shortest_text(range.min) + " nowhere";
+}
+}  // namespace
+
+std::optional<Varying> Reader::compiled_value(const Node& node, const std::string& path,
+                                              const Quantity& quantity, Varying::Over kind) {
+  const bool sliding = kind == Varying::Over::sliding;
+  const auto& names = sliding ? kSliding : kTimeAndPlace;
+  CompiledExpression compiled = compile_expression(node.text, parameters_, names);
+  Varying varying;
+  varying.over = kind;
+  varying.depends = arguments_in(node.text, names);
+  varying.expression = std::move(compiled.text);
+  varying.evaluate = std::move(compiled.evaluate);
+  std::string wrong = std::move(compiled.problem);
+  if (wrong.empty() && sliding) wrong = sliding_problem(varying, quantity.range);
+  if (wrong.empty()) return varying;
+  problem(node, path, what_stands(node) + ": " + wrong);
+  return {};
+}
+
 std::optional<Varying> Reader::varying_value(const Node& node, const std::string& path,
                                              const Quantity& quantity,
                                              std::span<const Varying::Over> over) {
   if (node.is_map()) return table_value(node, path, quantity, over);
-  Varying varying;
-  const bool expressions =
-      std::find(over.begin(), over.end(), Varying::Over::expression) != over.end();
-  if (expressions && node.is_scalar() && is_expression(node.text) &&
-      depends_on_place_or_time(node.text)) {
-    CompiledExpression compiled = compile_expression(node.text, parameters_);
-    if (!compiled.problem.empty()) {
-      problem(node, path, what_stands(node) + ": " + compiled.problem);
-      return {};
+  for (const auto kind : over) {
+    if (kind != Varying::Over::expression && kind != Varying::Over::sliding) continue;
+    const auto& names = kind == Varying::Over::sliding ? kSliding : kTimeAndPlace;
+    if (node.is_scalar() && is_expression(node.text) && depends_on(node.text, names)) {
+      return compiled_value(node, path, quantity, kind);
     }
-    varying.over = Varying::Over::expression;
-    varying.expression = std::move(compiled.text);
-    varying.evaluate = std::move(compiled.evaluate);
-    return varying;
   }
+  Varying varying;
   const auto value = quantity_value(node, path, quantity);
   if (!value) return {};
   varying.constant = *value;

@@ -61,7 +61,7 @@ std::string word_list(std::span<const char* const> words) {
 
 std::optional<Real> Reader::expression_value(const Node& node, const std::string& path,
                                              const std::string& unit) {
-  if (depends_on_place_or_time(node.text)) {
+  if (depends_on(node.text, kTimeAndPlace)) {
     problem(node, path, "cannot depend on t, x, y or z, got " + what_stands(node));
     return {};
   }

@@ -1,11 +1,13 @@
-/// Cost of contact on one core: two rough sheets of n x n quads, one turned, and a block of
-/// particles on one of them. Prints nanoseconds a face, candidate, contact, in time of the
-/// processor; medians of five runs.
+/// Cost of contact on one core: two rough sheets of n x n quads, one turned, apart, pressed, and
+/// rubbing; a block of particles on one of them; the same in a domain a million times as large, and
+/// with three faces stretched a thousand times. Prints nanoseconds in time of the processor,
+/// medians of five runs. contact_bench [MOST FACES]
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <random>
 
@@ -83,39 +85,109 @@ Real median_seconds(const Work& work) {
   return times[2];
 }
 
-void report(const char* name, const std::vector<Surface<3>*>& surfaces, std::size_t entities) {
+/// One face of a body of its own, far from all others.
+void add_far_face(Real far, Body& body) {
+  for (const auto& corner : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
+    body.add_point(Vec3::Constant(far) + corner, 2);
+  }
+  auto& facet = body.surface.facets.emplace_back();
+  facet.node = {0, 1, 2, 3};
+  facet.id = GlobalId{2} << 40;
+  facet.body = 2;
+  facet.stiffness = 1e9, facet.areal_mass = 500, facet.depth = 1;
+  body.surface.points = &body.points;
+}
+
+/// Pulls three corners of a sheet of n x n faces out a thousand times as far as a face is wide.
+void stretch(int n, Body& sheet) {
+  const auto last = sheet.points.x.size() - 1;
+  for (const std::size_t k : {std::size_t{0}, static_cast<std::size_t>(n), last}) {
+    const Vec3 out = 1000 * Vec3(sheet.points.x[k][0], sheet.points.x[k][1], 0).normalized();
+    for (auto* x : {&sheet.points.x[k], &sheet.points.x_start[k]}) *x += out;
+  }
+}
+
+struct Cost {
+  Real build = 0, step = 0;  // [ns] an entity
+};
+
+/// A step of 1 s in which what lies above has moved by `slip` [m]: it keeps sliding.
+Cost report(const char* name, const std::vector<Body*>& bodies, std::size_t entities, Real mu,
+            Real slip) {
   ContactOptions options;
-  ContactManager<3> contact(options, Geometry::three_d, surfaces, {"a", "b"});
+  options.fallback.initial_overlap = InitialOverlap::press;
+  if (mu > 0) options.fallback.friction.emplace().constant = mu;
+  std::vector<Surface<3>*> surfaces;
+  for (auto* body : bodies) surfaces.push_back(&body->surface);
+  ContactManager<3> contact(options, Geometry::three_d, surfaces, {"a", "b", "far"});
+  const auto one_step = [&] {
+    auto& points = bodies[1]->points;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      points.v[i] = Vec3(slip, 0, 0);
+      points.x[i] += points.v[i];
+    }
+    contact.add_forces(1);
+  };
   const Real build = median_seconds([&] { contact.rearrange(); });
-  const Real step = median_seconds([&] { contact.add_forces(1e-9); });
+  one_step();
+  const auto before = contact.work();
+  const Real step = median_seconds(one_step);
   const auto work = contact.work();
+  const Real n = static_cast<Real>(entities);
   std::printf(
-      "%-10s %8zu entities %9zu candidates %8zu contacts | tables and lists %6.0f ns/entity"
-      " | step %6.0f ns/contact %5.0f ns/candidate %6.0f ns/entity\n",
-      name, entities, work.candidates, work.contacts, build / static_cast<Real>(entities) * 1e9,
+      "%-22s %8zu entities %9zu candidates %8zu contacts | tables and lists %5.0f ns/entity | step"
+      " %5.0f ns/contact %4.0f ns/candidate %5.0f ns/entity%s\n",
+      name, entities, work.candidates, work.contacts, build / n * 1e9,
       step / static_cast<Real>(std::max<std::size_t>(work.contacts, 1)) * 1e9,
-      step / static_cast<Real>(work.candidates) * 1e9, step / static_cast<Real>(entities) * 1e9);
+      step / static_cast<Real>(work.candidates) * 1e9, step / n * 1e9,
+      work.builds > before.builds ? ", lists included" : "");
+  std::fflush(stdout);
+  return {build / n * 1e9, step / n * 1e9};
+}
+
+enum class Change { none, domain, stretched };
+
+/// Two sheets of n x n faces, so far apart.
+Cost sheets(const char* name, int n, Real gap, Real mu, Change change = Change::none) {
+  std::mt19937_64 random(3);
+  Body lower, upper, far;
+  make_sheet(n, 0, true, 0, 0, random, lower);
+  make_sheet(n, gap, false, 0.3, 1, random, upper);
+  std::vector<Body*> bodies{&lower, &upper};
+  // A hundred times as long, wide and high as the sheets are.
+  if (change == Change::domain) add_far_face(100.0 * n, far), bodies.push_back(&far);
+  if (change == Change::stretched) stretch(n, lower);
+  const auto faces = static_cast<std::size_t>(2 * n * n);
+  return report(name, bodies, faces, mu, mu > 0 ? 1e-5 : 0);
+}
+
+void particles(const char* name, int n, Real height, Real mu) {
+  std::mt19937_64 random(3);
+  Body sheet, block;
+  make_sheet(n, 0, true, 0, 0, random, sheet);
+  make_particles(n, height, 1, block);
+  report(name, {&sheet, &block}, static_cast<std::size_t>(5 * n * n), mu, mu > 0 ? 1e-5 : 0);
 }
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   omp_set_num_threads(1);
-  for (const int n : {32, 64, 128, 256}) {
-    std::mt19937_64 random(3);
-    const auto faces = static_cast<std::size_t>(2 * n * n);
-    for (const Real gap : {-0.06, 0.3}) {
-      Body lower, upper;
-      make_sheet(n, 0, true, 0, 0, random, lower);
-      make_sheet(n, gap, false, 0.3, 1, random, upper);
-      report(gap < 0 ? "touching" : "open", {&lower.surface, &upper.surface}, faces);
-    }
-    for (const Real height : {0.45, 0.55}) {
-      Body sheet, block;
-      make_sheet(n, 0, true, 0, 0, random, sheet);
-      make_particles(n, height, 1, block);
-      report("particles", {&sheet.surface, &block.surface}, static_cast<std::size_t>(5 * n * n));
-    }
+  const int most = argc > 1 ? std::atoi(argv[1]) : 140000;
+  for (const int n : {23, 71, 224, 708}) {
+    if (2 * n * n > most) break;
+    sheets("apart: rejected", n, 0.3, 0);
+    sheets("pressed", n, -0.06, 0);
+    const Cost plain = sheets("rubbing", n, -0.06, 0.3);
+    particles("particles near a face", n, 0.55, 0);
+    particles("particles on faces", n, 0.45, 0);
+    particles("particles that rub", n, 0.45, 0.3);
+    if (n < 100) continue;
+    const Cost large = sheets("rubbing, domain x 1e6", n, -0.06, 0.3, Change::domain);
+    const Cost odd = sheets("rubbing, 3 stretched", n, -0.06, 0.3, Change::stretched);
+    std::printf("domain x 1e6: lists x %.2f, step x %.2f; 3 stretched: lists x %.2f, step x %.2f\n",
+                large.build / plain.build, large.step / plain.step, odd.build / plain.build,
+                odd.step / plain.step);
   }
   return 0;
 }

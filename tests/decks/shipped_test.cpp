@@ -95,7 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"composite-rod", {"time.end=20 s"}}, Shipped{"hot-block", {"time.end=15 us"}},
         Shipped{"tumbling-blocks", {"parameters.end=4 ms", "bodies.plate.cells=[10, 10, 2]"}},
         Shipped{"cutting-2d", {"parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
-        Shipped{"rubbing-blocks", {"time.end=9 us"}}, Shipped{"brick-stack", {"time.end=20 ms"}}),
+        Shipped{"rubbing-blocks", {"time.end=9 us"}},
+        Shipped{"sliding-blocks", {"parameters.end=3 ms"}},
+        Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' ? '_' : c;
@@ -114,10 +116,10 @@ Real largest_energy(const Simulation& run) {
 
 // What births, deaths and changes of contacts make or lose (physics.md D) is below 0.1 %.
 TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
-  for (const char* name :
-       {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric", "taylor-bar-sph",
-        "drop-on-plate", "projectile-2d", "block-on-incline", "brick-stack", "half-spaces",
-        "composite-rod", "hot-block", "tumbling-blocks", "rubbing-blocks", "cutting-2d"}) {
+  for (const char* name : {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric",
+                           "taylor-bar-sph", "drop-on-plate", "projectile-2d", "block-on-incline",
+                           "brick-stack", "half-spaces", "composite-rod", "hot-block",
+                           "tumbling-blocks", "rubbing-blocks", "sliding-blocks", "cutting-2d"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;
     EXPECT_LT(run.worst_drift, 0.01) << name;

@@ -95,6 +95,7 @@ contact:
       friction: {table: [[0, 0.3], [1 m/s, 0.2]], over: slip_speed}
       heat: {conductance: 2e4 W/m^2/K}
     ac: {between: [a, c], friction: {static: 0.4, kinetic: 0.4, decay: 0}}
+    ag: {between: [a, g], friction: "= 0.3 - v/1000 - T/1e5", shear_limit: true}
     ad: {between: [a, d], friction: 0.3, cohesion: 1 MPa, tension: 0.5 MPa, initial_overlap: press}
     dd: {between: [d, d], bonded: true}
 boundaries:

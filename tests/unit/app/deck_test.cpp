@@ -119,17 +119,28 @@ TEST(Deck, FrictionIsANumberATableOrALaw) {
     return loaded.deck.contact.pairs[0].value.options;
   };
   const PairOptions inherited = foot("heat=off");
-  EXPECT_EQ(inherited.coefficient(0, 0), 0.3);
-  EXPECT_DOUBLE_EQ(inherited.coefficient(0.5, 0), 0.2 + 0.1 * std::exp(-1));
+  EXPECT_EQ(inherited.coefficient({}), 0.3);
+  EXPECT_DOUBLE_EQ(inherited.coefficient({.speed = 0.5}), 0.2 + 0.1 * std::exp(-1));
   const PairOptions number = foot("contact.pairs.foot.friction=0.5");
   EXPECT_FALSE(number.decaying);
-  EXPECT_EQ(number.coefficient(3, 0), 0.5);
+  EXPECT_EQ(number.coefficient({.speed = 3}), 0.5);
   const PairOptions table =
       foot("contact.pairs.foot.friction={table: [[0, 0.4], [1 MPa, 0.2]], over: pressure}");
   EXPECT_FALSE(table.decaying);
-  EXPECT_DOUBLE_EQ(table.coefficient(3, 0.5e6), 0.3);
+  EXPECT_DOUBLE_EQ(table.coefficient({.pressure = 0.5e6, .speed = 3}), 0.3);
   const PairOptions own = foot("contact.pairs.foot.friction={static: 0.1, kinetic: 0.1, decay: 0}");
-  EXPECT_EQ(own.coefficient(3, 0), 0.1);
+  EXPECT_EQ(own.coefficient({.speed = 3}), 0.1);
+  const PairOptions hot = foot(
+      "contact.pairs.foot.friction={table: [[0 degC, 0.4], [100 degC, 0.2]], over: temperature}");
+  EXPECT_DOUBLE_EQ(hot.coefficient({.temperature = 273.15 + 50}), 0.3);
+  const PairOptions expression =
+      foot("contact.pairs.foot.friction='= 0.1 + T/1000 + yield/1e9 + p/1e6 + v'");
+  EXPECT_TRUE(expression.asks_material());
+  EXPECT_DOUBLE_EQ(expression.coefficient(
+                       {.temperature = 300, .flow_stress = 1e8, .pressure = 2e6, .speed = 0.5}),
+                   0.1 + 0.3 + 0.1 + 2 + 0.5);
+  EXPECT_FALSE(foot("contact.pairs.foot.friction='= 0.1 + v'").asks_material());
+  EXPECT_TRUE(foot("contact.pairs.foot.shear_limit=true").asks_material());
 }
 
 TEST(Deck, WrongFrictionIsToldAtItsPlace) {
@@ -144,6 +155,12 @@ TEST(Deck, WrongFrictionIsToldAtItsPlace) {
   wrong("{static: 0.2, kinetic: 0.3, decay: 1 s/m}", ".kinetic: must not be above static");
   wrong("{static: 0.2, over: pressure}", ": unknown key 'static'");
   wrong("[1, 2]", ": expects");
+  wrong("'= 0.1*T + x'", ": '= 0.1*T + x': 'x' is not known in an expression of T, yield, p, v");
+  wrong("'= 0.1*(T'", ": '= 0.1*(T': Missing parenthesis");
+  wrong("'= -0.1*v'", ": '= -0.1*v': is -0.1 at T = 300 K");
+  wrong("'= sqrt(-p)'", ": '= sqrt(-p)': is nan at T = 300 K");
+  wrong("'= 0.3*x'", ": cannot depend on t, x, y or z");
+  wrong("{table: [[0, 0.3], [1, 0.2]], over: time}", ".over: expects one of temperature | slip_speed");
 }
 
 TEST(Deck, BoundariesVaryOverTime) {
@@ -154,7 +171,7 @@ TEST(Deck, BoundariesVaryOverTime) {
   const auto& second = deck.boundaries[1].value;
   EXPECT_FALSE((*second.velocity)[0].has_value());
   EXPECT_TRUE((*second.velocity)[1]->is_constant());
-  EXPECT_DOUBLE_EQ((*second.velocity)[2]->evaluate(1, Vec3::Zero()), -190 * std::exp(-1));
+  EXPECT_DOUBLE_EQ((*second.velocity)[2]->evaluate({1, 0, 0, 0}), -190 * std::exp(-1));
   const Varying& force = *(*second.force)[1];
   EXPECT_EQ(force.at(-1), 0);
   EXPECT_DOUBLE_EQ(force.at(0.5e-3), 1500);  // half of 3 kN at half of 1 ms
@@ -168,8 +185,8 @@ TEST(Deck, EchoReadsBackToTheSame) {
   EXPECT_EQ(first.resolved, second.resolved);
   EXPECT_EQ(first.hash, second.hash);
   EXPECT_EQ(second.deck.bodies[0].value.spin->axis, first.deck.bodies[0].value.spin->axis);
-  EXPECT_EQ((*second.deck.boundaries[1].value.velocity)[2]->evaluate(0.3, Vec3::Zero()),
-            (*first.deck.boundaries[1].value.velocity)[2]->evaluate(0.3, Vec3::Zero()));
+  EXPECT_EQ((*second.deck.boundaries[1].value.velocity)[2]->evaluate({0.3, 0, 0, 0}),
+            (*first.deck.boundaries[1].value.velocity)[2]->evaluate({0.3, 0, 0, 0}));
   EXPECT_TRUE(second.warnings.empty());
 }
 

@@ -76,6 +76,24 @@ TEST(RadialReturn, EndsOnTheYieldSurfaceOfTheNewState) {
 // In steady flow the stress begins and ends on the yield surface and the work of the deviator is
 // 1/2 (s_old + s_new) : strain; what of it is not in s:s/4G is plastic. Nothing here is approximate
 // for strain along the stress, so the tolerance is the solver's.
+// What is asked of a point is the law at its plastic strain, last rate and temperature, or at the
+// temperature that is given where heat is off.
+TEST(RadialReturn, TellsTheFlowStressOfAPoint) {
+  const JohnsonCook law = copper();
+  const RadialReturn<JohnsonCook> strength(law, kInputs);
+  OneTile points = mixed_points();
+  strength.update(points.at_first(), 1e-7);
+  auto& state = points.state;
+  for (std::size_t i = 0; i < kTile; ++i) {
+    EXPECT_EQ(strength.flow_stress(state, i, 500),
+              law.flow_stress(state.eps_p[i], state.strain_rate[i], state.temperature[i]));
+  }
+  state.temperature.clear();
+  EXPECT_EQ(strength.flow_stress(state, 1, 500),
+            law.flow_stress(state.eps_p[1], state.strain_rate[1], 500.0));
+  EXPECT_EQ(ElasticStrength(kShear).flow_stress(state, 1, 500), kInfinity);
+}
+
 TEST(RadialReturn, HeatIsTheTaylorQuinneyPartOfPlasticWork) {
   const RadialReturn<JohnsonCook> strength(copper(), kInputs);
   OneTile points(full_state(298));

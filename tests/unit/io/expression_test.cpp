@@ -73,13 +73,17 @@ TEST_F(ExpressionTest, NumbersWithoutUnitAreBare) {
 
 TEST_F(ExpressionTest, FindsNamesAndVariables) {
   EXPECT_EQ(names_in("= $a + $b_2*$a + $$"), (std::vector<std::string>{"a", "b_2"}));
-  EXPECT_TRUE(depends_on_place_or_time("= 3*t"));
-  EXPECT_TRUE(depends_on_place_or_time("=x"));
-  EXPECT_FALSE(depends_on_place_or_time("= exp(3) + $t + max(1, 2)"));
+  EXPECT_TRUE(depends_on("= 3*t", kTimeAndPlace));
+  EXPECT_TRUE(depends_on("=x", kTimeAndPlace));
+  EXPECT_FALSE(depends_on("= exp(3) + $t + max(1, 2)", kTimeAndPlace));
+  EXPECT_FALSE(depends_on("= 3*t", kSliding));
+  EXPECT_EQ(arguments_in("= v*(yield + $p + exp(T))", kSliding),
+            (std::array<bool, 4>{true, true, false, true}));
 }
 
 TEST_F(ExpressionTest, OfTimeAndPlaceFromManyThreads) {
-  const CompiledExpression compiled = compile_expression("= $gap*t + x - y*z", parameters_);
+  const CompiledExpression compiled =
+      compile_expression("= $gap*t + x - y*z", parameters_, kTimeAndPlace);
   ASSERT_EQ(compiled.problem, "");
   EXPECT_EQ(compiled.text, "= (0.005)*t + x - y*z");
   const auto copy = compiled.evaluate;
@@ -90,12 +94,20 @@ TEST_F(ExpressionTest, OfTimeAndPlaceFromManyThreads) {
       for (int i = 0; i < 2000; ++i) {
         const Real t = i + 1000 * k;
         const Real expected = 0.005 * t + 1 - 2 * 3.0;
-        if (copy(t, Vec3(1, 2, 3)) != expected) ++wrong[static_cast<std::size_t>(k)];
+        if (copy({t, 1, 2, 3}) != expected) ++wrong[static_cast<std::size_t>(k)];
       }
     });
   }
   for (auto& thread : threads) thread.join();
   EXPECT_EQ(wrong, std::vector<int>(4));
+}
+
+TEST_F(ExpressionTest, OfTheStateOfSliding) {
+  const auto compiled = compile_expression("= $n*T - yield + p/v", parameters_, kSliding);
+  ASSERT_EQ(compiled.problem, "");
+  EXPECT_EQ(compiled.evaluate({2, 3, 8, 4}), parameters_.at("n").value * 2 - 3 + 2);
+  EXPECT_NE(compile_expression("= t", parameters_, kSliding).problem.find("of T, yield, p, v"),
+            std::string::npos);
 }
 
 TEST_F(ExpressionTest, FormulaOverMeasures) {

@@ -135,5 +135,25 @@ TEST(SphParticles, UniformStrainGivesHookesStress) {
   EXPECT_EQ(view.point_radius.size(), 81u);
 }
 
+// Friction is shown the law at each particle's own state, and nothing where it does not ask.
+TEST(SphParticles, ShowFrictionTheirMaterial) {
+  const auto material = test::copper();
+  JohnsonCook law;
+  law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025, law.m = 1.09, law.T_melt = 1356;
+  auto solid = particles<2>(lattice<2>({5, 5}, kDp, 8960 * kDp * kDp), kDp, *material, {});
+  solid->update_state(1e-9);
+  EXPECT_TRUE(solid->surface().particle_material.empty());
+  solid->surface().asks_material = true;
+  auto& state = solid->blocks()[0].state;
+  state.eps_p[7] = 0.2, state.temperature[7] = 700;
+  solid->update_state(1e-9);
+  const auto& shown = solid->surface().particle_material;
+  ASSERT_EQ(shown.size(), 25u);
+  EXPECT_EQ(shown[7].temperature, 700);
+  EXPECT_EQ(shown[7].flow_stress, law.flow_stress(0.2, 0.0, 700.0));
+  EXPECT_EQ(shown[8].temperature, 298);
+  EXPECT_EQ(shown[8].flow_stress, law.flow_stress(0.0, 0.0, 298.0));
+}
+
 }  // namespace
 }  // namespace brunt
