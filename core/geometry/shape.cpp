@@ -15,6 +15,12 @@ Need need_of_length(const Schema& s) {
   return s.geometry() == Geometry::plane_strain ? Need::optional : Need::required;
 }
 
+/// What is echoed for a disc, whose length is not given, must be read again.
+Quantity length_quantity(const Schema& s) {
+  const Quantity none_or_more{"m", at_least(0), between(0, 1e3)};
+  return s.geometry() == Geometry::plane_strain ? none_or_more : kLength;
+}
+
 void describe_axis(Schema& s, std::vector<Real>& axis) {
   s.direction({"axis", "direction of the axis: x, y, z or a vector"}, axis);
 }
@@ -36,7 +42,7 @@ void describe(Schema& s, Box& shape) {
 
 void describe(Schema& s, Cylinder& shape) {
   s.real({"radius", "radius", Need::required}, shape.radius, kLength);
-  s.real({"length", "length along the axis", need_of_length(s)}, shape.length, kLength);
+  s.real({"length", "length along the axis", need_of_length(s)}, shape.length, length_quantity(s));
   s.list({"base", "centre of the base; default: the origin"}, shape.base, kPlace, Schema::kVector);
   describe_axis(s, shape.axis);
 }
@@ -44,7 +50,7 @@ void describe(Schema& s, Cylinder& shape) {
 void describe(Schema& s, Tube& shape) {
   s.real({"inner", "inner radius", Need::required}, shape.inner, kLength);
   s.real({"outer", "outer radius", Need::required}, shape.outer, kLength);
-  s.real({"length", "length along the axis", need_of_length(s)}, shape.length, kLength);
+  s.real({"length", "length along the axis", need_of_length(s)}, shape.length, length_quantity(s));
   s.list({"base", "centre of the base; default: the origin"}, shape.base, kPlace, Schema::kVector);
   describe_axis(s, shape.axis);
   s.require(shape.inner < shape.outer, "outer", "must be above the inner radius");

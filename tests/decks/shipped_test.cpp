@@ -95,6 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"composite-rod", {"time.end=20 s"}}, Shipped{"hot-block", {"time.end=15 us"}},
         Shipped{"tumbling-blocks", {"parameters.end=4 ms", "bodies.plate.cells=[10, 10, 2]"}},
         Shipped{"cutting-2d", {"parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
+        Shipped{"hertz", {"parameters.cells=8", "time.end=8 us", "measures.pressure.at=5 us"}},
         Shipped{"rubbing-blocks", {"time.end=9 us"}},
         Shipped{"sliding-blocks", {"parameters.end=3 ms"}},
         Shipped{"brick-stack", {"time.end=20 ms"}}),
@@ -118,7 +119,7 @@ Real largest_energy(const Simulation& run) {
 TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
   for (const char* name : {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric",
                            "taylor-bar-sph", "drop-on-plate", "projectile-2d", "block-on-incline",
-                           "brick-stack", "half-spaces", "composite-rod", "hot-block",
+                           "brick-stack", "half-spaces", "composite-rod", "hertz", "hot-block",
                            "tumbling-blocks", "rubbing-blocks", "sliding-blocks", "cutting-2d"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;

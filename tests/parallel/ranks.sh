@@ -30,6 +30,7 @@ cases=(
   "rubbing-blocks 5_us time.end=9_us"
   "sliding-blocks 1_ms parameters.end=2_ms"
   "cutting-2d 0.5_us heat=conduct parameters.spacing=0.05_mm parameters.travel=0.06_mm probes={edge:_{body:_work,_at:_[3.4_mm,_0.6_mm],_fields:_[temperature,_stress.xx]}} sections={foot:_{body:_work,_plane:_{axis:_y,_at:_0.45_mm}}}"
+  "hertz 4_us time.end=8_us parameters.cells=8 measures.pressure.at=5_us"
   "brick-stack 8_ms time.end=15_ms"
   "tumbling-blocks 3.4_ms parameters.end=4_ms bodies.plate.cells=[10,_10,_2]"
   "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"
