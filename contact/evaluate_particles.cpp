@@ -25,13 +25,31 @@ bool in_box(const SearchBox<Dim>& box, const Vec<Dim>& x, Real reach) {
   return true;
 }
 
-/// True if the particle may overlap the face: its centre at most r before it or a few r behind.
+/// Where a particle may overlap a face from.
+enum class Reach { none, before, behind };
+
+/// Whether the particle may overlap the face: its centre at most r before it or a few r behind.
 template <int Dim>
-bool in_reach(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
-  if (plane.area == 0) return false;
+Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
+  if (plane.area == 0) return Reach::none;
   const Real before = plane.normal.dot(x - plane.center);
-  if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return false;
-  return in_box<Dim>(box, x, before > plane.warp ? r : kDepthRadii * r);
+  if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return Reach::none;
+  const bool clear = before > plane.warp;
+  if (!in_box<Dim>(box, x, clear ? r : kDepthRadii * r)) return Reach::none;
+  return clear ? Reach::before : Reach::behind;
+}
+
+/// True if the box, and so the face in it, is farther than r by more than what still touches.
+template <int Dim>
+bool out_of_touch(const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
+  Real square = 0;
+  for (int c = 0; c < Dim; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const Real out = std::max({box.lo[k] - x[c], x[c] - box.hi[k], 0.0});
+    square += out * out;
+  }
+  const Real touching = (1 + 10 * kTouchingGap) * r;
+  return square > touching * touching;
 }
 
 /// The bound of a particle that closes on a face: to half a radius of overlap, or half a radius
@@ -50,6 +68,33 @@ void take_speed_vote(const Present<Dim>& now, const FacePlane<Dim>& plane,
   if (step > std::min(longest, vote.step)) return;
   if (!in_box<Dim>(box, now.x, r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
+}
+
+/// Faces that may hold the particle, to part.near. Where it is before all of them, those out of
+/// touch are left out: none is a contact, nor nearer than one. Behind some, they tell where the
+/// surface is nearest.
+template <int Dim>
+void find_near(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
+               const std::pair<std::size_t, std::size_t>& range, const Present<Dim>& now,
+               Real longest, typename Records<Dim>::Part& part) {
+  auto& near = part.near;
+  near.clear();
+  bool before_all = true;
+  const Real r = now.particle.radius;
+  for (std::size_t i = range.first; i < range.second; ++i) {
+    const auto f = static_cast<std::size_t>(candidates[i].face);
+    const auto& plane = entities.planes[f];
+    take_speed_vote(now, plane, entities.boxes[f], entities.face_velocity[f], longest, part.vote);
+    const Reach reach = reach_of<Dim>(plane, entities.boxes[f], now.x, r);
+    if (reach == Reach::none) continue;
+    before_all = before_all && reach == Reach::before;
+    near.push_back(i);
+  }
+  if (!before_all) return;
+  std::erase_if(near, [&](std::size_t i) {
+    return out_of_touch<Dim>(entities.boxes[static_cast<std::size_t>(candidates[i].face)], now.x,
+                             r);
+  });
 }
 
 /// Record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
@@ -204,12 +249,10 @@ void evaluate_particles(const Entities<Dim>& entities,
                            section.breadth(x[0])};
     part.hits.clear();
     const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    for (std::size_t i = starts[s]; i < starts[s + 1]; ++i) {
+    find_near<Dim>(entities, candidates, {starts[s], starts[s + 1]}, now, step.longest, part);
+    for (const std::size_t i : part.near) {
       const auto f = static_cast<std::size_t>(candidates[i].face);
       const auto& plane = entities.planes[f];
-      take_speed_vote(now, plane, entities.boxes[f], entities.face_velocity[f], step.longest,
-                      part.vote);
-      if (!in_reach<Dim>(plane, entities.boxes[f], x, particle.radius)) continue;
       auto& hit = part.hits.emplace_back();
       hit.plane = &plane;
       hit.node = entities.faces[f].node;
