@@ -112,6 +112,10 @@ std::vector<LocalIndex> particles_near(std::size_t n, BoxOf box_of,
   return near;
 }
 
+/// Penetration at which faces of one piece let go, in depths: there, what is seen from behind is
+/// the other side of the material between them, which is thicker unless it is crushed.
+constexpr Real kDeepestInside = 0.5;
+
 template <class A, class B>
 bool same_piece(const A& a, const B& b) {
   return a.body == b.body && a.piece == b.piece;
@@ -191,7 +195,8 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto& a = faces[static_cast<std::size_t>(i)];
     const auto& b = faces[static_cast<std::size_t>(j)];
-    if (!a.owned || same_piece(a, b) || (a.rigid() && b.rigid())) return false;
+    if (!a.owned || (a.rigid() && b.rigid())) return false;
+    if (same_piece(a, b) && !(a.deforms() && pairs.touches_itself(a.body))) return false;
     return !share_a_node(a, b) && !pairs.of(a.body, b.body).ignore;
   };
   for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
@@ -203,6 +208,7 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
                                             in_series(a.areal_mass, b.areal_mass));
     candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
+    if (same_piece(a, b)) candidate.limit *= kDeepestInside;
     if (options.rubs()) candidate.rubs = &options;
     if (a.capacity > 0 && b.capacity > 0 && options.passes_heat()) candidate.heat = &options.heat;
     candidate.presses = options.initial_overlap == InitialOverlap::press;

@@ -122,6 +122,24 @@ PairHeatPath<Dim> heat_path(const PresentPair<Dim>& pair, std::size_t candidate,
   return heat;
 }
 
+/// [m] of an overlap of which contact takes no notice since time 0; what is left of it goes to
+/// `touches`.
+template <int Dim>
+Real overlap_kept(const TouchStep& step, const PresentPair<Dim>& pair,
+                  std::vector<FirstTouch>& touches) {
+  const GlobalId first = pair.first.id, second = pair.second.id;
+  const Real overlap = std::max(pair.meeting.overlap, 0.0);
+  Real kept = 0;
+  if (step.time_zero) {
+    const bool only_rounding = overlap <= kTouchingGap * 2 * pair.spring.radius;
+    kept = pair.candidate.presses || only_rounding ? 0.0 : overlap;
+  } else if (const auto* before = step.before->of_particles(first, second)) {
+    kept = std::min(before->overlap, overlap);
+  }
+  if (kept > 0) touches.push_back({{2, 0, first, second}, kept, false, false, 0});
+  return kept;
+}
+
 /// Bound of the step by a pair that closes in.
 template <int Dim>
 void take_speed_vote(const PresentPair<Dim>& pair, StepVote& vote) {
@@ -177,9 +195,9 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
     for (std::size_t c = 0; c < row.size(); ++c) {
       const auto& other = entities.particles[static_cast<std::size_t>(row[c].other)];
       const auto to = static_cast<std::size_t>(other.node);
-      const auto& meeting = part.meetings.emplace_back(Vec<Dim>(nodes.x[to] - nodes.x[at]),
-                                                       Vec<Dim>(nodes.v[to] - nodes.v[at]),
-                                                       particle.radius + other.radius);
+      auto& meeting = part.meetings.emplace_back(Vec<Dim>(nodes.x[to] - nodes.x[at]),
+                                                 Vec<Dim>(nodes.v[to] - nodes.v[at]),
+                                                 particle.radius + other.radius);
       const bool is_lower = row[c].particle < row[c].other;
       const Real coming = meeting.overlap + std::max(meeting.closing, 0.0) * step.dt;
       const bool warm =
@@ -193,6 +211,7 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
         load.zeta = std::max(load.zeta, row[c].zeta);
       }
       if (!is_lower) continue;
+      meeting.overlap -= overlap_kept(step.touches, pair, part.pair_touches);
       if (near) take_speed_vote(pair, part.vote);
       Real damper = 0, pressure = 0;
       if (meeting.overlap > 0) {

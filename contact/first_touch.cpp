@@ -15,6 +15,10 @@ const FirstTouch* FirstTouches::of_faces(GlobalId lower, GlobalId upper) const {
   return touches_.empty() ? nullptr : find({0, 0, lower, upper});
 }
 
+const FirstTouch* FirstTouches::of_particles(GlobalId lower, GlobalId upper) const {
+  return touches_.empty() ? nullptr : find({2, 0, lower, upper});
+}
+
 const FirstTouch* FirstTouches::of_particle(GlobalId particle, Label body, Label piece) const {
   return touches_.empty() ? nullptr : find({1, 0, particle, surface_of(body, piece)});
 }

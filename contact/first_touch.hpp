@@ -5,11 +5,12 @@
 
 namespace brunt {
 
-/// What two faces, or a particle and a surface, keep from time 0 (contact.md 2.9): an overlap of
-/// which contact takes no notice, which only shrinks, by as much as they open; and a bond of
-/// cohesion and tension, which breaks for good.
+/// What two faces or particles, or a particle and a surface, keep from time 0 (contact.md 2.9): an
+/// overlap of which contact takes no notice, which only shrinks, by as much as they open; and a
+/// bond of cohesion and tension, which breaks for good.
 struct FirstTouch {
-  ContactKey key;       ///< of faces with ordinal 0; of a particle with `second` its surface
+  ContactKey
+      key;  ///< of faces or particles with ordinal 0; of a particle with `second` its surface
   Real overlap = 0;     ///< [m]
   bool bonded = false;  ///< in the last evaluation
   bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
@@ -33,6 +34,7 @@ class FirstTouches {
   void add(const FirstTouch& touch) { touches_.push_back(touch); }
   /// nullptr where there is none.
   const FirstTouch* of_faces(GlobalId lower, GlobalId upper) const;
+  const FirstTouch* of_particles(GlobalId lower, GlobalId upper) const;
   const FirstTouch* of_particle(GlobalId particle, Label body, Label piece) const;
   std::vector<FirstTouch>& all() { return touches_; }
   const std::vector<FirstTouch>& all() const { return touches_; }

@@ -80,9 +80,12 @@ std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
   std::vector<InitialOverlaps> found(pairs.size());
   const auto bodies_of = [&](const ContactKey& key) -> std::pair<Label, Label> {
     const auto& entities = own.entities;
-    if (key.of_particle) {
-      const Label body = entities.particles[entities.particle_with(key.first)].body;
-      return std::minmax(body, static_cast<Label>(key.second >> 32));
+    const auto body_of = [&](GlobalId particle) {
+      return entities.particles[entities.particle_with(particle)].body;
+    };
+    if (key.of_particle == 2) return std::minmax(body_of(key.first), body_of(key.second));
+    if (key.of_particle == 1) {
+      return std::minmax(body_of(key.first), static_cast<Label>(key.second >> 32));
     }
     return std::minmax(entities.faces[entities.face_with(key.first)].body,
                        entities.faces[entities.face_with(key.second)].body);

@@ -46,10 +46,13 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       shown.take(surface->points->piece[point]);
     }
   }
+  for (const auto& [pair, name] : options.pair_names) {
+    if (pair.first == pair.second) selves_.insert(pair.first);
+  }
   for (auto first = bodies.begin(); first != bodies.end(); ++first) {
     for (auto second = first; second != bodies.end(); ++second) {
       const Label a = first->first, b = second->first;
-      const bool apart = a != b || first->second.pieces;
+      const bool apart = a != b || first->second.pieces || touches_itself(a);
       const PairOptions& pair = of(a, b);
       if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
       pairs_.emplace_back(a, b);

@@ -19,6 +19,8 @@ class PairTable {
             std::vector<std::string> body_names);
 
   const PairOptions& of(Label a, Label b) const;
+  /// True where the faces of each piece of a body may touch each other too.
+  bool touches_itself(Label body) const { return selves_.count(body) != 0; }
   /// Options by which particles of two bodies touch each other; none where they do not.
   const PairOptions* of_particles(Label a, Label b) const {
     const PairOptions& pair = of(a, b);
@@ -53,6 +55,7 @@ class PairTable {
   bool presses_ = false;
   bool asks_material_ = false;
   std::vector<Real> gaps_;   // [m]
+  std::set<Label> selves_;   // bodies that the deck pairs with themselves
   std::set<Label> meeting_;  // bodies whose particles may touch those of others
   bool particles_rub_ = false;
 };

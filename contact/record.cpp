@@ -60,6 +60,7 @@ void Records<Dim>::clear() {
     part.particle_heat.clear();
     part.face_touches.clear();
     part.particle_touches.clear();
+    part.pair_touches.clear();
     part.vote = StepVote{};
   }
 }
@@ -72,6 +73,9 @@ void Records<Dim>::collect_touches(FirstTouches& touches) const {
   }
   for (const auto& part : parts_) {
     for (const auto& touch : part.particle_touches) touches.add(touch);
+  }
+  for (const auto& part : parts_) {
+    for (const auto& touch : part.pair_touches) touches.add(touch);
   }
 }
 

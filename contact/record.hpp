@@ -49,7 +49,7 @@ class Records {
     std::vector<ContactRecord<Dim>> face_on_face, particle_on_face, two_particles;
     std::vector<Friction<Dim>> frictions;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
-    std::vector<FirstTouch> face_touches, particle_touches;
+    std::vector<FirstTouch> face_touches, particle_touches, pair_touches;
     std::vector<PairHeatPath<Dim>> pair_heat;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     std::vector<std::size_t> near;                  ///< room to work: candidates

@@ -249,7 +249,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
     if (!body.rigid || group_kind(loaded.deck, body, name) == kRigidConductors) continue;
-    if (is_warm_surface(loaded.deck, body, name) == warm) chosen.push_back(b);
+    if (is_warm_surface(loaded.deck, body) == warm) chosen.push_back(b);
   }
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);

@@ -29,6 +29,11 @@ bool is_held_with_its_sum(const Deck& deck, const std::string& name) {
                      [&](const std::string& one) { return is_held(deck, one); });
 }
 
+/// A rigid body whose motion says its temperature.
+bool is_held_warm(const deck::Body& body) {
+  return body.rigid && body.motion && body.motion->temperature;
+}
+
 /// A rigid body that its forces move: its elements of heat would have to move with it.
 bool is_free(const deck::Body& body) { return deck::follows_forces(body); }
 }  // namespace
@@ -37,6 +42,8 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
   const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
                                      [&](const auto& m) { return m.name == body.material; });
   if (deck.heat == deck::Heat::off || material == deck.materials.end()) return HeatMode::none;
+  // What is held at a temperature as a whole has nothing to conduct: its surface is enough.
+  if (is_held_warm(body)) return HeatMode::none;
   const auto& thermal = material->value.thermal;
   if (!thermal) return HeatMode::none;
   const auto names = names_of_sum(deck, name);
@@ -57,10 +64,7 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
                       (deck.heat == deck::Heat::automatic && warmed) ||
                       (deck.heat == deck::Heat::automatic &&
                        std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
-  const bool held = body.motion && body.motion->temperature;
-  if (thermal->k && (driven || (held && deck.heat == deck::Heat::automatic))) {
-    return is_free(body) ? HeatMode::none : HeatMode::conducts;
-  }
+  if (thermal->k && driven) return is_free(body) ? HeatMode::none : HeatMode::conducts;
   if (body.rigid) return HeatMode::none;
   // An elastic material is never heated: it keeps no temperature.
   const bool yields = !std::holds_alternative<NoStrength>(material->value.strength);
@@ -82,6 +86,11 @@ bool is_held(const Deck& deck, const std::string& name) {
 
 std::string heat_problem(const Deck& deck, const deck::Body& body, const std::string& name) {
   if (!is_free(body)) return "";
+  if (is_held_warm(body)) {
+    return "'" + name +
+           "' moves freely, and only a body that moves as told is held at a temperature: give it "
+           "all components of `motion.velocity`, or take `motion.temperature` out";
+  }
   deck::Body told = body;
   told.motion.emplace();
   if (heat_mode(deck, told, name) != HeatMode::conducts) return "";
@@ -90,10 +99,9 @@ std::string heat_problem(const Deck& deck, const deck::Body& body, const std::st
          "material, or give it `motion`";
 }
 
-bool is_warm_surface(const Deck& deck, const deck::Body& body, const std::string& name) {
-  return body.rigid && body.motion && body.motion->temperature &&
-         (deck.heat == deck::Heat::automatic || deck.heat == deck::Heat::conduct) &&
-         heat_mode(deck, body, name) != HeatMode::conducts;
+bool is_warm_surface(const Deck& deck, const deck::Body& body) {
+  const bool asked = deck.heat == deck::Heat::automatic || deck.heat == deck::Heat::conduct;
+  return asked && is_held_warm(body);
 }
 
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name) {

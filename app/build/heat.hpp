@@ -23,8 +23,8 @@ bool is_held(const Deck& deck, const std::string& name);
 /// Why a body cannot conduct that should, "" where nothing is wrong.
 std::string heat_problem(const Deck& deck, const deck::Body& body, const std::string& name);
 
-/// True for a rigid body without material whose surface has a temperature of its own.
-bool is_warm_surface(const Deck& deck, const deck::Body& body, const std::string& name);
+/// True for a rigid body whose surface is held at the temperature of its motion.
+bool is_warm_surface(const Deck& deck, const deck::Body& body);
 
 /// True where a boundary prescribes temperatures or heat.
 bool acts_on_heat(const deck::Boundary& boundary);

@@ -33,7 +33,9 @@ void describe(Schema& s, Time& time) {
 }
 
 void describe(Schema& s, ContactPair& pair) {
-  s.names({"between", "two bodies; [a, a] is a with itself, [a, any] is a with all others",
+  s.names({"between",
+           "two bodies; [a, a] is a with itself: its pieces, and the faces of one piece that fold "
+           "onto each other; [a, any] is a with all others",
            Need::required},
           pair.between, 2);
   describe(s, pair.options);
