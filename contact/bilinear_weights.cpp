@@ -42,7 +42,7 @@ BRUNT_INLINE Place<V> inverse(const Place<V> (&corner)[4], const Place<V>& middl
   const auto twist = quarter * ((corner[0] - corner[1]) + (corner[2] - corner[3]));
   const V zero = broadcast<V>(0.0);
   V xi = zero, eta = zero;
-  auto active = zero == zero;
+  auto active = zero < broadcast<V>(1.0);  // all
   for (int iteration = 0; iteration < 12 && any(active); ++iteration) {
     const auto rest = p - middle - xi * along_1 - eta * along_2 - (xi * eta) * twist;
     const auto d_xi = along_1 + eta * twist, d_eta = along_2 + xi * twist;
