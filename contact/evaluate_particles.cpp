@@ -64,11 +64,8 @@ void take_speed_vote(const Present<Dim>& now, const FacePlane<Dim>& plane,
   const Real r = now.particle.radius;
   const Real before = plane.normal.dot(now.x - plane.center);
   if (before < -kDepthRadii * r) return;
-  const Real room = std::max(before - r - plane.warp, 0.0) + 0.5 * r;
-  const Real least = std::min(longest, vote.step);
-  if (room > (1 + 1e-9) * least * closing) return;  // for sure, and without dividing
-  const Real step = room / closing;
-  if (step > least) return;
+  const Real step = (std::max(before - r - plane.warp, 0.0) + 0.5 * r) / closing;
+  if (step > std::min(longest, vote.step)) return;
   if (!in_box<Dim>(box, now.x, r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
