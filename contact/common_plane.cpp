@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/bilinear_weights.hpp"
+
 namespace brunt {
 
 namespace {
@@ -82,6 +84,22 @@ std::array<Real, 4> weights(const Polygon& face, bool reverse, const Vec<2>& p) 
   return in_order;
 }
 
+/// Weights of both faces at two points: most faces are quads, whose weights are found together.
+void set_weights(const Polygon& below, const Polygon& above, const Vec<2>& p, const Vec<2>& middle,
+                 CommonPlane<3>& plane) {
+  if (below.size != 4 || above.size != 4) {
+    plane.lower_weight = weights(below, false, p);
+    plane.upper_weight = weights(above, true, p);
+    plane.lower_at_middle = weights(below, false, middle);
+    plane.upper_at_middle = weights(above, true, middle);
+    return;
+  }
+  auto found = bilinear_weights({&below, &above, &below, &above}, {p, p, middle, middle});
+  for (const std::size_t k : {1, 3}) std::reverse(found[k].begin(), found[k].end());
+  plane.lower_weight = found[0], plane.upper_weight = found[1];
+  plane.lower_at_middle = found[2], plane.upper_at_middle = found[3];
+}
+
 /// The plane between two simple faces in 3D; false if it carries no pressure.
 bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section&,
                const PlaneNeeds& needs, CommonPlane<3>& plane) {
@@ -110,13 +128,10 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   plane.volume = plane.ramp * sum.total;
   plane.penetration = penetration.at(p);
   plane.point = plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2;
-  plane.lower_weight = weights(below, false, p);
-  plane.upper_weight = weights(above, true, p);
+  const Vec<2> middle = needs.middle ? Vec<2>(sum.first / sum.area) : p;
+  set_weights(below, above, p, middle, plane);
   if (needs.middle) {
-    const Vec<2> middle = sum.first / sum.area;
     plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
-    plane.lower_at_middle = weights(below, false, middle);
-    plane.upper_at_middle = weights(above, true, middle);
   }
   return true;
 }
@@ -231,39 +246,6 @@ int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Sec
   return static_cast<int>(n);
 }
 }  // namespace
-
-std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const Vec<2>& p) {
-  const Vec<2> middle = 0.25 * ((corner[0] + corner[1]) + (corner[2] + corner[3]));
-  const Vec<2> along_1 = 0.25 * ((corner[1] - corner[0]) + (corner[2] - corner[3]));
-  const Vec<2> along_2 = 0.25 * ((corner[3] - corner[0]) + (corner[2] - corner[1]));
-  const Vec<2> twist = 0.25 * ((corner[0] - corner[1]) + (corner[2] - corner[3]));
-  Real xi = 0, eta = 0;
-  for (int iteration = 0; iteration < 12; ++iteration) {
-    const Vec<2> rest = p - middle - xi * along_1 - eta * along_2 - xi * eta * twist;
-    const Vec<2> d_xi = along_1 + eta * twist, d_eta = along_2 + xi * twist;
-    const Real det = d_xi[0] * d_eta[1] - d_xi[1] * d_eta[0];
-    const Real step_xi = (rest[0] * d_eta[1] - rest[1] * d_eta[0]) / det;
-    const Real step_eta = (d_xi[0] * rest[1] - d_xi[1] * rest[0]) / det;
-    xi = std::clamp(xi + step_xi, -1.0, 1.0);
-    eta = std::clamp(eta + step_eta, -1.0, 1.0);
-    if (std::fabs(step_xi) + std::fabs(step_eta) < 1e-15) break;
-  }
-  std::array<Real, 4> weight = {0.25 * (1 - xi) * (1 - eta), 0.25 * (1 + xi) * (1 - eta),
-                                0.25 * (1 + xi) * (1 + eta), 0.25 * (1 - xi) * (1 + eta)};
-  // The couple that is left, carried by forces along the normal: w_a += b . (x_a - mean).
-  Vec<2> moment = p - middle;
-  Real j11 = 0, j12 = 0, j22 = 0;
-  for (std::size_t a = 0; a < 4; ++a) {
-    const Vec<2> arm = corner[a] - middle;
-    moment -= weight[a] * arm;
-    j11 += arm[0] * arm[0], j12 += arm[0] * arm[1], j22 += arm[1] * arm[1];
-  }
-  const Real det = j11 * j22 - j12 * j12;
-  const Vec<2> b((j22 * moment[0] - j12 * moment[1]) / det,
-                 (j11 * moment[1] - j12 * moment[0]) / det);
-  for (std::size_t a = 0; a < 4; ++a) weight[a] += b.dot(corner[a] - middle);
-  return weight;
-}
 
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,

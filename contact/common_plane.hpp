@@ -57,8 +57,4 @@ template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
                   std::array<CommonPlane<Dim>, 4>& plane, const PlaneNeeds& needs = {});
 
-/// Weights N_a of the corners of a convex quad with sum N_a x_a = p, p inside: bilinear, then
-/// corrected in the least squares of their changes so that both sums are exact to round-off.
-std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const Vec<2>& p);
-
 }  // namespace brunt

@@ -25,19 +25,47 @@ bool in_box(const SearchBox<Dim>& box, const Vec<Dim>& x, Real reach) {
   return true;
 }
 
-/// True if the particle may overlap the face: its centre at most r before it or a few r behind. An
-/// open surface holds what belongs to one of its `side`s as deep on the other.
+/// Where a particle may overlap a face from.
+enum class Reach { none, before, behind };
+
+/// Whether the particle may overlap the face: its centre at most r before it or a few r behind. An
+/// open surface holds what belongs to one of its `side`s deep on the other.
 template <int Dim>
-bool in_reach(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r,
-              bool open, int side) {
-  if (plane.area == 0) return false;
+Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r,
+               bool open, int side) {
+  if (plane.area == 0) return Reach::none;
   const Real before = plane.normal.dot(x - plane.center);
   if (open) {
     const Real reach = side != 0 ? kOpenDepthRadii * r : r;
-    return std::fabs(before) <= reach + plane.warp && in_box<Dim>(box, x, reach);
+    if (std::fabs(before) > reach + plane.warp || !in_box<Dim>(box, x, reach)) return Reach::none;
+    return side == 0 || side * before > plane.warp ? Reach::before : Reach::behind;
   }
-  if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return false;
-  return in_box<Dim>(box, x, before > plane.warp ? r : kDepthRadii * r);
+  if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return Reach::none;
+  const bool clear = before > plane.warp;
+  if (!in_box<Dim>(box, x, clear ? r : kDepthRadii * r)) return Reach::none;
+  return clear ? Reach::before : Reach::behind;
+}
+
+/// Where the particle belongs at a surface, as it was at the last evaluation; 0: not known, or the
+/// surface is closed.
+template <int Dim>
+int side_of(const TouchStep& step, const ContactParticle& particle, const ContactFace<Dim>& face) {
+  if (!face.open) return 0;
+  const auto* before = step.before->of_particle(particle.id, face.body, face.piece);
+  return before == nullptr ? 0 : before->side;
+}
+
+/// True if the box, and so the face in it, is farther than r by more than what still touches.
+template <int Dim>
+bool out_of_touch(const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
+  Real square = 0;
+  for (int c = 0; c < Dim; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const Real out = std::max({box.lo[k] - x[c], x[c] - box.hi[k], 0.0});
+    square += out * out;
+  }
+  const Real touching = (1 + 10 * kTouchingGap) * r;
+  return square > touching * touching;
 }
 
 /// The bound of a particle that closes on face f: to half a radius of overlap, or half a radius
@@ -61,6 +89,35 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
   if (step > std::min(longest, vote.step)) return;
   if (!in_box<Dim>(entities.boxes[f], now.x, r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
+}
+
+/// Faces that may hold the particle, to part.near. Where it is before all of them, those out of
+/// touch are left out: none is a contact, nor nearer than one. Behind some, they tell where the
+/// surface is nearest.
+template <int Dim>
+void find_near(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
+               const std::pair<std::size_t, std::size_t>& range, const Present<Dim>& now,
+               const EvaluationStep& step, typename Records<Dim>::Part& part) {
+  auto& near = part.near;
+  near.clear();
+  bool before_all = true;
+  const Real r = now.particle.radius;
+  for (std::size_t i = range.first; i < range.second; ++i) {
+    const auto f = static_cast<std::size_t>(candidates[i].face);
+    const auto& plane = entities.planes[f];
+    const auto& face = entities.faces[f];
+    take_speed_vote(entities, f, now, step.longest, part.vote);
+    const Reach reach = reach_of<Dim>(plane, entities.boxes[f], now.x, r, face.open,
+                                      side_of(step.touches, now.particle, face));
+    if (reach == Reach::none) continue;
+    before_all = before_all && reach == Reach::before;
+    near.push_back(i);
+  }
+  if (!before_all) return;
+  std::erase_if(near, [&](std::size_t i) {
+    return out_of_touch<Dim>(entities.boxes[static_cast<std::size_t>(candidates[i].face)], now.x,
+                             r);
+  });
 }
 
 /// Record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
@@ -190,13 +247,6 @@ void track_overlaps(const ContactParticle& particle, std::span<const ParticleCan
   }
 }
 
-/// Where the particle belongs at an open surface, as it was at the last evaluation.
-template <int Dim>
-int side_of(const TouchStep& step, const ContactParticle& particle, const ContactFace<Dim>& face) {
-  const auto* before = step.before->of_particle(particle.id, face.body, face.piece);
-  return before == nullptr ? 0 : before->side;
-}
-
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
                  std::span<const ParticleCandidate> candidates, const Section& section,
@@ -240,18 +290,16 @@ void evaluate_particles(const Entities<Dim>& entities,
                            section.breadth(x[0])};
     part.hits.clear();
     const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    for (std::size_t i = starts[s]; i < starts[s + 1]; ++i) {
+    find_near<Dim>(entities, candidates, {starts[s], starts[s + 1]}, now, step, part);
+    for (const std::size_t i : part.near) {
       const auto f = static_cast<std::size_t>(candidates[i].face);
       const auto& plane = entities.planes[f];
       const auto& face = entities.faces[f];
-      take_speed_vote(entities, f, now, step.longest, part.vote);
-      const int side = face.open ? side_of(step.touches, particle, face) : 0;
-      if (!in_reach<Dim>(plane, entities.boxes[f], x, particle.radius, face.open, side)) continue;
       auto& hit = part.hits.emplace_back();
       hit.plane = &plane;
       hit.node = face.node;
       hit.body = face.body, hit.piece = face.piece;
-      hit.open = face.open, hit.side = side;
+      hit.open = face.open, hit.side = side_of(step.touches, particle, face);
       hit.limit = candidates[i].limit;
       hit.candidate = static_cast<LocalIndex>(i);
       hit.nearest = nearest_point<Dim>(plane, x);

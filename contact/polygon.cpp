@@ -6,36 +6,50 @@ namespace {
 Real cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 }  // namespace
 
+namespace {
+/// What clip() keeps, to `kept`; false where that is all of it, and nothing is written.
+bool clip_to(const Polygon& polygon, const LinearField& keep, Polygon& kept) {
+  Real at[Polygon::kRoom];
+  bool all = true;
+  for (int i = 0; i < polygon.size; ++i) {
+    at[i] = keep.at(polygon[i]);
+    all = all && at[i] >= 0;
+  }
+  if (all) return false;
+  kept.size = 0;
+  int last = polygon.size - 1;
+  for (int i = 0; i < polygon.size; last = i++) {
+    const Real at_p = at[last], at_q = at[i];
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
+      const Vec<2>& p = polygon[last];
+      kept.push(p + (at_p / (at_p - at_q)) * (polygon[i] - p));
+    }
+    if (at_q >= 0) kept.push(polygon[i]);
+  }
+  return true;
+}
+}  // namespace
+
 Polygon clip(const Polygon& polygon, const LinearField& keep) {
   Polygon kept;
-  if (polygon.size == 0) return kept;
-  Vec<2> p = polygon[polygon.size - 1];
-  Real at_p = keep.at(p);
-  for (int i = 0; i < polygon.size; ++i) {
-    const Vec<2>& q = polygon[i];
-    const Real at_q = keep.at(q);
-    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
-      kept.push(p + (at_p / (at_p - at_q)) * (q - p));
-    }
-    if (at_q >= 0) kept.push(q);
-    p = q;
-    at_p = at_q;
-  }
-  return kept;
+  return clip_to(polygon, keep, kept) ? kept : polygon;
 }
 
 Polygon intersect(const Polygon& a, const Polygon& b) {
-  Polygon overlap = a;
-  for (int i = 0; i < b.size && overlap.size > 2; ++i) {
+  Polygon room[2];
+  const Polygon* overlap = &a;
+  int next = 0;
+  for (int i = 0; i < b.size && overlap->size > 2; ++i) {
     const Vec<2>& p = b[i];
     const Vec<2> edge = b[i + 1 == b.size ? 0 : i + 1] - p;
     LinearField left;
     left.slope = Vec<2>(-edge[1], edge[0]);
     left.value = -left.slope.dot(p);
-    overlap = clip(overlap, left);
+    if (!clip_to(*overlap, left, room[next])) continue;
+    overlap = &room[next];
+    next = 1 - next;
   }
-  if (overlap.size < 3) overlap.size = 0;
-  return overlap;
+  return overlap->size < 3 ? Polygon{} : *overlap;
 }
 
 Real area(const Polygon& polygon) {

@@ -52,6 +52,7 @@ class Records {
     std::vector<FirstTouch> face_touches, particle_touches, pair_touches;
     std::vector<PairHeatPath<Dim>> pair_heat;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
+    std::vector<std::size_t> near;                  ///< room to work: candidates
     std::vector<ParticleMeeting<Dim>> meetings;     ///< room to work
     StepVote vote;
   };

@@ -1,7 +1,7 @@
 /// Cost of contact on one core: two rough sheets of n x n quads, one turned, apart, pressed, and
 /// rubbing; a block of particles on one of them; the same in a domain a million times as large, and
 /// with three faces stretched a thousand times. Prints nanoseconds in time of the processor,
-/// medians of five runs. contact_bench [MOST FACES]
+/// medians of five runs. contact_bench [MOST FACES [PART OF A NAME]]
 #include <omp.h>
 
 #include <algorithm>
@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "contact/manager.hpp"
 
@@ -147,8 +149,18 @@ Cost report(const char* name, const std::vector<Body*>& bodies, std::size_t enti
 
 enum class Change { none, domain, stretched };
 
+/// What is measured: cases with a word in their name.
+struct Chosen {
+  std::string word;
+  bool operator()(const char* name) const {
+    return std::string_view(name).find(word) != std::string_view::npos;
+  }
+};
+
 /// Two sheets of n x n faces, so far apart.
-Cost sheets(const char* name, int n, Real gap, Real mu, Change change = Change::none) {
+Cost sheets(const Chosen& chosen, const char* name, int n, Real gap, Real mu,
+            Change change = Change::none) {
+  if (!chosen(name)) return {};
   std::mt19937_64 random(3);
   Body lower, upper, far;
   make_sheet(n, 0, true, 0, 0, random, lower);
@@ -161,7 +173,8 @@ Cost sheets(const char* name, int n, Real gap, Real mu, Change change = Change::
   return report(name, bodies, faces, mu, mu > 0 ? 1e-5 : 0);
 }
 
-void particles(const char* name, int n, Real height, Real mu) {
+void particles(const Chosen& chosen, const char* name, int n, Real height, Real mu) {
+  if (!chosen(name)) return;
   std::mt19937_64 random(3);
   Body sheet, block;
   make_sheet(n, 0, true, 0, 0, random, sheet);
@@ -174,17 +187,18 @@ void particles(const char* name, int n, Real height, Real mu) {
 int main(int argc, char** argv) {
   omp_set_num_threads(1);
   const int most = argc > 1 ? std::atoi(argv[1]) : 140000;
+  const Chosen chosen{argc > 2 ? argv[2] : ""};
   for (const int n : {23, 71, 224, 708}) {
     if (2 * n * n > most) break;
-    sheets("apart: rejected", n, 0.3, 0);
-    sheets("pressed", n, -0.06, 0);
-    const Cost plain = sheets("rubbing", n, -0.06, 0.3);
-    particles("particles near a face", n, 0.55, 0);
-    particles("particles on faces", n, 0.45, 0);
-    particles("particles that rub", n, 0.45, 0.3);
-    if (n < 100) continue;
-    const Cost large = sheets("rubbing, domain x 1e6", n, -0.06, 0.3, Change::domain);
-    const Cost odd = sheets("rubbing, 3 stretched", n, -0.06, 0.3, Change::stretched);
+    sheets(chosen, "apart: rejected", n, 0.3, 0);
+    sheets(chosen, "pressed", n, -0.06, 0);
+    const Cost plain = sheets(chosen, "rubbing", n, -0.06, 0.3);
+    particles(chosen, "particles near a face", n, 0.55, 0);
+    particles(chosen, "particles on faces", n, 0.45, 0);
+    particles(chosen, "particles that rub", n, 0.45, 0.3);
+    if (n < 100 || !chosen("rubbing, ")) continue;
+    const Cost large = sheets(chosen, "rubbing, domain x 1e6", n, -0.06, 0.3, Change::domain);
+    const Cost odd = sheets(chosen, "rubbing, 3 stretched", n, -0.06, 0.3, Change::stretched);
     std::printf("domain x 1e6: lists x %.2f, step x %.2f; 3 stretched: lists x %.2f, step x %.2f\n",
                 large.build / plain.build, large.step / plain.step, odd.build / plain.build,
                 odd.step / plain.step);

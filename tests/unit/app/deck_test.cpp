@@ -160,7 +160,8 @@ TEST(Deck, WrongFrictionIsToldAtItsPlace) {
   wrong("'= -0.1*v'", ": '= -0.1*v': is -0.1 at T = 300 K");
   wrong("'= sqrt(-p)'", ": '= sqrt(-p)': is nan at T = 300 K");
   wrong("'= 0.3*x'", ": cannot depend on t, x, y or z");
-  wrong("{table: [[0, 0.3], [1, 0.2]], over: time}", ".over: expects one of temperature | slip_speed");
+  wrong("{table: [[0, 0.3], [1, 0.2]], over: time}",
+        ".over: expects one of temperature | slip_speed");
 }
 
 TEST(Deck, BoundariesVaryOverTime) {
