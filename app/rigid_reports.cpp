@@ -8,13 +8,6 @@
 namespace brunt {
 
 namespace {
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& v) {
-  Vec3 space = Vec3::Zero();
-  space.template head<Dim>() = v;
-  return space;
-}
-
 /// The pieces of each body together; torques about the centre of mass of all.
 template <int Dim>
 void report_free(const FreeBodies<Dim>& bodies, std::map<Label, RigidReport>& reports) {

@@ -27,11 +27,6 @@ void Sections<Dim>::after_internal(std::size_t solid, const Points<Dim>& points)
   for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = points.f[i] - internal[i];
 }
 
-namespace {
-Vec3 in_space(const Vec3& v) { return v; }
-Vec3 in_space(const Vec<2>& v) { return {v[0], v[1], 0}; }
-}  // namespace
-
 template <int Dim>
 SectionForce Sections<Dim>::force(const MaterialSection<Dim>& section, const Points<Dim>& points,
                                   const Vec<Dim>& origin, const Communicator& ranks) const {
@@ -40,8 +35,8 @@ SectionForce Sections<Dim>::force(const MaterialSection<Dim>& section, const Poi
   for (std::size_t i = 0; any && i < internal_[section.solid].size(); ++i) {
     if (points.body[i] != section.body || !(points.x_start[i][section.axis] > section.at)) continue;
     const Vec<Dim>& on_beyond = internal_[section.solid][i];
-    const Vec3 f = in_space(on_beyond);
-    const Vec3 m = in_space(Vec<Dim>(origin + points.x[i])).cross(f);
+    const Vec3 f = in_space<Dim>(on_beyond);
+    const Vec3 m = in_space<Dim>(Vec<Dim>(origin + points.x[i])).cross(f);
     for (int c = 0; c < 3; ++c) {
       sums[static_cast<std::size_t>(c)].add(-f[c]);
       sums[static_cast<std::size_t>(3 + c)].add(-m[c]);

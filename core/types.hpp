@@ -18,6 +18,14 @@ using Vec = Eigen::Matrix<Real, Dim, 1>;
 using Vec3 = Vec<3>;
 using Mat3 = Eigen::Matrix<Real, 3, 3>;
 
+/// The vector in space; what a plane scene leaves out is 0.
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& v) {
+  Vec3 space = Vec3::Zero();
+  space.template head<Dim>() = v;
+  return space;
+}
+
 inline constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 inline constexpr Real kPi = 3.14159265358979323846;
 

@@ -12,13 +12,6 @@
 namespace brunt {
 
 namespace {
-template <int Dim>
-Vec3 in_space(const std::vector<Real>& values) {
-  Vec3 space = Vec3::Zero();
-  space.template head<Dim>() = to_vector<Dim>(values);
-  return space;
-}
-
 /// What is free of a body: all of it without motion, else the components that say so. A whole ring
 /// moves along its axis alone.
 template <int Dim>
@@ -42,9 +35,9 @@ void set_state(const deck::Body& body, const MassProperties& properties, const V
     state.inverse_inertia = properties.inertia.inverse();
   }
   state.x = made.center = properties.center;
-  state.v = in_space<Dim>(body.velocity);
+  state.v = in_space<Dim>(to_vector<Dim>(body.velocity));
   if (!body.spin) return;
-  Vec3 axis = Vec3::UnitZ(), about = in_space<Dim>(body.spin->about);
+  Vec3 axis = Vec3::UnitZ(), about = in_space<Dim>(to_vector<Dim>(body.spin->about));
   if (Dim == 3) axis = to_vector<3>(body.spin->axis).normalized();
   about.template head<Dim>() -= origin;
   state.v += body.spin->rate * axis.cross(state.x - about);

@@ -12,13 +12,6 @@ namespace brunt {
 namespace {
 constexpr Real kLargestTurn = 0.2;           // [rad] of a step
 constexpr std::size_t kWorthThreads = 1000;  // points
-
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& v) {
-  Vec3 space = Vec3::Zero();
-  space.template head<Dim>() = v;
-  return space;
-}
 }  // namespace
 
 /// Resultants of the forces at points; in 2D the force and the torque about z.
