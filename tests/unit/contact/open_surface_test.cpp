@@ -1,7 +1,7 @@
 // An open surface has two sides (physics.md C11): 1e5 particles shot at a sheet of triangles, thin
 // as nothing, at twenty times their speed of sound, from both sides and from 0 to 89 degrees off
-// its normal: none passes. Behind it they belong to the side from which they came, and around its
-// rim they may go to the other.
+// its normal: none passes (the default test shoots 1,600). Behind it they belong to the side from
+// which they came, and around its rim they may go to the other.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -92,8 +92,8 @@ void shoot_from_both_sides(int row) {
   EXPECT_LT(fastest, 1.02 * 20 * kSound);
 }
 
-TEST(OpenSurface, NothingPassesAtTwentyTimesTheSpeedOfSound) { shoot_from_both_sides(60); }
-TEST(LongOpenSurface, NothingOf1e5PassesAtTwentyTimesTheSpeedOfSound) {
+TEST(OpenSurface, NothingPassesAtTwentyTimesTheSpeedOfSound) { shoot_from_both_sides(40); }
+TEST(OpenSurface, LongNothingOf1e5PassesAtTwentyTimesTheSpeedOfSound) {
   shoot_from_both_sides(317);
 }
 
