@@ -45,10 +45,8 @@ void report_told(const typename Supports<Dim>::Rigid& rigid, const Scene<Dim>& s
   };
   std::map<Label, std::size_t> number;
   std::map<Label, Vec3> about;
-  for (const Label body : rigid.points->body) {
-    if (!rigid.free.contains(body)) number.try_emplace(body, number.size());
-  }
-  for (const auto& [body, unused] : number) {
+  for (const Label body : rigid.bodies) {
+    number.try_emplace(body, number.size());
     about[body] = -in_space<Dim>(scene.origin);
     reports[body] = {};
   }

@@ -23,7 +23,10 @@ bool acts(const Constraint<Dim>& constraint, Real time) {
 template <int Dim>
 void Supports<Dim>::move_rigid(Points<Dim>& points, std::vector<RigidMotion<Dim>> motions,
                                std::set<Label> free) {
-  Rigid rigid{&points, std::move(motions), std::move(free), {}, {}, {}};
+  Rigid rigid{&points, std::move(motions), std::move(free), {}, {}, {}, {}};
+  for (const Label body : points.body) {
+    if (!rigid.free.contains(body)) rigid.bodies.insert(body);
+  }
   rigid.motions.push_back({});  // the last one: held
   name_motions(rigid);
   rigid_.push_back(std::move(rigid));

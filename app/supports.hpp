@@ -59,6 +59,7 @@ class Supports {
     Points<Dim>* points;
     std::vector<RigidMotion<Dim>> motions;     // by label; absent: held
     std::set<Label> free;                      // bodies that somebody else moves
+    std::set<Label> bodies;                    // all others, of all ranks
     std::vector<std::size_t> motion_of_point;  // kFree: somebody else moves it
     std::vector<Vec<Dim>> reaction;
     std::vector<Real> work;
