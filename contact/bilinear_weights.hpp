@@ -9,8 +9,9 @@ namespace brunt {
 /// corrected in the least squares of their changes so that both sums are exact to round-off.
 std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const Vec<2>& p);
 
-/// The same of four points in quads of their own side by side, with the bits of each alone. face
-/// corners of each quad;  p  point of each
+/// The same of four points in quads of their own side by side, with the bits of each alone.
+/// face  corners of each quad
+/// p     point of each
 std::array<std::array<Real, 4>, 4> bilinear_weights(const std::array<const Polygon*, 4>& face,
                                                     const std::array<Vec<2>, 4>& p);
 

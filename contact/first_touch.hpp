@@ -10,8 +10,7 @@ namespace brunt {
 /// they open, and a bond of cohesion and tension, which breaks for good; and from when a particle
 /// came near an open surface the side from which it came, until it leaves.
 struct FirstTouch {
-  ContactKey
-      key;  ///< of faces or particles with ordinal 0; of a particle with `second` its surface
+  ContactKey key;       ///< with ordinal 0; of a particle and a surface `second` is the surface
   Real overlap = 0;     ///< [m]
   bool bonded = false;  ///< in the last evaluation
   bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
