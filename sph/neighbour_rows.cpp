@@ -46,13 +46,15 @@ constexpr Compression compression() {
 constexpr Compression kCompression = compression();
 
 template <int Dim>
-void NeighbourRows<Dim>::sort_by(std::span<const GlobalId> id) {
+void NeighbourRows<Dim>::merge_copies(std::span<const GlobalId> id, LocalIndex n_owned) {
   const auto before = [&](LocalIndex a, LocalIndex b) {
     return id[static_cast<std::size_t>(a)] < id[static_cast<std::size_t>(b)];
   };
-  const auto begin = list_.neighbour.begin();
+  const auto all = list_.neighbour.begin();
   for (std::size_t i = 0; i + 1 < list_.offset.size(); ++i) {
-    std::sort(begin + list_.offset[i], begin + list_.offset[i + 1], before);
+    const auto begin = all + list_.offset[i], end = all + list_.offset[i + 1];
+    if (begin == end || *(end - 1) < n_owned) continue;
+    std::inplace_merge(begin, std::lower_bound(begin, end, n_owned), end, before);
   }
 }
 

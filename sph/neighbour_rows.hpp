@@ -15,8 +15,9 @@ class NeighbourRows {
  public:
   /// list  candidates, ascending within a row
   void assign(NeighbourList list);
-  /// Orders each row by the ids of its members, where places do not stand in that order.
-  void sort_by(std::span<const GlobalId> id);
+  /// Puts the copies of each row among what is owned, by their ids: the row is ascending in both,
+  /// one after the other.
+  void merge_copies(std::span<const GlobalId> id, LocalIndex n_owned);
   /// Finds j with |x_i - x_j| < 2 h_ij among the candidates of i.
   void refresh(const MotionRecord<Dim>* records, LocalIndex i);
 

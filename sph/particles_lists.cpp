@@ -67,8 +67,9 @@ void SphParticles<Dim>::rearrange() {
   const Real skin = skin_ratio_ * longest;
   if (!ranks_->alone()) renew_ghosts(skin);
   label_sums();
-  rows_.assign(neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, search_));
-  if (!ranks_->alone()) rows_.sort_by(points_.id);
+  rows_.assign(
+      neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_));
+  if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);
   watch_.start(points_, sum_, smoothing_length_, skin);
   ++n_searches_;
 }

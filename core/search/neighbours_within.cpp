@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
+#include <utility>
 
 #include "core/search/cell_grid.hpp"
 #include "core/search/search.hpp"
@@ -16,7 +16,8 @@ struct PointQuery {
   std::span<const Vec<Dim>> x;  ///< [m]
   std::span<const Real> reach;  ///< [m]
   std::span<const Label> label;
-  Real skin;  ///< [m]
+  Real skin;          ///< [m]
+  LocalIndex n_rows;  ///< points with a row: the first
 };
 
 /// The one expression that decides, in both modes: symmetric in i and j to the last bit.
@@ -73,22 +74,22 @@ struct Candidates {
   std::vector<Real> reach;               ///< [m]
   std::vector<Real> label;
   std::vector<LocalIndex> index;
-  std::vector<LocalIndex> row;  ///< room for the longest row
+  std::vector<LocalIndex> row;            ///< room for the longest row
+  std::vector<LocalIndex> around, spare;  ///< points of the cells around, ascending; room to sort
   std::size_t n = 0;
 
-  void append(const PointQuery<Dim>& q, std::span<const LocalIndex> points) {
-    reserve(n + points.size());
-    for (const LocalIndex j : points) {
+  /// Takes the points of `around`, and fills the last pack with entries of a label that no point
+  /// has.
+  void take_around(const PointQuery<Dim>& q) {
+    reserve(around.size() + kLanes);
+    n = 0;
+    for (const LocalIndex j : around) {
       for (int c = 0; c < Dim; ++c) x[c][n] = q.x[j][c];
       reach[n] = q.reach[j];
       label[n] = static_cast<Real>(q.label[j]);
       index[n] = j;
       ++n;
     }
-  }
-  /// Fills the last pack with entries of a label that no point has.
-  void fill_last_pack() {
-    reserve(n + kLanes);
     for (; n % kLanes != 0; ++n) {
       for (auto& component : x) component[n] = 0;
       reach[n] = 0;
@@ -129,7 +130,7 @@ BRUNT_INLINE std::uint64_t neighbour_bits(const Candidates<Dim>& candidates, std
   return static_cast<std::uint64_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
 }
 
-/// Writes the row of point i, unsorted, into candidates.row; returns its length.
+/// Writes the row of point i, ascending, into candidates.row; returns its length.
 template <int Dim>
 std::size_t select_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candidates) {
   std::array<Pack, Dim> x_i;
@@ -150,51 +151,24 @@ std::size_t select_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& 
   return length;
 }
 
-using IndexPack = LocalIndex __attribute__((vector_size(32)));
-constexpr std::size_t kIndexLanes = 8;
-
-BRUNT_INLINE IndexPack load_indices(const LocalIndex* from) {
-  IndexPack pack;
-  std::memcpy(&pack, from, sizeof pack);
-  return pack;
-}
-
-/// For each of 32 entries at `mine`, how many entries of the row are smaller. Four counters with
-/// names, because an array of them would live in memory.
-BRUNT_INLINE void count_smaller(const LocalIndex* row, std::size_t n, const LocalIndex* mine,
-                                LocalIndex* smaller) {
-  const IndexPack a = load_indices(mine), b = load_indices(mine + 8);
-  const IndexPack c = load_indices(mine + 16), d = load_indices(mine + 24);
-  IndexPack count_a{}, count_b{}, count_c{}, count_d{};
-  for (std::size_t m = 0; m < n; ++m) {
-    const IndexPack pivot = row[m] - IndexPack{};
-    count_a = count_a - (pivot < a);  // true is -1
-    count_b = count_b - (pivot < b);
-    count_c = count_c - (pivot < c);
-    count_d = count_d - (pivot < d);
+/// Sorts by bytes, the lowest first: the candidates of a cell are sorted once for the rows of all
+/// its points. `spare` holds as many.
+void sort_indices(std::vector<LocalIndex>& index, std::vector<LocalIndex>& spare) {
+  constexpr int kBits = 8, kBins = 1 << kBits;
+  const auto digit = [](LocalIndex i, int shift) {
+    return static_cast<std::size_t>(static_cast<std::uint32_t>(i) >> shift & (kBins - 1));
+  };
+  if (index.empty()) return;
+  const auto largest = static_cast<std::uint32_t>(*std::max_element(index.begin(), index.end()));
+  spare.resize(index.size());
+  for (int shift = 0; shift < 32 && largest >> shift != 0; shift += kBits) {
+    std::array<std::uint32_t, kBins> next{};
+    for (const LocalIndex i : index) ++next[digit(i, shift)];
+    std::uint32_t before = 0;
+    for (auto& bin : next) before += std::exchange(bin, before);
+    for (const LocalIndex i : index) spare[next[digit(i, shift)]++] = i;
+    index.swap(spare);
   }
-  std::memcpy(smaller, &count_a, sizeof count_a);
-  std::memcpy(smaller + 8, &count_b, sizeof count_b);
-  std::memcpy(smaller + 16, &count_c, sizeof count_c);
-  std::memcpy(smaller + 24, &count_d, sizeof count_d);
-}
-
-/// Sorts distinct numbers by counting for each how many are smaller: no branch to mispredict.
-void sort_row(const LocalIndex* row, std::size_t n, LocalIndex* out) {
-  constexpr std::size_t kMost = 160, kBlock = 4 * kIndexLanes;
-  if (n > kMost) {
-    std::copy(row, row + n, out);
-    std::sort(out, out + n);
-    return;
-  }
-  std::array<LocalIndex, kMost> value, rank;
-  std::copy(row, row + n, value.begin());
-  const std::size_t padded = (n + kBlock - 1) / kBlock * kBlock;
-  std::fill(value.begin() + n, value.begin() + padded, 0);
-  for (std::size_t begin = 0; begin < n; begin += kBlock) {
-    count_smaller(row, n, &value[begin], &rank[begin]);
-  }
-  for (std::size_t k = 0; k < n; ++k) out[rank[k]] = value[k];
 }
 
 /// Rows of a run of cells, one after the other, in the order of the cells' points.
@@ -209,7 +183,7 @@ void append_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candida
   const std::size_t length = select_row(q, i, candidates);
   const std::size_t before = chunk.neighbours.size();
   chunk.neighbours.resize(before + length);
-  sort_row(candidates.row.data(), length, chunk.neighbours.data() + before);
+  std::copy_n(candidates.row.data(), length, chunk.neighbours.data() + before);
   chunk.points.push_back(i);
   count[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(length);
 }
@@ -220,17 +194,23 @@ void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
                          std::span<const Bounds<Dim>> bounds, LocalIndex cell,
                          Candidates<Dim>& candidates, std::span<std::int64_t> count,
                          RowChunk& chunk) {
-  candidates.n = 0;
+  const auto members = grid.members(cell);
+  if (members.empty() || members.front() >= q.n_rows) return;  // ascending
+  candidates.around.clear();
+  const auto gather = [&](std::span<const LocalIndex> points) {
+    candidates.around.insert(candidates.around.end(), points.begin(), points.end());
+  };
   for (const auto& list : {grid.forward(cell), grid.backward(cell)}) {
     for (const LocalIndex other : list) {
-      if (bounds[cell].may_hold_neighbours_of(bounds[other], q.skin)) {
-        candidates.append(q, grid.members(other));
-      }
+      if (bounds[cell].may_hold_neighbours_of(bounds[other], q.skin)) gather(grid.members(other));
     }
   }
-  candidates.append(q, grid.oversize());
-  candidates.fill_last_pack();
-  for (const LocalIndex i : grid.members(cell)) append_row(q, i, candidates, count, chunk);
+  gather(grid.oversize());
+  sort_indices(candidates.around, candidates.spare);
+  candidates.take_around(q);
+  for (const LocalIndex i : members) {
+    if (i < q.n_rows) append_row(q, i, candidates, count, chunk);
+  }
 }
 
 /// Rows of points that lie in no cell: compared with all.
@@ -239,6 +219,7 @@ void append_oversize_rows(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
                           std::span<std::int64_t> count, RowChunk& chunk) {
   const auto n = static_cast<LocalIndex>(q.x.size());
   for (const LocalIndex i : grid.oversize()) {
+    if (i >= q.n_rows) continue;
     const std::size_t before = chunk.neighbours.size();
     for (LocalIndex j = 0; j < n; ++j) {
       if (j != i && are_neighbours(q, i, j)) chunk.neighbours.push_back(j);
@@ -269,7 +250,7 @@ NeighbourList all_neighbours(const PointQuery<Dim>& q) {
   NeighbourList list;
   const auto n = static_cast<LocalIndex>(q.x.size());
   list.offset.push_back(0);
-  for (LocalIndex i = 0; i < n; ++i) {
+  for (LocalIndex i = 0; i < q.n_rows; ++i) {
     for (LocalIndex j = 0; j < n; ++j) {
       if (i != j && are_neighbours(q, i, j)) list.neighbour.push_back(j);
     }
@@ -282,8 +263,9 @@ NeighbourList all_neighbours(const PointQuery<Dim>& q) {
 
 template <int Dim>
 NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
-                                std::span<const Label> label, Real skin, SearchMode mode) {
-  const PointQuery<Dim> q{x, reach, label, skin};
+                                std::span<const Label> label, Real skin, LocalIndex n_rows,
+                                SearchMode mode) {
+  const PointQuery<Dim> q{x, reach, label, skin, n_rows};
   if (mode == SearchMode::brute) return all_neighbours(q);
   std::vector<Real> extent(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) extent[i] = 2 * reach[i] + skin;
@@ -294,8 +276,8 @@ NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Rea
     bounds[cell] = bounds_of(q, grid.members(cell));
   }
   NeighbourList list;
-  list.offset.assign(x.size() + 1, 0);
-  const std::span<std::int64_t> count(list.offset.data() + 1, x.size());
+  list.offset.assign(static_cast<std::size_t>(n_rows) + 1, 0);
+  const std::span<std::int64_t> count(list.offset.data() + 1, static_cast<std::size_t>(n_rows));
   constexpr LocalIndex kChunk = 64;
   const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
   std::vector<RowChunk> chunks(static_cast<std::size_t>(n_chunks) + 1);
@@ -316,8 +298,8 @@ NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Rea
 }
 
 template NeighbourList neighbours_within<2>(std::span<const Vec<2>>, std::span<const Real>,
-                                            std::span<const Label>, Real, SearchMode);
+                                            std::span<const Label>, Real, LocalIndex, SearchMode);
 template NeighbourList neighbours_within<3>(std::span<const Vec<3>>, std::span<const Real>,
-                                            std::span<const Label>, Real, SearchMode);
+                                            std::span<const Label>, Real, LocalIndex, SearchMode);
 
 }  // namespace brunt

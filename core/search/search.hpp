@@ -53,15 +53,17 @@ std::vector<IndexPair> overlapping_pairs(std::span<const SearchBox<Dim>> boxes,
 
 /// Neighbours of each point, compressed rows; within a row ascending.
 struct NeighbourList {
-  std::vector<std::int64_t> offset;  ///< size n + 1
+  std::vector<std::int64_t> offset;  ///< size rows + 1
   std::vector<LocalIndex> neighbour;
 };
 
-/// Full lists: j is in the row of i if |x_i - x_j| <= reach_i + reach_j + skin, i != j and both
-/// have the same label. Boundary cases are decided by the same expression in both modes.
+/// Full lists of the first n_rows points: j, any point, is in the row of i if
+/// |x_i - x_j| <= reach_i + reach_j + skin, i != j and both have the same label. Boundary cases are
+/// decided by the same expression in both modes.
 /// reach, skin  [m], not negative
 template <int Dim>
 NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
-                                std::span<const Label> label, Real skin, SearchMode mode);
+                                std::span<const Label> label, Real skin, LocalIndex n_rows,
+                                SearchMode mode);
 
 }  // namespace brunt

@@ -23,8 +23,10 @@ struct Cloud {
     reach.push_back(r);
     label.push_back(l);
   }
-  NeighbourList find(Real skin, SearchMode mode) const {
-    return neighbours_within<Dim>(x, reach, label, skin, mode);
+  LocalIndex size() const { return static_cast<LocalIndex>(x.size()); }
+  NeighbourList find(Real skin, SearchMode mode) const { return find(skin, mode, size()); }
+  NeighbourList find(Real skin, SearchMode mode, LocalIndex n_rows) const {
+    return neighbours_within<Dim>(x, reach, label, skin, n_rows, mode);
   }
 };
 
@@ -44,11 +46,13 @@ Cloud<Dim> random_cloud(int n, Real smallest, Real largest, unsigned seed) {
 
 template <int Dim>
 void expect_as_brute(const Cloud<Dim>& cloud, Real skin) {
-  const NeighbourList grid = cloud.find(skin, SearchMode::grid);
-  const NeighbourList brute = cloud.find(skin, SearchMode::brute);
-  EXPECT_EQ(grid.offset, brute.offset);
-  EXPECT_EQ(grid.neighbour, brute.neighbour);
-  EXPECT_EQ(grid.offset.size(), cloud.x.size() + 1);
+  for (const LocalIndex n_rows : {cloud.size(), cloud.size() / 3, 0}) {
+    const NeighbourList grid = cloud.find(skin, SearchMode::grid, n_rows);
+    const NeighbourList brute = cloud.find(skin, SearchMode::brute, n_rows);
+    EXPECT_EQ(grid.offset, brute.offset);
+    EXPECT_EQ(grid.neighbour, brute.neighbour);
+    EXPECT_EQ(grid.offset.size(), static_cast<std::size_t>(n_rows) + 1);
+  }
 }
 
 template <int Dim>
