@@ -133,7 +133,7 @@ template <int Dim>
 std::unique_ptr<Scene<Dim>> build_and_warn(const LoadedDeck& loaded) {
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings;
-  warn_of_overlaps(loaded, *scene, true, warnings);
+  warn_of_contact(loaded, *scene, true, warnings);
   return scene;
 }
 

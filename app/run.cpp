@@ -218,7 +218,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   }
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings = loaded.warnings;
-  warn_of_overlaps(loaded, *scene, ranks.is_root(), warnings);
+  warn_of_contact(loaded, *scene, ranks.is_root(), warnings);
   distribute(*scene, ranks);
   const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
   Balance<Dim> balance(

@@ -39,6 +39,11 @@ struct InitialOverlaps {
   Real deepest = 0;          ///< [m]
 };
 
+struct OneSidedPair {
+  std::string name;  ///< of the pair, as in PairReport
+  Label open;        ///< body of the surface
+};
+
 /// How much work the contact lists were; it says nothing about the answer.
 struct ContactWork {
   std::size_t builds = 0;      ///< of the lists, since time 0
@@ -93,6 +98,9 @@ class ContactManager {
   /// What of the overlaps of time 0 is left, of the contacts evaluated here; pairs without are left
   /// out. Not collective.
   std::vector<InitialOverlaps> initial_overlaps() const;
+  /// Pairs in which faces of elements may touch a surface with a rim: they meet its front alone,
+  /// where particles meet both sides. Not collective.
+  std::vector<OneSidedPair> one_sided_pairs() const;
   /// Contacts of the last evaluation; positions relative to the scene's origin; normal from
   /// body_a to body_b, force on body_b.
   ContactView view() const;

@@ -1,5 +1,6 @@
 /// What pairs keep from time 0, from run to run.
 #include <algorithm>
+#include <set>
 
 #include "contact/implementation.hpp"
 #include "contact/keyed_rows.hpp"
@@ -104,6 +105,26 @@ std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
   return found;
 }
 
+template <int Dim>
+std::vector<OneSidedPair> ContactManager<Dim>::one_sided_pairs() const {
+  const auto& own = *implementation_;
+  std::set<Label> with_faces, open;
+  for (const auto& face : own.entities.faces) {
+    with_faces.insert(face.body);
+    if (face.open) open.insert(face.body);
+  }
+  std::vector<OneSidedPair> found;
+  for (std::size_t k = 0; k < own.pairs.pairs().size(); ++k) {
+    const auto [a, b] = own.pairs.pairs()[k];
+    if (with_faces.count(a) == 0 || with_faces.count(b) == 0) continue;
+    if (open.count(a) != 0) found.push_back({own.pairs.names()[k], a});
+    if (open.count(b) != 0 && b != a) found.push_back({own.pairs.names()[k], b});
+  }
+  return found;
+}
+
+template std::vector<OneSidedPair> ContactManager<2>::one_sided_pairs() const;
+template std::vector<OneSidedPair> ContactManager<3>::one_sided_pairs() const;
 template std::vector<InitialOverlaps> ContactManager<2>::initial_overlaps() const;
 template std::vector<InitialOverlaps> ContactManager<3>::initial_overlaps() const;
 template void ContactManager<2>::Implementation::press_at_start();

@@ -17,10 +17,11 @@ template <int Dim>
 void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
                     std::vector<DeckProblem>& problems);
 
-/// Adds what is to be said of bodies that overlap at time 0 by less: which, how deep, and what
-/// comes of it; prints it too where asked. Of a whole scene.
+/// Adds what is to be said of pairs of bodies: those that overlap at time 0 by less, how deep, and
+/// what comes of it; elements that may touch surfaces with a rim. Prints it too where asked. Of a
+/// whole scene.
 template <int Dim>
-void warn_of_overlaps(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
+void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
                       std::vector<DeckProblem>& warnings);
 
 /// Measures of columns that history.csv does not have, and of fields that a body does not have.

@@ -1,0 +1,38 @@
+#include <cstdio>
+
+#include "app/build/scene_checks.hpp"
+#include "app/deck/findings.hpp"
+
+namespace brunt {
+
+template <int Dim>
+void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
+                     std::vector<DeckProblem>& warnings) {
+  if (!scene.contact) return;
+  const auto warn = [&](const std::string& pair, const std::string& what) {
+    const std::string named = "contact.pairs." + pair;
+    warnings.push_back(
+        loaded.places.problem(loaded.places.has(named) ? named : "contact", pair + ": " + what));
+    if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
+  };
+  for (const auto& pair : scene.contact->initial_overlaps()) {
+    warn(pair.name, std::to_string(pair.contacts) + " contacts overlap at time 0 by up to " +
+                        deck::length_text(pair.deepest) +
+                        "; they are felt once they have opened, and by what they close again "
+                        "(initial_overlap: press feels them at once)");
+  }
+  for (const auto& pair : scene.contact->one_sided_pairs()) {
+    const auto& surface = loaded.deck.bodies[pair.open];
+    if (surface.value.file.empty()) continue;  // a plane's front is what its deck says
+    warn(pair.name, "elements meet the surface of " + surface.name +
+                        ", which has a rim, from the side of its normals alone: see that it faces "
+                        "them, or close it (particles meet both sides)");
+  }
+}
+
+template void warn_of_contact<2>(const LoadedDeck&, const Scene<2>&, bool,
+                                 std::vector<DeckProblem>&);
+template void warn_of_contact<3>(const LoadedDeck&, const Scene<3>&, bool,
+                                 std::vector<DeckProblem>&);
+
+}  // namespace brunt
