@@ -65,8 +65,7 @@ Copies find_copies(const BodyView& view, const Deal& deal, const Communicator& r
   std::vector<GlobalId> ids;
   std::vector<LocalIndex> places;
   std::vector<int> owners;
-  const auto id = std::find_if(view.point_fields.begin(), view.point_fields.end(),
-                               [](const Field& field) { return field.name == "id"; });
+  const Field* id = field_named(view.point_fields, "id");
   for (std::size_t i = 0; i < view.point_owned.size(); ++i) {
     const auto number = static_cast<GlobalId>(id->values[i]);
     if (view.point_owned[i]) {

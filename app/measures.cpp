@@ -10,13 +10,6 @@
 namespace brunt {
 
 namespace {
-const Field* find(const std::vector<Field>& fields, const std::string& name) {
-  for (const auto& field : fields) {
-    if (field.name == name) return &field;
-  }
-  return nullptr;
-}
-
 int component(const Field& field, const std::string& suffix) {
   static constexpr const char* vector[] = {"x", "y", "z"};
   static constexpr const char* tensor[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -89,7 +82,7 @@ Real reduce_history(const deck::HistoryMeasure& measure, const MeasureSource& so
 
 /// Speed of the centre of mass.
 Real center_speed(const BodyView& view) {
-  const Field* velocity = find(view.point_fields, "velocity");
+  const Field* velocity = field_named(view.point_fields, "velocity");
   Real sum[3] = {0, 0, 0}, mass = 0;
   for (std::size_t i = 0; i < view.point_mass.size(); ++i) {
     mass += view.point_mass[i];
@@ -125,7 +118,7 @@ struct Evaluate {
   Real operator()(const deck::PointMeasure& m) const {
     const BodyView view = source.view(m.body);
     const auto dot = m.field.find('.');
-    const bool cells = find(view.cell_fields, m.field.substr(0, dot)) != nullptr;
+    const bool cells = field_named(view.cell_fields, m.field.substr(0, dot)) != nullptr;
     return field_values(view, m.field)[nearest_entity(source.start->at(m.body), m.at, cells)];
   }
   Real operator()(const deck::HistoryMeasure& m) const { return reduce_history(m, source); }
@@ -168,11 +161,11 @@ std::vector<Real> field_values(const BodyView& view, const std::string& field,
   const auto dot = field.find('.');
   const std::string name = field.substr(0, dot);
   const std::string suffix = dot == std::string::npos ? "" : field.substr(dot + 1);
-  if (const Field* found = find(view.point_fields, name)) {
+  if (const Field* found = field_named(view.point_fields, name)) {
     if (weights) *weights = view.point_mass;
     return pick(*found, suffix);
   }
-  if (const Field* found = find(view.cell_fields, name)) {
+  if (const Field* found = field_named(view.cell_fields, name)) {
     if (weights) *weights = view.cell_volume;
     return pick(*found, suffix);
   }

@@ -13,9 +13,8 @@ namespace {
 /// Index of the entity with an id among those that the view owns; -1 where it is not here.
 std::ptrdiff_t place_of(const BodyView& view, bool cell, GlobalId id) {
   const auto& fields = cell ? view.cell_fields : view.point_fields;
-  const auto ids = std::find_if(fields.begin(), fields.end(),
-                                [](const Field& field) { return field.name == "id"; });
-  if (ids == fields.end()) return -1;
+  const Field* ids = field_named(fields, "id");
+  if (ids == nullptr) return -1;
   const auto at = std::find(ids->values.begin(), ids->values.end(), static_cast<Real>(id));
   if (at == ids->values.end()) return -1;
   const auto place = at - ids->values.begin();

@@ -8,10 +8,8 @@ namespace {
 /// Ids of the entities, empty where the view has none.
 const std::vector<Real>& ids_of(const std::vector<Field>& fields) {
   static const std::vector<Real> none;
-  for (const auto& field : fields) {
-    if (field.name == "id") return field.values;
-  }
-  return none;
+  const Field* id = field_named(fields, "id");
+  return id != nullptr ? id->values : none;
 }
 
 /// An entity of the merged view: which part has it, and where.

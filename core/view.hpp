@@ -3,6 +3,7 @@
 /// relative to the scene's origin; the scene adds it.
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/types.hpp"
@@ -15,6 +16,14 @@ struct Field {
   int components = 1;
   std::vector<Real> values;
 };
+
+/// The field of that name; null where there is none.
+inline const Field* field_named(const std::vector<Field>& fields, std::string_view name) {
+  for (const auto& field : fields) {
+    if (field.name == name) return &field;
+  }
+  return nullptr;
+}
 
 /// One named body at one instant. Cells hold corners (hexes 8, quads 4, triangles 3, edges 2);
 /// a body of particles has no cells and its fields are point fields.

@@ -7,12 +7,6 @@
 namespace brunt {
 
 namespace {
-Label label_of(const Deck& deck, const std::string& name) {
-  const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
-                                  [&](const auto& body) { return body.name == name; });
-  return static_cast<Label>(found - deck.bodies.begin());
-}
-
 bool is_of_particles(const deck::Body& body) {
   return body.method == deck::Method::sph && !body.rigid;
 }
@@ -24,10 +18,10 @@ ContactOptions named_options(const Deck& deck) {
   options.search = deck.contact.search;
   options.skin = deck.contact.skin;
   for (const auto& [name, pair] : deck.contact.pairs) {
-    const Label first = label_of(deck, pair.between[0]);
+    const Label first = *label_of(deck, pair.between[0]);
     for (Label other = 0; other < deck.bodies.size(); ++other) {
       const bool any = pair.between[1] == "any";
-      if (!any && other != label_of(deck, pair.between[1])) continue;
+      if (!any && other != *label_of(deck, pair.between[1])) continue;
       const std::pair key{std::min(first, other), std::max(first, other)};
       if (any && options.pairs.count(key)) continue;  // a pair named in full has its own options
       options.pairs[key] = pair.options;
@@ -156,11 +150,11 @@ void check_bonds(const LoadedDeck& loaded, std::vector<DeckProblem>& problems) {
   }
   for (const auto& [name, pair] : deck.contact.pairs) {
     if (!pair.options.bonded || deck.contact.fallback.bonded) continue;
-    const Label first = label_of(deck, pair.between[0]);
+    const Label first = *label_of(deck, pair.between[0]);
     if (pair.between[1] == "any") {
       refuse_any("contact.pairs." + name, first);
     } else {
-      refuse("contact.pairs." + name, first, label_of(deck, pair.between[1]));
+      refuse("contact.pairs." + name, first, *label_of(deck, pair.between[1]));
     }
   }
 }

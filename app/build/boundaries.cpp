@@ -212,13 +212,12 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
   const Deck& deck = loaded.deck;
   for (const auto& [name, boundary] : deck.boundaries) {
     const std::string path = "boundaries." + name;
-    const auto found =
-        std::find_if(deck.bodies.begin(), deck.bodies.end(),
-                     [&wanted = boundary.body](const auto& body) { return body.name == wanted; });
-    if (found == deck.bodies.end()) continue;  // reported by the deck's own checks
-    const auto label = static_cast<Label>(found - deck.bodies.begin());
+    const auto found = label_of(deck, boundary.body);
+    if (!found) continue;  // told by the deck's own checks
+    const Label label = *found;
+    const deck::Body& body = deck.bodies[label].value;
     const bool moves = !boundary.fix.empty() || boundary.velocity || boundary.force;
-    if (found->value.rigid && (moves || !acts_on_heat(boundary))) {
+    if (body.rigid && (moves || !acts_on_heat(boundary))) {
       problems.push_back(loaded.places.problem(
           path + ".body", "'" + boundary.body + "' is rigid: give it `motion` instead"));
       continue;
@@ -227,7 +226,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     if (!solid) continue;
     auto& points = solid->points();
     const Choose<Dim> choose{points, solid->surface(), scene.origin, label,
-                             0.1 * deck::smallest_size(found->value)};
+                             0.1 * deck::smallest_size(body)};
     const auto chosen = std::visit(choose, boundary.where);
     if (chosen.empty()) {
       problems.push_back(loaded.places.problem(

@@ -8,19 +8,6 @@
 namespace brunt {
 
 namespace {
-/// The label of a body, or none: that is told by the deck's own checks.
-std::optional<Label> label_of(const Deck& deck, const std::string& name) {
-  const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
-                                  [&](const auto& body) { return body.name == name; });
-  if (found == deck.bodies.end()) return std::nullopt;
-  return static_cast<Label>(found - deck.bodies.begin());
-}
-
-bool has(const std::vector<Field>& fields, const std::string& name) {
-  return std::any_of(fields.begin(), fields.end(),
-                     [&](const Field& field) { return field.name == name; });
-}
-
 std::string names_of(const BodyView& view) {
   std::string list;
   for (const auto* fields : {&view.point_fields, &view.cell_fields}) {
@@ -30,9 +17,7 @@ std::string names_of(const BodyView& view) {
 }
 
 GlobalId id_at(const std::vector<Field>& fields, std::size_t place) {
-  const auto ids = std::find_if(fields.begin(), fields.end(),
-                                [](const Field& field) { return field.name == "id"; });
-  return static_cast<GlobalId>(ids->values[place]);
+  return static_cast<GlobalId>(field_named(fields, "id")->values[place]);
 }
 
 /// Distance [m] of a point, or of the centre of a cell.
@@ -55,7 +40,8 @@ Real distance(const BodyView& view, const std::vector<Real>& at, bool cell, std:
 std::string find_probe(const deck::Probe& given, const BodyView& view, Probe& probe) {
   for (const auto& field : given.fields) {
     const std::string name = field.substr(0, field.find('.'));
-    const bool at_point = has(view.point_fields, name), in_cell = has(view.cell_fields, name);
+    const bool at_point = field_named(view.point_fields, name) != nullptr;
+    const bool in_cell = field_named(view.cell_fields, name) != nullptr;
     if (!at_point && !in_cell) {
       return "'" + given.body + "' has no field '" + name + "'; it has " + names_of(view);
     }
@@ -111,7 +97,7 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
   };
   for (const auto& [name, given] : deck.probes) {
     const auto body = label_of(deck, given.body);
-    if (!body) continue;
+    if (!body) continue;  // told by the deck's own checks
     Probe probe;
     probe.name = name, probe.body = *body;
     if (tell("probes." + name + ".fields", find_probe(given, scene.own_view(*body), probe)))
@@ -120,7 +106,7 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
   }
   for (const auto& [name, given] : deck.sections) {
     const auto body = label_of(deck, given.body);
-    if (!body) continue;
+    if (!body) continue;  // told by the deck's own checks
     MaterialSection<Dim> section;
     section.name = name, section.body = *body;
     const auto wrong = find_section(given, deck.bodies[*body].value, scene, section);

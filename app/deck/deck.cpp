@@ -142,6 +142,13 @@ void describe(Schema& s, Deck& deck) {
   s.later(kLater);
 }
 
+std::optional<Label> label_of(const Deck& deck, const std::string& body) {
+  for (Label label = 0; label < deck.bodies.size(); ++label) {
+    if (deck.bodies[label].name == body) return label;
+  }
+  return std::nullopt;
+}
+
 void DeckPlaces::set(const std::string& path, SourcePlace place) {
   places_[path] = std::move(place);
 }

@@ -108,6 +108,9 @@ struct Deck {
 
 void describe(Schema& s, Deck& deck);
 
+/// The label of the body of that name; none where there is no such body.
+std::optional<Label> label_of(const Deck& deck, const std::string& body);
+
 /// Where each key of a deck stands, for checks that come after reading.
 class DeckPlaces {
  public:

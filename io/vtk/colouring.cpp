@@ -57,12 +57,6 @@ std::vector<Real> von_mises_of(const Field& stress) {
   return values;
 }
 
-const Field* find(const std::vector<Field>& fields, const std::string& name) {
-  const auto found = std::find_if(fields.begin(), fields.end(),
-                                  [&name](const Field& field) { return field.name == name; });
-  return found == fields.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 Colouring parse_colouring(const std::string& text) {
@@ -74,10 +68,10 @@ Colouring parse_colouring(const std::string& text) {
 Scalars scalars_of(const BodyView& view, const Colouring& colouring) {
   for (const bool on_cells : {true, false}) {
     const auto& fields = on_cells ? view.cell_fields : view.point_fields;
-    if (const Field* field = find(fields, colouring.field)) {
+    if (const Field* field = field_named(fields, colouring.field)) {
       return {on_cells, values_of(*field, colouring.component)};
     }
-    const Field* stress = colouring.field == "von_mises" ? find(fields, "stress") : nullptr;
+    const Field* stress = colouring.field == "von_mises" ? field_named(fields, "stress") : nullptr;
     if (stress != nullptr && stress->components == 6) return {on_cells, von_mises_of(*stress)};
   }
   return {};
@@ -85,7 +79,7 @@ Scalars scalars_of(const BodyView& view, const Colouring& colouring) {
 
 bool deforms(const BodyView& view) {
   for (const char* name : {"stress", "von_mises", "pressure", "eps_p", "density", "strain_rate"}) {
-    if (find(view.cell_fields, name) || find(view.point_fields, name)) return true;
+    if (field_named(view.cell_fields, name) || field_named(view.point_fields, name)) return true;
   }
   return false;
 }
