@@ -28,6 +28,52 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.heat);
 }
 
+/// Sums what each face carries, from contacts of all ranks in the order of keys.
+template <int Dim>
+class TractionSum {
+ public:
+  /// elsewhere  from other ranks, sorted by key
+  TractionSum(Entities<Dim>& entities, std::vector<TractionShare<Dim>> elsewhere)
+      : entities_(entities), elsewhere_(std::move(elsewhere)) {
+    for (auto& traction : entities_.tractions) {
+      area_before_.push_back(traction.area);
+      traction = {};
+    }
+  }
+  void add(const ContactRecord<Dim>& record, const Friction<Dim>& friction) {
+    if (record.of_particle) return;
+    while (next_ < elsewhere_.size() && elsewhere_[next_].key < friction.key) add_next();
+    add(static_cast<std::size_t>(record.first_place), friction.area, -friction.slider());
+    add(static_cast<std::size_t>(record.second_place), friction.area, friction.slider());
+  }
+  /// Adds what is left, and tells how areas have grown.
+  void finish() {
+    while (next_ < elsewhere_.size()) add_next();
+    for (std::size_t f = 0; f < area_before_.size(); ++f) {
+      auto& traction = entities_.tractions[f];
+      if (!(area_before_[f] > 0 && traction.area > 0)) continue;
+      traction.growth = traction.area / area_before_[f];
+    }
+  }
+
+ private:
+  void add(std::size_t face, Real area, const Vec<Dim>& force) {
+    if (entities_.faces[face].rigid()) return;  // on several ranks nobody has all of its contacts
+    auto& traction = entities_.tractions[face];
+    traction.area += area;
+    traction.force += force;
+  }
+  void add_next() {
+    const auto& share = elsewhere_[next_++];
+    add(entities_.face_with(share.key.second), share.area, Vec<Dim>(share.force));
+  }
+
+  Entities<Dim>& entities_;
+  std::vector<TractionShare<Dim>> elsewhere_;
+  std::size_t next_ = 0;
+  std::vector<Real> area_before_;  // [m^2]
+};
+
 constexpr const char* kTable = "contact.friction";
 constexpr const char* kGrowths = "contact.friction.growth";
 }  // namespace
@@ -137,6 +183,8 @@ void ContactManager<Dim>::Implementation::end_friction() {
   auto& nodes = entities.nodes;
   if (!nodes.rubs) return;
   wrong_friction.reset();
+  // One pass for all: of a million faces, reading records takes longer than what is done with them.
+  TractionSum<Dim> tractions(entities, imports.send_tractions(records, entities));
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     if (friction == nullptr) return;
     const bool right = friction->coefficient >= 0 && friction->coefficient < kInfinity;
@@ -147,7 +195,9 @@ void ContactManager<Dim>::Implementation::end_friction() {
     nodes.friction_stored[at] += friction->stored;
     nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;
+    tractions.add(record, *friction);
   });
+  tractions.finish();
   for (const auto& touch : touches.all()) {
     if (!(touch.torn > 0)) continue;
     const std::size_t at = book_of(entities, touch.key);
@@ -168,41 +218,15 @@ void ContactManager<Dim>::Implementation::end_friction() {
     nodes.ended_heat[at] += friction.warmth * friction.taken;
     nodes.friction_given[at] += friction.warmth * friction.taken;
   });
-  sum_tractions();
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::sum_tractions() {
-  auto& tractions = entities.tractions;
-  std::vector<Real> area_before(tractions.size());  // [m^2]
-  for (std::size_t f = 0; f < tractions.size(); ++f) {
-    area_before[f] = tractions[f].area;
-    tractions[f] = {};
-  }
-  const auto elsewhere = imports.send_tractions(records, entities);
-  auto next = elsewhere.begin();
-  const auto add = [&](std::size_t face, Real area, const Vec<Dim>& force) {
-    if (entities.faces[face].rigid()) return;  // on several ranks nobody has all of its contacts
-    auto& traction = tractions[face];
-    traction.area += area;
-    traction.force += force;
-  };
-  const auto add_next = [&] {
-    add(entities.face_with(next->key.second), next->area, Vec<Dim>(next->force));
-    ++next;
-  };
+  TractionSum<Dim> sum(entities, imports.send_tractions(records, entities));
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
-    if (friction == nullptr || record.of_particle) return;
-    while (next != elsewhere.end() && next->key < friction->key) add_next();
-    add(static_cast<std::size_t>(record.first_place), friction->area, -friction->slider());
-    add(static_cast<std::size_t>(record.second_place), friction->area, friction->slider());
+    if (friction != nullptr) sum.add(record, *friction);
   });
-  while (next != elsewhere.end()) add_next();
-  for (std::size_t f = 0; f < tractions.size(); ++f) {
-    if (area_before[f] > 0 && tractions[f].area > 0) {
-      tractions[f].growth = tractions[f].area / area_before[f];
-    }
-  }
+  sum.finish();
 }
 
 template <int Dim>

@@ -2,37 +2,11 @@
 
 #include <cmath>
 
-#include "core/simd.hpp"
+#include "contact/place.hpp"
 
 namespace brunt {
 
 namespace {
-/// A point in space, or four.
-template <class V>
-struct Place {
-  V x, y, z;
-};
-template <class V>
-BRUNT_INLINE Place<V> operator+(const Place<V>& a, const Place<V>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class V>
-BRUNT_INLINE Place<V> operator-(const Place<V>& a, const Place<V>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class V>
-BRUNT_INLINE Place<V> operator*(V s, const Place<V>& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-template <class V>
-BRUNT_INLINE V dot(const Place<V>& a, const Place<V>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class V>
-BRUNT_INLINE Place<V> cross(const Place<V>& a, const Place<V>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Barycentric weights of the point of a triangle that is nearest to x.
 template <class V>
 BRUNT_INLINE Place<V> nearest_weights(const Place<V>& x, const Place<V>& a, const Place<V>& b,
@@ -111,7 +85,6 @@ BRUNT_INLINE OfTriangles<V> nearest_on(const Place<V> (&t)[3], const Place<V>& x
 }
 
 Candidate nearest_on_triangle(const FacePlane<3>& face, const Vec3& x) {
-  const auto place = [](const Vec3& p) { return Place<Real>{p[0], p[1], p[2]}; };
   const auto& at = face.corner;
   const Place<Real> t[3] = {place(at[0]), place(at[1]), place(at[2])};
   const auto found = nearest_on(t, place(x));
@@ -125,15 +98,9 @@ Candidate nearest_on_triangle(const FacePlane<3>& face, const Vec3& x) {
 
 /// The four triangles of a quad about its centre side by side; of equals the first.
 Candidate nearest_on_quad(const FacePlane<3>& face, const Vec3& x) {
-  const auto everywhere = [](const Vec3& p) {
-    return Place<Pack>{broadcast<Pack>(p[0]), broadcast<Pack>(p[1]), broadcast<Pack>(p[2])};
-  };
   const auto& at = face.corner;
-  const auto corners = [&](Eigen::Index c) { return Pack{at[0][c], at[1][c], at[2][c], at[3][c]}; };
-  const auto next = [](Pack v) { return __builtin_shuffle(v, PackMask{1, 2, 3, 0}); };
-  const Place<Pack> from{corners(0), corners(1), corners(2)};
-  const Place<Pack> t[3] = {
-      from, {next(from.x), next(from.y), next(from.z)}, everywhere(face.center)};
+  const Place<Pack> from = corners(at);
+  const Place<Pack> t[3] = {from, next(from), everywhere(face.center)};
   const auto found = nearest_on(t, everywhere(x));
   Candidate best;
   int nearest = -1;
