@@ -136,7 +136,8 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
     Real none = 0;
     bounds = over_ranks(ranks, bounds, none);
     // A tenth more, so that speeds and steps that grow a little need no new lists.
-    speed_reach_ = std::isfinite(longest) ? 1.1 * bounds.relative_speed() * longest : 0.0;
+    speed_ = bounds.relative_speed();
+    speed_reach_ = std::isfinite(longest) ? 1.1 * speed_ * longest : 0.0;
   }
   if (!ranks.alone()) {
     ImportBoxes<Dim> boxes;
@@ -162,7 +163,8 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
   x_built_ = nodes.x;
   warp_built_.resize(entities.faces.size());
   for (std::size_t f = 0; f < warp_built_.size(); ++f) warp_built_[f] = entities.planes[f].warp;
-  moved_ = 0;
+  find_clearances(entities);
+  moved_ = warped_ = turned_ = 0;
   steps_ = 0;
   ++builds_;
 }
@@ -267,23 +269,57 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
 }
 
 template <int Dim>
+void Candidates<Dim>::find_clearances(const Entities<Dim>& entities) {
+  clearances_.resize(particles_.size());
+  row_clearances_.resize(starts_.empty() ? 0 : starts_.size() - 1);
+  normal_built_.resize(row_clearances_.empty() ? 0 : entities.planes.size());
+  for (std::size_t f = 0; f < normal_built_.size(); ++f) {
+    normal_built_[f] = entities.planes[f].normal;
+  }
+#pragma omp parallel for schedule(static) if (row_clearances_.size() > kWorthThreads)
+  for (std::size_t row = 0; row < row_clearances_.size(); ++row) {
+    for (std::size_t i = starts_[row]; i < starts_[row + 1]; ++i) {
+      const auto& particle = entities.particles[static_cast<std::size_t>(particles_[i].particle)];
+      clearances_[i] =
+          clearance_of(entities, particle, static_cast<std::size_t>(particles_[i].face));
+      if (i == starts_[row]) row_clearances_[row] = clearances_[i];
+      row_clearances_[row].take(clearances_[i]);
+    }
+    row_clearances_[row].entity = particles_[starts_[row]].particle;
+  }
+}
+
+template <int Dim>
+ParticleRows Candidates<Dim>::particle_rows(Real longest) const {
+  const ClearanceLoss loss{moved_ + speed_ * longest, std::sqrt(Real{Dim}) * moved_ + warped_,
+                           turned_};
+  return {particles_, starts_, clearances_, row_clearances_, loss};
+}
+
+template <int Dim>
 bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest,
                                const Communicator& ranks) {
   const auto& nodes = entities.nodes;
   auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
     part.take(nodes.x[i] - x_built_[i], nodes.v[i]);
   });
-  Real warp = 0;
+  Real warp = 0, turn_square = 0;
 #pragma omp parallel for schedule(static) \
     reduction(max                         \
-              : warp) if (warp_built_.size() > kWorthThreads)
+              : warp, turn_square) if (warp_built_.size() > kWorthThreads)
   for (std::size_t f = 0; f < warp_built_.size(); ++f) {
-    warp = std::max(warp, entities.planes[f].warp - warp_built_[f]);
+    const auto& plane = entities.planes[f];
+    warp = std::max(warp, plane.warp - warp_built_[f]);
+    if (normal_built_.empty()) continue;
+    turn_square = std::max(turn_square, (plane.normal - normal_built_[f]).squaredNorm());
   }
+  warped_ = warp;
+  turned_ = std::sqrt(turn_square);
   bounds = over_ranks(ranks, bounds, warp);
   Real growth = 2 * kReachPerWarp * warp;  // of reaches since the lists were built
   if (entities.any_particles) {
-    growth += std::max(0.0, bounds.relative_speed() * longest - speed_reach_);
+    speed_ = bounds.relative_speed();
+    growth += std::max(0.0, speed_ * longest - speed_reach_);
   }
   ++steps_;
   moved_ = bounds.relative_displacement();

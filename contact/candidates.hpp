@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/clearance.hpp"
 #include "contact/imports.hpp"
 #include "core/solid.hpp"
 
@@ -40,6 +41,21 @@ struct ParticleCandidate {
   bool presses = false;               ///< an overlap at time 0 is felt at once
 };
 
+/// Rows of particles beside faces.
+struct ParticleRows {
+  std::span<const ParticleCandidate> candidates;
+  std::span<const std::size_t> starts;        ///< where each row begins, and their end
+  std::span<const Clearance> clearances;      ///< of each candidate
+  std::span<const Clearance> row_clearances;  ///< of each row as a whole
+  ClearanceLoss loss;
+
+  /// Rows first .. last of them.
+  ParticleRows part(std::size_t first, std::size_t last) const {
+    return {candidates, starts.subspan(first, last - first + 1), clearances,
+            row_clearances.subspan(first, last - first), loss};
+  }
+};
+
 /// The lists of what may touch, complete for as long as a bound on all motion holds
 /// (contact.md 2.3); no answer depends on when they are built or how wide their skin is.
 template <int Dim>
@@ -58,8 +74,9 @@ class Candidates {
 
   std::span<const FaceCandidate> faces() const { return faces_; }
   std::span<const ParticleCandidate> particles() const { return particles_; }
-  /// Where each particle that has candidates begins in particles(), and their end.
-  std::span<const std::size_t> particle_starts() const { return starts_; }
+  /// Those of particles() by particle, as far as motion has brought them since the lists were
+  /// built; longest [s] is the step that speed votes look ahead.
+  ParticleRows particle_rows(Real longest) const;
   /// Rows of owned particles beside particles of other bodies, in the order of ids.
   std::span<const PairCandidate> pairs() const { return pairs_; }
   /// Where each row begins in pairs(), and their end; empty where there are none.
@@ -78,20 +95,26 @@ class Candidates {
   void find_particles(const Entities<Dim>& entities, const PairTable& pairs);
   void find_pairs(const Entities<Dim>& entities, const PairTable& pairs);
   void choose_skin(const Entities<Dim>& entities);
+  void find_clearances(const Entities<Dim>& entities);
 
   SearchMode mode_;
   std::optional<Real> given_skin_;
   std::vector<FaceCandidate> faces_;
   std::vector<ParticleCandidate> particles_;
   std::vector<std::size_t> starts_;
+  std::vector<Clearance> clearances_, row_clearances_;
   std::vector<PairCandidate> pairs_;
   std::vector<std::size_t> pair_starts_;
-  std::vector<Vec<Dim>> x_built_;  // [m]
-  std::vector<Real> warp_built_;   // [m]
-  Real speed_reach_ = 0;           // [m] of motion that the particles' boxes foresee
-  Real moved_ = 0;                 // [m] largest relative displacement since
-  Real skin_ = 0;                  // [m]
-  std::size_t steps_ = 0;          // since the lists were built
+  std::vector<Vec<Dim>> x_built_;       // [m]
+  std::vector<Real> warp_built_;        // [m]
+  std::vector<Vec<Dim>> normal_built_;  // empty without rows of particles
+  Real speed_reach_ = 0;                // [m] of motion that the particles' boxes foresee
+  Real speed_ = 0;                      // [m/s] largest relative speed now
+  Real moved_ = 0;                      // [m] largest relative displacement since
+  Real warped_ = 0;                     // [m] largest growth of a warp since
+  Real turned_ = 0;                     // largest change of a normal since
+  Real skin_ = 0;                       // [m]
+  std::size_t steps_ = 0;               // since the lists were built
   std::size_t builds_ = 0;
 };
 

@@ -33,16 +33,15 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
                     const Section& section, const EvaluationStep& step,
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part);
 
-/// The same for the candidates of particles starts[i] .. starts[i+1]; F = k(d) + c closing speed,
+/// The same for the candidates of particles, row by row; F = k(d) + c closing speed,
 /// not below 0 (contact.md 2.8). Takes into part.vote the bounds of what touches, 2/sqrt(sum k/m),
 /// and of what closes in: (gap + r/2) over the closing speed, so r/2 over it where there is
 /// contact. Friction as on faces. loads  by particle, out; empty: nobody asks
 template <int Dim>
-void evaluate_particles(const Entities<Dim>& entities,
-                        std::span<const ParticleCandidate> candidates,
-                        std::span<const std::size_t> starts, const Section& section,
-                        const EvaluationStep& step, FrictionHistory<Dim>* history,
-                        std::span<ParticleLoad> loads, typename Records<Dim>::Part& part);
+void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
+                        const Section& section, const EvaluationStep& step,
+                        FrictionHistory<Dim>* history, std::span<ParticleLoad> loads,
+                        typename Records<Dim>::Part& part);
 
 /// What the rows of owned particles beside particles of other bodies need and leave.
 struct PairRows {

@@ -27,6 +27,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
   ContactRecord<Dim> record;
   record.first = lower.id, record.second = upper.id;
+  record.first_place = candidate.lower, record.second_place = candidate.upper;
   record.lower_body = lower.body, record.upper_body = upper.body;
   record.normal = plane.normal;
   record.point = plane.point;
@@ -95,14 +96,15 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.damping = candidate.damping;
   step.dt = dt;
   ask_faces(entities, candidate, record, step);
-  step.before = history.of_faces(key_of(record));
+  step.before = history.of_faces(key_of(record), part.past);
   step.kept = kept_traction(entities, candidate);
   if (step.before == nullptr) {
     step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
   }
   record.friction = static_cast<std::int32_t>(part.frictions.size());
-  part.frictions.push_back(friction_of(entities.nodes, record, step));
-  const bool slid = part.frictions.back().slips && candidate.rubs->cohesion > 0;
+  auto& friction = part.frictions.emplace_back();
+  find_friction(entities.nodes, record, step, friction);
+  const bool slid = friction.slips && candidate.rubs->cohesion > 0;
   touch.slips = touch.slips || slid;
   warm_faces(entities, candidate, step, part);
 }

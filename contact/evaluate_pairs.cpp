@@ -54,6 +54,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const PresentPair<Di
   ContactRecord<Dim> record;
   record.of_particle = record.of_two_particles = true;
   record.first = first.id, record.second = second.id;
+  record.first_place = candidate.particle, record.second_place = candidate.other;
   record.lower_body = first.body, record.upper_body = second.body;
   record.normal = meeting.normal;
   const Real share = first.radius / (first.radius + second.radius);
@@ -99,9 +100,9 @@ void add_friction(const Entities<Dim>& entities, const PresentPair<Dim>& pair, R
   step.dt = dt;
   step.turn = &turn;
   ask_pair(entities, first, second, record, step);
-  step.before = history.of_faces(key_of(record));
+  step.before = history.of_faces(key_of(record), part.past);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
-  part.frictions.push_back(friction_of(entities.nodes, record, step));
+  find_friction(entities.nodes, record, step, part.frictions.emplace_back());
   warm_pair(first, second, step, part);
 }
 

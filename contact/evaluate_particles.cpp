@@ -91,19 +91,20 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
-/// Faces that may hold the particle, to part.near. Where it is before all of them, those out of
-/// touch are left out: none is a contact, nor nearer than one. Behind some, they tell where the
-/// surface is nearest.
+/// Faces that may hold the particle of a row, to part.near. Where it is before all of them, those
+/// out of touch are left out: none is a contact, nor nearer than one. Behind some, they tell where
+/// the surface is nearest.
 template <int Dim>
-void find_near(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
-               const std::pair<std::size_t, std::size_t>& range, const Present<Dim>& now,
-               const EvaluationStep& step, typename Records<Dim>::Part& part) {
+void find_near(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
+               const Present<Dim>& now, const EvaluationStep& step,
+               typename Records<Dim>::Part& part) {
   auto& near = part.near;
   near.clear();
   bool before_all = true;
   const Real r = now.particle.radius;
-  for (std::size_t i = range.first; i < range.second; ++i) {
-    const auto f = static_cast<std::size_t>(candidates[i].face);
+  for (std::size_t i = rows.starts[row]; i < rows.starts[row + 1]; ++i) {
+    if (rows.loss.leaves(rows.clearances[i])) continue;
+    const auto f = static_cast<std::size_t>(rows.clearances[i].entity);
     const auto& plane = entities.planes[f];
     const auto& face = entities.faces[f];
     take_speed_vote(entities, f, now, step.longest, part.vote);
@@ -112,12 +113,31 @@ void find_near(const Entities<Dim>& entities, std::span<const ParticleCandidate>
     if (reach == Reach::none) continue;
     before_all = before_all && reach == Reach::before;
     near.push_back(i);
+    // One in twenty is read, a thousand bytes after the last: it would be waited for.
+    __builtin_prefetch(&rows.candidates[i]);
   }
   if (!before_all) return;
   std::erase_if(near, [&](std::size_t i) {
-    return out_of_touch<Dim>(entities.boxes[static_cast<std::size_t>(candidates[i].face)], now.x,
-                             r);
+    const auto f = static_cast<std::size_t>(rows.clearances[i].entity);
+    return out_of_touch<Dim>(entities.boxes[f], now.x, r);
   });
+}
+
+/// Adds what of the face of a candidate is nearest to the particle to part.hits.
+template <int Dim>
+void add_hit(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t candidate,
+             const Present<Dim>& now, const EvaluationStep& step,
+             typename Records<Dim>::Part& part) {
+  const auto f = static_cast<std::size_t>(rows.clearances[candidate].entity);
+  const auto& face = entities.faces[f];
+  auto& hit = part.hits.emplace_back();
+  hit.plane = &entities.planes[f];
+  hit.node = face.node;
+  hit.body = face.body, hit.piece = face.piece;
+  hit.open = face.open, hit.side = side_of(step.touches, now.particle, face);
+  hit.candidate = static_cast<LocalIndex>(candidate);
+  hit.nearest = nearest_point<Dim>(entities.planes[f], now.x);
+  hit.limit = rows.candidates[candidate].limit;
 }
 
 /// Record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
@@ -130,6 +150,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& 
   ContactRecord<Dim> record;
   record.of_particle = true;
   record.first = now.particle.id, record.second = face.id;
+  record.first_place = candidate.particle, record.second_place = candidate.face;
   record.lower_body = face.body, record.upper_body = now.particle.body;
   record.normal = hit.direction;
   record.point = hit.nearest.point;
@@ -181,9 +202,11 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
   step.damping = hit.damping;
   step.dt = dt;
   ask_particle(entities, now.particle, candidate.face, record, step);
-  step.before = history.of_particle(record.first, face.body, face.piece, face.id, record.normal);
+  step.before =
+      history.of_particle(key_of(record), face.body, face.piece, record.normal, part.past);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
-  auto& friction = part.frictions.emplace_back(friction_of(entities.nodes, record, step));
+  auto& friction = part.frictions.emplace_back();
+  find_friction(entities.nodes, record, step, friction);
   friction.body = face.body, friction.piece = face.piece;
   warm_particle(now.particle, face, step, part);
 }
@@ -276,53 +299,42 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
 }  // namespace
 
 template <int Dim>
-void evaluate_particles(const Entities<Dim>& entities,
-                        std::span<const ParticleCandidate> candidates,
-                        std::span<const std::size_t> starts, const Section& section,
-                        const EvaluationStep& step, FrictionHistory<Dim>* history,
-                        std::span<ParticleLoad> loads, typename Records<Dim>::Part& part) {
-  for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
-    const auto& particle =
-        entities.particles[static_cast<std::size_t>(candidates[starts[s]].particle)];
+void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
+                        const Section& section, const EvaluationStep& step,
+                        FrictionHistory<Dim>* history, std::span<ParticleLoad> loads,
+                        typename Records<Dim>::Part& part) {
+  const auto& candidates = rows.candidates;
+  for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
+    const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
+    if (out_of_touch && !entities.nodes.warm) continue;
+    const std::size_t first = rows.starts[row], last = rows.starts[row + 1];
+    const LocalIndex place = rows.row_clearances[row].entity;
+    const auto& particle = entities.particles[static_cast<std::size_t>(place)];
     const auto node = static_cast<std::size_t>(particle.node);
     const Vec<Dim> x = entities.nodes.x[node];
     const Present<Dim> now{particle, x, entities.nodes.v[node], entities.nodes.mass[node],
                            section.breadth(x[0])};
     part.hits.clear();
     const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    find_near<Dim>(entities, candidates, {starts[s], starts[s + 1]}, now, step, part);
-    for (const std::size_t i : part.near) {
-      const auto f = static_cast<std::size_t>(candidates[i].face);
-      const auto& plane = entities.planes[f];
-      const auto& face = entities.faces[f];
-      auto& hit = part.hits.emplace_back();
-      hit.plane = &plane;
-      hit.node = face.node;
-      hit.body = face.body, hit.piece = face.piece;
-      hit.open = face.open, hit.side = side_of(step.touches, particle, face);
-      hit.limit = candidates[i].limit;
-      hit.candidate = static_cast<LocalIndex>(i);
-      hit.nearest = nearest_point<Dim>(plane, x);
-    }
+    find_near<Dim>(entities, rows, row, now, step, part);
+    for (const std::size_t i : part.near) add_hit(entities, rows, i, now, step, part);
     ParticleLoad load;
     if (!part.hits.empty()) {
       record_hits(entities, now, candidates, section, step, history, load, part);
     }
     if (entities.nodes.warm) {
       load.on_faces = load.heat_contacts =
-          add_particle_heat<Dim>(entities, candidates, {starts[s], starts[s + 1]},
+          add_particle_heat<Dim>(entities, candidates, {first, last},
                                  std::pow(2 * particle.radius, Dim - 1) * now.breadth, ends, part);
     }
-    if (!loads.empty()) loads[static_cast<std::size_t>(candidates[starts[s]].particle)] = load;
+    if (!loads.empty()) loads[static_cast<std::size_t>(place)] = load;
   }
 }
 
-template void evaluate_particles<2>(const Entities<2>&, std::span<const ParticleCandidate>,
-                                    std::span<const std::size_t>, const Section&,
+template void evaluate_particles<2>(const Entities<2>&, const ParticleRows&, const Section&,
                                     const EvaluationStep&, FrictionHistory<2>*,
                                     std::span<ParticleLoad>, Records<2>::Part&);
-template void evaluate_particles<3>(const Entities<3>&, std::span<const ParticleCandidate>,
-                                    std::span<const std::size_t>, const Section&,
+template void evaluate_particles<3>(const Entities<3>&, const ParticleRows&, const Section&,
                                     const EvaluationStep&, FrictionHistory<3>*,
                                     std::span<ParticleLoad>, Records<3>::Part&);
 

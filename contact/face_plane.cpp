@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/place.hpp"
+
 namespace brunt {
 
 namespace {
@@ -35,11 +37,10 @@ void finish_quad(FacePlane<3>& face) {
   // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
   face.warp = 0.25 * std::fabs(((x[0] - x[1]) + (x[2] - x[3])).dot(face.normal));
   face.simple = face.warp <= kWarpLimit * std::sqrt(face.area);
-  for (int i = 0; i < 4 && face.simple; ++i) {
-    const auto at = [&](int k) { return x[static_cast<std::size_t>((i + k) % 4)]; };
-    const Real corner = (at(1) - at(0)).cross(at(2) - at(1)).dot(face.normal);
-    face.simple = corner >= kConvexLimit * face.area;
-  }
+  const Place<Pack> from = corners(x), edge = next(from) - from;
+  const Pack turns = dot(cross(edge, next(edge)), everywhere(face.normal));  // left at each corner
+  const unsigned convex = mask_bits(turns >= broadcast<Pack>(kConvexLimit * face.area));
+  face.simple = face.simple && convex == 0b1111;
 }
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "contact/friction.hpp"
 
+#include <cassert>
+
 #include "contact/record.hpp"
 #include "contact/slide.hpp"
 
@@ -38,11 +40,16 @@ Real turn_of(const Corners<2>& side, Real torque) {
   return inertia > 0 ? torque / inertia : 0.0;
 }
 Vec3 turn_of(const Corners<3>& side, const Vec3& torque) {
-  Mat3 inertia = Mat3::Zero();
+  // Six numbers in registers: sums of whole matrices wait for memory, a quarter of all friction.
+  Real xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
     const Vec3& r = side.arm[k];
-    inertia += r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+    const Real square = r.squaredNorm();
+    xx += square - r[0] * r[0], yy += square - r[1] * r[1], zz += square - r[2] * r[2];
+    xy -= r[0] * r[1], xz -= r[0] * r[2], yz -= r[1] * r[2];
   }
+  Mat3 inertia;
+  inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   // A face as thin as a line cannot carry a torque about it.
   const Real size = inertia.trace();
   if (!(inertia.determinant() > 1e-12 * size * size * size)) return Vec3::Zero();
@@ -105,46 +112,65 @@ Real half_taken(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes, R
 }  // namespace
 
 template <int Dim>
-void FrictionHistory<Dim>::take_work(const ContactNodes<Dim>& nodes, Real dt) {
-  for (auto& friction : past_) friction.taken = half_taken(friction, nodes, dt);
+void FrictionHistory<Dim>::add(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes,
+                               Real dt) {
+  past_.push_back(friction);
+  past_.back().taken = half_taken(friction, nodes, dt);
+  used_.push_back(0);
 }
 
 template <int Dim>
-const Friction<Dim>* FrictionHistory<Dim>::of_faces(const ContactKey& key) {
+std::size_t FrictionHistory<Dim>::place_of(const ContactKey& key, std::size_t from) const {
+  assert(from == 0 || past_[from - 1].key < key);
+  // Most often it is the next one, or one of the next: steps that double pass by what ended.
+  std::size_t to = from;
+  for (std::size_t step = 1; to < past_.size() && past_[to].key < key; step *= 2) {
+    from = to + 1;
+    to += step;
+  }
+  const auto begin = past_.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto end = past_.begin() + static_cast<std::ptrdiff_t>(std::min(to, past_.size()));
   const auto at = std::lower_bound(
-      past_.begin(), past_.end(), key,
-      [](const Friction<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
-  if (at == past_.end() || !(at->key == key)) return nullptr;
-  used_[static_cast<std::size_t>(at - past_.begin())] = 1;
-  return &*at;
+      begin, end, key,
+      [](const FrictionMemory<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
+  return static_cast<std::size_t>(at - past_.begin());
 }
 
 template <int Dim>
-const Friction<Dim>* FrictionHistory<Dim>::of_particle(GlobalId particle, Label body, Label piece,
-                                                       GlobalId face, const Vec<Dim>& normal) {
-  const ContactKey first{1, 0, particle, 0};
-  auto at = std::lower_bound(
-      past_.begin(), past_.end(), first,
-      [](const Friction<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
-  const Friction<Dim>* found = nullptr;
+const FrictionMemory<Dim>* FrictionHistory<Dim>::of_faces(const ContactKey& key,
+                                                          std::size_t& from) {
+  from = place_of(key, from);
+  if (from == past_.size() || !(past_[from].key == key)) return nullptr;
+  used_[from] = 1;
+  return &past_[from];
+}
+
+template <int Dim>
+const FrictionMemory<Dim>* FrictionHistory<Dim>::of_particle(const ContactKey& key, Label body,
+                                                             Label piece, const Vec<Dim>& normal,
+                                                             std::size_t& from) {
+  from = place_of({1, 0, key.first, 0}, from);
+  std::size_t found = past_.size();
   Real nearest = 0;  // only normals less than a right angle apart are the same surface
-  for (; at != past_.end() && at->key.of_particle && at->key.first == particle; ++at) {
-    const auto i = static_cast<std::size_t>(at - past_.begin());
-    if (used_[i] || at->body != body || at->piece != piece) continue;
-    const Real along = at->normal.dot(normal);
-    if (at->key.second == face ? along > 0 : along > nearest) {
-      found = &*at;
-      nearest = at->key.second == face ? 2.0 : along;
+  for (std::size_t i = from; i < past_.size(); ++i) {
+    const auto& one = past_[i];
+    if (one.key.of_particle != 1 || one.key.first != key.first) break;
+    if (used_[i] || one.body != body || one.piece != piece) continue;
+    const Real along = one.normal.dot(normal);
+    const bool same_face = one.key.second == key.second;
+    if (same_face ? along > 0 : along > nearest) {
+      found = i;
+      nearest = same_face ? 2.0 : along;
     }
   }
-  if (found != nullptr) used_[static_cast<std::size_t>(found - past_.data())] = 1;
-  return found;
+  if (found == past_.size()) return nullptr;
+  used_[found] = 1;
+  return &past_[found];
 }
 
 template <int Dim>
-Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
-                          const FrictionStep<Dim>& step) {
-  Friction<Dim> friction;
+void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                   const FrictionStep<Dim>& step, Friction<Dim>& friction) {
   friction.key = key_of(record);
   friction.normal = record.normal;
   friction.n_nodes = record.n_nodes;
@@ -218,14 +244,13 @@ Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Di
   friction.stored = friction.energy() - energy_before;
   friction.pairs = taken_before + half_taken(friction, nodes, step.dt) - friction.heat -
                    friction.stored - friction.damped;
-  return friction;
 }
 
 template class FrictionHistory<2>;
 template class FrictionHistory<3>;
-template Friction<2> friction_of<2>(const ContactNodes<2>&, const ContactRecord<2>&,
-                                    const FrictionStep<2>&);
-template Friction<3> friction_of<3>(const ContactNodes<3>&, const ContactRecord<3>&,
-                                    const FrictionStep<3>&);
+template void find_friction<2>(const ContactNodes<2>&, const ContactRecord<2>&,
+                               const FrictionStep<2>&, Friction<2>&);
+template void find_friction<3>(const ContactNodes<3>&, const ContactRecord<3>&,
+                               const FrictionStep<3>&, Friction<3>&);
 
 }  // namespace brunt

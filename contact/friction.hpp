@@ -21,31 +21,20 @@ struct ContactKey {
   bool operator==(const ContactKey&) const = default;
 };
 
-/// The friction of one contact: what its spring-slider remembers, and what it does to the nodes.
+/// What the spring-slider of one contact remembers from step to step.
 /// A particle counts its forces instead of tractions: its area is its share [1].
 template <int Dim>
-struct Friction {
-  static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
+struct FrictionMemory {
   ContactKey key;
   Label body = 0, piece = 0;  ///< the surface on which a particle slides
   Vec<Dim> normal = Vec<Dim>::Zero();
-  Vec<Dim> point = Vec<Dim>::Zero();     ///< [m] where the force acts
   Vec<Dim> traction = Vec<Dim>::Zero();  ///< [Pa] on the upper side, in the plane
   Vec<Dim> drag = Vec<Dim>::Zero();      ///< [Pa] of the damper that acts where it sticks
   Real area = 0;                         ///< [m^2] that carries it
   Real stiffness = 0;                    ///< [Pa/m]
-  int n_nodes = 0;
-  std::array<LocalIndex, kNodes> node{};
-  std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
-  Real heat = 0;                       ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
-  bool slips = false;                  ///< in the last step
-  Real warmth = 0;                     ///< [1] share of its heat that goes to its nodes
-  Real damped = 0;                     ///< [J] by the drag in the last step
-  Real stored = 0;                     ///< [J] gained by the spring in the last step
-  Real pairs = 0;                      ///< [J] what changes of the contact itself took from motion
-  Real taken = 0;        ///< [J] half of what `force` takes from the motion of the step under way
-  Sliding state;         ///< at which `coefficient` was found
-  Real coefficient = 0;  ///< [1] of the last step
+  Real warmth = 0;                       ///< [1] share of its heat that goes to its nodes
+  Real taken = 0;      ///< [J] half of what its forces take from the motion of the step under way
+  bool slips = false;  ///< in the last step
 
   Vec<Dim> slider() const { return area * traction; }              ///< [N] on the upper side
   Vec<Dim> resultant() const { return area * (traction + drag); }  ///< [N]
@@ -54,20 +43,36 @@ struct Friction {
   }
 };
 
-/// What contacts remember from the step before, in the order of keys.
+/// The friction of one contact: what it remembers, and what it does to the nodes.
+template <int Dim>
+struct Friction : FrictionMemory<Dim> {
+  static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
+  Real heat = 0;                      ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
+  Real damped = 0;                    ///< [J] by the drag in the last step
+  Real stored = 0;                    ///< [J] gained by the spring in the last step
+  Real pairs = 0;                     ///< [J] what changes of the contact itself took from motion
+  Real coefficient = 0;               ///< [1] of the last step
+  Sliding state;                      ///< at which `coefficient` was found
+  Vec<Dim> point = Vec<Dim>::Zero();  ///< [m] where the force acts
+  int n_nodes = 0;
+  std::array<LocalIndex, kNodes> node{};
+  std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
+};
+
+/// What contacts remember from the step before, in the order of keys. Who asks does so in that
+/// order too, and hands in a place that is 0 at first: from there on it is looked for.
 template <int Dim>
 class FrictionHistory {
  public:
   void clear() { past_.clear(), used_.clear(); }
-  void add(const Friction<Dim>& friction) { past_.push_back(friction), used_.push_back(0); }
-  /// Books -dt/2 f . v of every contact's old forces; nodes are still those of their step.
-  void take_work(const ContactNodes<Dim>& nodes, Real dt);
+  /// Takes the friction in, with -dt/2 f . v of its old forces; nodes are still those of its step.
+  void add(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes, Real dt);
   /// The past of two faces or particles; none: nullptr. It counts as continued.
-  const Friction<Dim>* of_faces(const ContactKey& key);
+  const FrictionMemory<Dim>* of_faces(const ContactKey& key, std::size_t& from);
   /// The past of a particle on a surface: on the same face, else on the one whose normal was
   /// nearest and which no other contact of the particle continues.
-  const Friction<Dim>* of_particle(GlobalId particle, Label body, Label piece, GlobalId face,
-                                   const Vec<Dim>& normal);
+  const FrictionMemory<Dim>* of_particle(const ContactKey& key, Label body, Label piece,
+                                         const Vec<Dim>& normal, std::size_t& from);
   /// ended(friction) sees what was not continued, in the order of keys.
   template <class Ended>
   void visit_ended(const Ended& ended) const {
@@ -75,10 +80,12 @@ class FrictionHistory {
       if (!used_[i]) ended(past_[i]);
     }
   }
-  std::span<Friction<Dim>> past() { return past_; }
 
  private:
-  std::vector<Friction<Dim>> past_;
+  /// The first that is not before a key; none is before `from` and after it.
+  std::size_t place_of(const ContactKey& key, std::size_t from) const;
+
+  std::vector<FrictionMemory<Dim>> past_;
   std::vector<char> used_;
 };
 
@@ -108,19 +115,19 @@ struct FrictionStep {
   /// Of both sides together: their mean temperature, and the flow stress of the softer one. Set
   /// where the options ask for it.
   SurfaceMaterial material;
-  const Friction<Dim>* before = nullptr;
+  const FrictionMemory<Dim>* before = nullptr;
   Real kept = 1;  ///< [1] part of the past traction that is left once its area has changed
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past
   /// The turn of the material on both sides, where no plane of the contact tells it.
   const BodyTurn<Dim>* turn = nullptr;
 };
 
-/// The friction of a contact at the end of a step. The slip is that of the two points of contact
-/// less what the turn of the plane makes of their distance; forces of each side have the couple of
-/// a force at `point`, shared as f_a = w_a F + (J^-1 (arm x F)) x r_a (contact.md 2.5), so that the
-/// moment of both sides is zero to round-off.
+/// Finds the friction of a contact at the end of a step. The slip is that of the two points of
+/// contact less what the turn of the plane makes of their distance; forces of each side have the
+/// couple of a force at `point`, shared as f_a = w_a F + (J^-1 (arm x F)) x r_a (contact.md 2.5),
+/// so that the moment of both sides is zero to round-off. friction  out; fresh
 template <int Dim>
-Friction<Dim> friction_of(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
-                          const FrictionStep<Dim>& step);
+void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                   const FrictionStep<Dim>& step, Friction<Dim>& friction);
 
 }  // namespace brunt

@@ -35,7 +35,7 @@ struct ContactManager<Dim>::Implementation {
   /// Makes the records of the last step the past of this one, and books their work at nodes.v.
   void begin_friction(Real dt);
   /// Remembers a coefficient of friction that is no number at least 0, and votes for no step.
-  void find_wrong_friction();
+  void refuse_friction(const ContactRecord<Dim>& record, const Friction<Dim>& friction);
   /// Books what friction did in this step, and what the faces carry from now on. Collective.
   void end_friction();
   /// Where bodies press at time 0: accelerations of their points, and what the springs hold, from

@@ -139,9 +139,9 @@ std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
   std::vector<TractionShare<Dim>> received;
   if (ranks().alone()) return received;
   std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
-  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
-    if (friction == nullptr || friction->key.of_particle) return;
-    const auto& upper = entities.faces[entities.face_with(friction->key.second)];
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+    if (friction == nullptr || record.of_particle) return;
+    const auto& upper = entities.faces[static_cast<std::size_t>(record.second_place)];
     if (upper.owned || upper.rigid()) return;
     TractionShare<Dim> share{friction->key, friction->area, {}};
     const Vec<Dim> force = friction->slider();

@@ -63,14 +63,13 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
   const auto rows = candidates.pair_starts();
   loads.assign(rows.empty() ? 0 : entities.particles.size(), {});
   sides.assign(entities.nodes.warm ? candidates.pairs().size() : 0, {});
-  const auto on_particles = candidates.particles();
-  const auto starts = candidates.particle_starts();
-  if (!starts.empty()) {
-    records.for_parts(
-        starts.size() - 1, kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
-          evaluate_particles<Dim>(entities, on_particles, starts.subspan(first, last - first + 1),
-                                  section, step, past, loads, part);
-        });
+  const ParticleRows beside_faces = candidates.particle_rows(ahead);
+  if (!beside_faces.row_clearances.empty()) {
+    records.for_parts(beside_faces.row_clearances.size(), kWorthThreads,
+                      [&](std::size_t first, std::size_t last, auto& part) {
+                        evaluate_particles<Dim>(entities, beside_faces.part(first, last), section,
+                                                step, past, loads, part);
+                      });
   }
   if (!rows.empty()) {
     records.for_parts(rows.size() - 1, kWorthThreads,

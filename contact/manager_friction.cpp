@@ -28,6 +28,52 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.heat);
 }
 
+/// Sums what each face carries, from contacts of all ranks in the order of keys.
+template <int Dim>
+class TractionSum {
+ public:
+  /// elsewhere  from other ranks, sorted by key
+  TractionSum(Entities<Dim>& entities, std::vector<TractionShare<Dim>> elsewhere)
+      : entities_(entities), elsewhere_(std::move(elsewhere)) {
+    for (auto& traction : entities_.tractions) {
+      area_before_.push_back(traction.area);
+      traction = {};
+    }
+  }
+  void add(const ContactRecord<Dim>& record, const Friction<Dim>& friction) {
+    if (record.of_particle) return;
+    while (next_ < elsewhere_.size() && elsewhere_[next_].key < friction.key) add_next();
+    add(static_cast<std::size_t>(record.first_place), friction.area, -friction.slider());
+    add(static_cast<std::size_t>(record.second_place), friction.area, friction.slider());
+  }
+  /// Adds what is left, and tells how areas have grown.
+  void finish() {
+    while (next_ < elsewhere_.size()) add_next();
+    for (std::size_t f = 0; f < area_before_.size(); ++f) {
+      auto& traction = entities_.tractions[f];
+      if (!(area_before_[f] > 0 && traction.area > 0)) continue;
+      traction.growth = traction.area / area_before_[f];
+    }
+  }
+
+ private:
+  void add(std::size_t face, Real area, const Vec<Dim>& force) {
+    if (entities_.faces[face].rigid()) return;  // on several ranks nobody has all of its contacts
+    auto& traction = entities_.tractions[face];
+    traction.area += area;
+    traction.force += force;
+  }
+  void add_next() {
+    const auto& share = elsewhere_[next_++];
+    add(entities_.face_with(share.key.second), share.area, Vec<Dim>(share.force));
+  }
+
+  Entities<Dim>& entities_;
+  std::vector<TractionShare<Dim>> elsewhere_;
+  std::size_t next_ = 0;
+  std::vector<Real> area_before_;  // [m^2]
+};
+
 constexpr const char* kTable = "contact.friction";
 constexpr const char* kGrowths = "contact.friction.growth";
 }  // namespace
@@ -91,28 +137,24 @@ void ContactManager<Dim>::Implementation::read_materials() {
 }
 
 template <int Dim>
-void ContactManager<Dim>::Implementation::find_wrong_friction() {
-  wrong_friction.reset();
-  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
-    if (friction == nullptr || wrong_friction) return;
-    if (friction->coefficient >= 0 && friction->coefficient < kInfinity) return;
-    const auto& at = friction->state;
-    std::ostringstream cause;
-    cause << "it must be at least 0, and is found at T = " << at.temperature
-          << " K, yield = " << at.flow_stress << " Pa, p = " << at.pressure
-          << " Pa, v = " << at.speed << " m/s";
-    const auto [a, b] = std::minmax(record.lower_body, record.upper_body);
-    const auto pair = std::find(pairs.pairs().begin(), pairs.pairs().end(), std::pair(a, b));
-    const auto place = static_cast<std::size_t>(pair - pairs.pairs().begin());
-    wrong_friction = {0,
-                      "",
-                      "contact " + pairs.names()[place],
-                      "coefficient of friction",
-                      friction->coefficient,
-                      cause.str()};
-    wrong_friction_at = friction->point;
-  });
-  if (wrong_friction) vote.take({-1, "coefficient of friction", 0, 0});
+void ContactManager<Dim>::Implementation::refuse_friction(const ContactRecord<Dim>& record,
+                                                          const Friction<Dim>& friction) {
+  const auto& at = friction.state;
+  std::ostringstream cause;
+  cause << "it must be at least 0, and is found at T = " << at.temperature
+        << " K, yield = " << at.flow_stress << " Pa, p = " << at.pressure << " Pa, v = " << at.speed
+        << " m/s";
+  const auto [a, b] = std::minmax(record.lower_body, record.upper_body);
+  const auto pair = std::find(pairs.pairs().begin(), pairs.pairs().end(), std::pair(a, b));
+  const auto place = static_cast<std::size_t>(pair - pairs.pairs().begin());
+  wrong_friction = {0,
+                    "",
+                    "contact " + pairs.names()[place],
+                    "coefficient of friction",
+                    friction.coefficient,
+                    cause.str()};
+  wrong_friction_at = friction.point;
+  vote.take({-1, "coefficient of friction", 0, 0});
 }
 
 template <int Dim>
@@ -132,25 +174,30 @@ void ContactManager<Dim>::Implementation::begin_friction(Real dt) {
   if (!entities.nodes.rubs) return;
   history.clear();
   records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
-    if (friction != nullptr) history.add(*friction);
+    if (friction != nullptr) history.add(*friction, entities.nodes, dt);
   });
-  history.take_work(entities.nodes, dt);
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::end_friction() {
   auto& nodes = entities.nodes;
   if (!nodes.rubs) return;
-  find_wrong_friction();
-  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
+  wrong_friction.reset();
+  // One pass for all: of a million faces, reading records takes longer than what is done with them.
+  TractionSum<Dim> tractions(entities, imports.send_tractions(records, entities));
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     if (friction == nullptr) return;
-    const std::size_t at = book_of(entities, friction->key);
+    const bool right = friction->coefficient >= 0 && friction->coefficient < kInfinity;
+    if (!right && !wrong_friction) refuse_friction(record, *friction);
+    const auto at = static_cast<std::size_t>(record.node[0]);
     nodes.friction_heat[at] += friction->heat;
     if (friction->warmth > 0) nodes.friction_given[at] += friction->warmth * friction->heat;
     nodes.friction_stored[at] += friction->stored;
     nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;
+    tractions.add(record, *friction);
   });
+  tractions.finish();
   for (const auto& touch : touches.all()) {
     if (!(touch.torn > 0)) continue;
     const std::size_t at = book_of(entities, touch.key);
@@ -160,7 +207,7 @@ void ContactManager<Dim>::Implementation::end_friction() {
   // What ended gives its spring's energy away. Its forces acted for the first half of the step:
   // heat where it was slipping, for the node that holds its books.
   std::fill(nodes.ended_heat.begin(), nodes.ended_heat.end(), 0.0);
-  history.visit_ended([&](const Friction<Dim>& friction) {
+  history.visit_ended([&](const FrictionMemory<Dim>& friction) {
     const std::size_t at = book_of(entities, friction.key);
     nodes.friction_stored[at] -= friction.energy();
     nodes.pair_energy[at] += friction.energy();
@@ -171,57 +218,35 @@ void ContactManager<Dim>::Implementation::end_friction() {
     nodes.ended_heat[at] += friction.warmth * friction.taken;
     nodes.friction_given[at] += friction.warmth * friction.taken;
   });
-  sum_tractions();
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::sum_tractions() {
-  auto& tractions = entities.tractions;
-  const auto before = tractions;
-  std::fill(tractions.begin(), tractions.end(), FaceTraction<Dim>{});
-  const auto elsewhere = imports.send_tractions(records, entities);
-  auto next = elsewhere.begin();
-  const auto add = [&](GlobalId face, Real area, const Vec<Dim>& force) {
-    const std::size_t at = entities.face_with(face);
-    if (entities.faces[at].rigid()) return;  // on several ranks nobody has all of its contacts
-    auto& traction = tractions[at];
-    traction.area += area;
-    traction.force += force;
-  };
-  const auto add_next = [&] {
-    add(next->key.second, next->area, Vec<Dim>(next->force));
-    ++next;
-  };
-  records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
-    if (friction == nullptr || friction->key.of_particle) return;
-    while (next != elsewhere.end() && next->key < friction->key) add_next();
-    add(friction->key.first, friction->area, -friction->slider());
-    add(friction->key.second, friction->area, friction->slider());
+  TractionSum<Dim> sum(entities, imports.send_tractions(records, entities));
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+    if (friction != nullptr) sum.add(record, *friction);
   });
-  while (next != elsewhere.end()) add_next();
-  for (std::size_t f = 0; f < tractions.size(); ++f) {
-    if (before[f].area > 0 && tractions[f].area > 0) {
-      tractions[f].growth = tractions[f].area / before[f].area;
-    }
-  }
+  sum.finish();
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::name_nodes() {
-  records.name_nodes([&](const ContactRecord<Dim>& record) {
-    auto node = record.node;
+  records.name_nodes([&](ContactRecord<Dim>& record) {
     std::size_t n = 0;
-    const auto add_face = [&](GlobalId id) {
-      const auto& face = entities.faces[entities.face_with(id)];
-      for (int c = 0; c < face.n_nodes; ++c) node[n++] = face.node[static_cast<std::size_t>(c)];
+    const auto add = [&](GlobalId id, bool particle, LocalIndex& place) {
+      const std::size_t at = particle ? entities.particle_with(id) : entities.face_with(id);
+      place = static_cast<LocalIndex>(at);
+      if (particle) {
+        record.node[n++] = entities.particles[at].node;
+        return;
+      }
+      const auto& face = entities.faces[at];
+      for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+        record.node[n++] = face.node[c];
+      }
     };
-    const auto add = [&](GlobalId id, bool particle) {
-      if (!particle) return add_face(id);
-      node[n++] = entities.particles[entities.particle_with(id)].node;
-    };
-    add(record.first, record.of_particle);
-    add(record.second, record.of_two_particles);
-    return node;
+    add(record.first, record.of_particle, record.first_place);
+    add(record.second, record.of_two_particles, record.second_place);
   });
 }
 

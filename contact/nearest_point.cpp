@@ -2,29 +2,38 @@
 
 #include <cmath>
 
+#include "contact/place.hpp"
+
 namespace brunt {
 
 namespace {
 /// Barycentric weights of the point of a triangle that is nearest to x.
-std::array<Real, 3> nearest_weights(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
-  const Real d1 = ab.dot(ax), d2 = ac.dot(ax);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const Real d3 = ab.dot(bx), d4 = ac.dot(bx);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const Real vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const Real d5 = ab.dot(cx), d6 = ac.dot(cx);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const Real vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const Real va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const Real w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-  const Real all = va + vb + vc;
-  return {1 - vb / all - vc / all, vb / all, vc / all};
+template <class V>
+BRUNT_INLINE Place<V> nearest_weights(const Place<V>& x, const Place<V>& a, const Place<V>& b,
+                                      const Place<V>& c) {
+  const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
+  const auto ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
+  const V d1 = dot(ab, ax), d2 = dot(ac, ax), d3 = dot(ab, bx), d4 = dot(ac, bx);
+  const V d5 = dot(ab, cx), d6 = dot(ac, cx);
+  const V vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  const V all = va + vb + vc, of_b = vb / all, of_c = vc / all;
+  Place<V> weight{one - of_b - of_c, of_b, of_c};
+  // The first that holds counts: it is asked last.
+  const auto set = [&](auto where, V on_a, V on_b, V on_c) {
+    weight.x = select(where, on_a, weight.x);
+    weight.y = select(where, on_b, weight.y);
+    weight.z = select(where, on_c, weight.z);
+  };
+  const V along_bc = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+  set((va <= zero) & (d4 - d3 >= zero) & (d5 - d6 >= zero), zero, one - along_bc, along_bc);
+  const V along_ac = d2 / (d2 - d6);
+  set((vb <= zero) & (d2 >= zero) & (d6 <= zero), one - along_ac, zero, along_ac);
+  set((d6 >= zero) & (d5 <= d6), zero, zero, one);
+  const V along_ab = d1 / (d1 - d3);
+  set((vc <= zero) & (d1 >= zero) & (d3 <= zero), one - along_ab, along_ab, zero);
+  set((d3 >= zero) & (d4 <= d3), zero, one, zero);
+  set((d1 <= zero) & (d2 <= zero), one, zero, zero);
+  return weight;
 }
 
 void set_vertex(NearestPoint<3>& nearest, int corner) {
@@ -58,15 +67,55 @@ struct Candidate {
   Real squared_distance = kInfinity;
 };
 
-/// Takes a triangle with area as the nearest if it is nearer than what is known.
-void offer(const Vec3& x, const std::array<Vec3, 3>& t, const std::array<int, 3>& corner,
-           Candidate& best) {
-  if (!((t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() > 0)) return;
-  const auto w = nearest_weights(x, t[0], t[1], t[2]);
-  const Vec3 point = w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
-  const Real squared_distance = (x - point).squaredNorm();
-  if (!(squared_distance < best.squared_distance)) return;
-  best = {t, corner, w, point, squared_distance};
+/// Of one triangle, or of four: weights and place of the nearest point, its squared distance [m^2].
+template <class V>
+struct OfTriangles {
+  Place<V> weight, point;
+  V squared_distance;  // infinite without area
+};
+template <class V>
+BRUNT_INLINE OfTriangles<V> nearest_on(const Place<V> (&t)[3], const Place<V>& x) {
+  OfTriangles<V> found;
+  found.weight = nearest_weights(x, t[0], t[1], t[2]);
+  found.point = found.weight.x * t[0] + found.weight.y * t[1] + found.weight.z * t[2];
+  const auto arm = x - found.point, twice = cross(t[1] - t[0], t[2] - t[0]);
+  found.squared_distance =
+      select(dot(twice, twice) > broadcast<V>(0.0), dot(arm, arm), broadcast<V>(kInfinity));
+  return found;
+}
+
+Candidate nearest_on_triangle(const FacePlane<3>& face, const Vec3& x) {
+  const auto& at = face.corner;
+  const Place<Real> t[3] = {place(at[0]), place(at[1]), place(at[2])};
+  const auto found = nearest_on(t, place(x));
+  if (!(found.squared_distance < kInfinity)) return {};
+  return {{at[0], at[1], at[2]},
+          {0, 1, 2},
+          {found.weight.x, found.weight.y, found.weight.z},
+          Vec3(found.point.x, found.point.y, found.point.z),
+          found.squared_distance};
+}
+
+/// The four triangles of a quad about its centre side by side; of equals the first.
+Candidate nearest_on_quad(const FacePlane<3>& face, const Vec3& x) {
+  const auto& at = face.corner;
+  const Place<Pack> from = corners(at);
+  const Place<Pack> t[3] = {from, next(from), everywhere(face.center)};
+  const auto found = nearest_on(t, everywhere(x));
+  Candidate best;
+  int nearest = -1;
+  for (int k = 0; k < kLanes; ++k) {
+    if (!(found.squared_distance[k] < best.squared_distance)) continue;
+    best.squared_distance = found.squared_distance[k];
+    nearest = k;
+  }
+  if (nearest < 0) return best;
+  const int k = nearest, j = (k + 1) % kLanes;
+  best.at = {at[static_cast<std::size_t>(k)], at[static_cast<std::size_t>(j)], face.center};
+  best.corner = {k, j, -1};
+  best.weight = {found.weight.x[k], found.weight.y[k], found.weight.z[k]};
+  best.point = Vec3(found.point.x[k], found.point.y[k], found.point.z[k]);
+  return best;
 }
 
 NearestPoint<3> nearest_of(const Candidate& best) {
@@ -108,18 +157,8 @@ NearestPoint<Dim> nearest_point(const FacePlane<Dim>& face, const Vec<Dim>& x) {
   if constexpr (Dim == 2) {
     return nearest_on_edge(face, x);
   } else {
-    Candidate best;
-    const auto& corner = face.corner;
-    if (face.n_corners == 3) {
-      offer(x, {corner[0], corner[1], corner[2]}, {0, 1, 2}, best);
-      return nearest_of(best);
-    }
-    for (int i = 0; i < 4; ++i) {
-      const int j = (i + 1) % 4;
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      offer(x, {corner[a], corner[b], face.center}, {i, j, -1}, best);
-    }
-    return nearest_of(best);
+    return nearest_of(face.n_corners == 3 ? nearest_on_triangle(face, x)
+                                          : nearest_on_quad(face, x));
   }
 }
 

@@ -61,6 +61,7 @@ void Records<Dim>::clear() {
     part.face_touches.clear();
     part.particle_touches.clear();
     part.pair_touches.clear();
+    part.past = 0;
     part.vote = StepVote{};
   }
 }

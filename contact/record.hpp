@@ -17,9 +17,10 @@ template <int Dim>
 struct ContactRecord {
   static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
   GlobalId first = 0, second = 0;  ///< key: lower and upper face or particle, or particle and face
-  bool of_particle = false;        ///< the first is a particle
-  bool of_two_particles = false;   ///< the second too
-  std::uint32_t ordinal = 0;       ///< of the planes between two faces
+  LocalIndex first_place = 0, second_place = 0;  ///< among the faces or particles of the tables
+  bool of_particle = false;                      ///< the first is a particle
+  bool of_two_particles = false;                 ///< the second too
+  std::uint32_t ordinal = 0;                     ///< of the planes between two faces
   Label lower_body = 0, upper_body = 0;
   Vec<Dim> normal;
   Vec<Dim> point;              ///< [m]
@@ -54,6 +55,7 @@ class Records {
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     std::vector<std::size_t> near;                  ///< room to work: candidates
     std::vector<ParticleMeeting<Dim>> meetings;     ///< room to work
+    std::size_t past = 0;                           ///< where its frictions look for theirs
     StepVote vote;
   };
   void clear();
@@ -111,13 +113,13 @@ class Records {
   }
   /// What pairs keep from time 0, in the order of keys.
   void collect_touches(FirstTouches& touches) const;
-  /// nodes_of(record) names the nodes of each contact anew.
-  template <class NodesOf>
-  void name_nodes(const NodesOf& nodes_of) {
+  /// name(record) names the nodes and places of each contact anew.
+  template <class Name>
+  void name_nodes(const Name& name) {
     for (auto& part : parts_) {
       for (auto* records : {&part.face_on_face, &part.particle_on_face, &part.two_particles}) {
         for (auto& record : *records) {
-          record.node = nodes_of(record);
+          name(record);
           if (record.friction < 0) continue;
           part.frictions[static_cast<std::size_t>(record.friction)].node = record.node;
         }
