@@ -109,7 +109,7 @@ void HeatBoundaries<Dim>::start() {
       if (!boundary.acts(0)) break;
       const auto i = static_cast<std::size_t>(boundary.chosen[k]);
       const Real T = (*boundary.temperature)(0, place(boundary, k));
-      const Real heat = points.capacity[i] * (T - points.temperature[i]);
+      const Real heat = points.heat_needed(i, T);
       points.heat[i] += heat, boundary.heat[k] += heat;
       points.temperature[i] = T;
     }
@@ -165,7 +165,7 @@ void HeatBoundaries<Dim>::hold(Real time, Real dt) {
       if (!boundary.acts(time)) continue;
       const auto i = static_cast<std::size_t>(boundary.chosen[k]);
       const Real T = (*boundary.temperature)(time, place(boundary, k));
-      const Real needed = points.capacity[i] * (T - points.temperature[i]) / dt;
+      const Real needed = points.heat_needed(i, T) / dt;
       boundary.rate[k] = needed - points.heat_rate[i];
       boundary.heat[k] += dt * boundary.rate[k];
       points.heat_rate[i] = needed;
@@ -212,7 +212,8 @@ StepVote heat_step(const Points<Dim>& points) {
   StepVote vote;
   if (!points.conducts) return vote;
   for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
-    const Real step = points.capacity[i] / points.conductance[i];  // infinite where nothing flows
+    // Infinite where nothing flows.
+    const Real step = points.least_capacity(i) / points.conductance[i];
     vote.take({step >= 0 ? step : 0.0, "heat of point", points.body[i], points.id[i]});
   }
   return vote;

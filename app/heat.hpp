@@ -63,7 +63,7 @@ class HeatBoundaries {
   std::vector<HeatBoundary<Dim>> boundaries_;
 };
 
-/// The longest stable step of conducting points, capacity/conductance, and whose it is.
+/// The longest stable step of conducting points, least capacity/conductance, and whose it is.
 template <int Dim>
 StepVote heat_step(const Points<Dim>& points);
 

@@ -35,7 +35,7 @@ void correct(Points<Dim>& points, Real dt) {
   for (LocalIndex i = 0; i < points.n_owned; ++i) {
     const auto k = static_cast<std::size_t>(i);
     points.heat[k] += dt * points.heat_rate[k];
-    points.temperature[k] = points.start_temperature[k] + points.heat[k] / points.capacity[k];
+    points.temperature[k] = points.temperature_with(k, points.heat[k]);
   }
 }
 

@@ -48,6 +48,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.areal_mass = facet.areal_mass;
   face.depth = facet.depth;
   face.capacity = facet.capacity, face.effusivity = facet.effusivity;
+  face.specific_heat = facet.specific_heat;
   face.compliance = facet.compliance;
   face.open = facet.open;
   return face;
@@ -163,6 +164,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       particles.push_back({shown.point, static_cast<LocalIndex>(s), surface.points->id[p], body,
                            surface.points->piece[p], shown.radius, shown.modulus,
                            shown.conductivity, shown.effusivity, surface.held});
+      const auto& varying = surface.points->specific_heat;
+      if (!varying.empty()) particles.back().specific_heat = varying[p];
       sizes.push_back(2 * shown.radius);
     }
   }

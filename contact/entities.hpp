@@ -28,8 +28,9 @@ struct ContactFace {
   Real phi = 0;         ///< largest stiffness option with which anything may touch it
   Real zeta = 0;        ///< largest damping option
   Real footprint = 0;   ///< [m^2] of the largest particle that may touch it
-  Real capacity = 0;    ///< [J/m^2/K] behind it; 0: takes no heat
-  Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)]
+  Real capacity = 0;    ///< [J/m^2/K] or [kg/m^2] behind it, as of Facet; 0: takes no heat
+  std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
+  Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
   Real compliance = 0;  ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
   bool held = false;    ///< votes no step
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told
@@ -53,12 +54,13 @@ struct ContactParticle {
   GlobalId id = 0;
   Label body = 0;
   Label piece = 0;
-  Real radius = 0;        ///< [m]
-  Real modulus = 0;       ///< [Pa]
-  Real conductivity = 0;  ///< [W/m/K]; 0: takes no heat
-  Real effusivity = 0;    ///< [J/m^2/K/s^(1/2)]
-  bool held = false;      ///< votes no step
-  bool owned = true;      ///< its row of candidates is evaluated here
+  Real radius = 0;                  ///< [m]
+  Real modulus = 0;                 ///< [Pa]
+  Real conductivity = 0;            ///< [W/m/K]; 0: takes no heat
+  Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
+  bool held = false;                ///< votes no step
+  bool owned = true;                ///< its row of candidates is evaluated here
+  std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
 };
 
 /// How far a face may be penetrated along the normal of a common plane, in each component, per

@@ -113,6 +113,8 @@ PairHeatPath<Dim> heat_path(const PresentPair<Dim>& pair, std::size_t candidate,
   PairHeatPath<Dim> heat;
   heat.flow.key = {2, 0, first.id, second.id};
   heat.flow.lower_body = first.body, heat.flow.upper_body = second.body;
+  heat.flow.lower = {0, first.surface, first.specific_heat};
+  heat.flow.upper = {0, second.surface, second.specific_heat};
   heat.flow.n_nodes = 2;
   heat.flow.node[0] = first.node, heat.flow.node[1] = second.node;
   heat.flow.weight[0] = -1, heat.flow.weight[1] = 1;

@@ -7,14 +7,12 @@
 
 namespace brunt {
 
-template <int Dim>
-Real heat_between(const HeatFlow<Dim>& flow, Real difference, Real dt) {
-  const Real lower = flow.lower_capacity, upper = flow.upper_capacity;
+Real heat_between(Real h_area, Real lower, Real upper, Real difference, Real dt) {
   if (!(lower > 0) || !(upper > 0) || !(dt > 0)) return 0;
   // A surface that is held takes any heat: its capacity is infinite.
   const Real smaller = std::min(lower, upper), larger = std::max(lower, upper);
   const Real both = std::isinf(larger) ? smaller : lower * upper / (lower + upper);
-  return difference / (1 / flow.h_area + dt / both);
+  return difference / (1 / h_area + dt / both);
 }
 
 template <int Dim>
@@ -24,8 +22,8 @@ HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& u
   HeatFlow<Dim> flow;
   flow.key = {0, plane.ordinal, lower.id, upper.id};
   flow.lower_body = lower.body, flow.upper_body = upper.body;
-  flow.lower_capacity = lower.capacity * plane.area;
-  flow.upper_capacity = upper.capacity * plane.area;
+  flow.lower = {lower.capacity * plane.area, lower.surface, lower.specific_heat};
+  flow.upper = {upper.capacity * plane.area, upper.surface, upper.specific_heat};
   const Real open = conductance_of(heat, 0), under = conductance_of(heat, pressure);
   flow.area = plane.area;
   flow.h_area = under * plane.area;
@@ -58,21 +56,52 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
   // What just touches has no share of a force: such contacts share the particle among them.
   const Real share = (hit.share > 0 ? hit.share : 1.0 / contacts) * area;
   flow.area = share;
-  flow.lower_capacity = face.capacity * share;
-  flow.upper_capacity = nodes.capacity[static_cast<std::size_t>(particle.node)] / contacts;
+  flow.lower = {face.capacity * share, face.surface, face.specific_heat};
+  flow.upper = {nodes.capacity[static_cast<std::size_t>(particle.node)] / contacts,
+                particle.surface, particle.specific_heat};
   flow.h_area =
       share / (1 / conductance_of(heat, pressure) + particle.radius / particle.conductivity);
   return flow;
 }
 
+namespace {
+/// Temperatures [K] of both sides, lower first.
 template <int Dim>
-void exchange_heat(const ContactNodes<Dim>& nodes, Real dt, HeatFlow<Dim>& flow) {
+std::array<Real, 2> temperatures_of(const ContactNodes<Dim>& nodes, const HeatFlow<Dim>& flow) {
+  std::array<Real, 2> T{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+    const Real part = flow.weight[k] * nodes.temperature[static_cast<std::size_t>(flow.node[k])];
+    flow.weight[k] < 0 ? T[0] -= part : T[1] += part;
+  }
+  return T;
+}
+
+/// [J/K] least between the temperatures of both sides.
+template <int Dim>
+Real capacity_between(const HeatSide& side, const std::array<Real, 2>& T,
+                      const std::vector<Surface<Dim>*>& surfaces) {
+  if (side.specific_heat < 0) return side.capacity;
+  const auto& points = *surfaces[static_cast<std::size_t>(side.surface)]->points;
+  const auto& cp = points.specific_heats[static_cast<std::size_t>(side.specific_heat)];
+  return side.capacity * cp.least_between(T[0], T[1]);
+}
+}  // namespace
+
+template <int Dim>
+void exchange_heat(const ContactNodes<Dim>& nodes, const std::vector<Surface<Dim>*>& surfaces,
+                   Real dt, HeatFlow<Dim>& flow) {
   if (flow.h_area == 0) return;
   Real difference = 0;  // lower less upper
   for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
     difference -= flow.weight[k] * nodes.temperature[static_cast<std::size_t>(flow.node[k])];
   }
-  flow.through = heat_between(flow, difference, dt);
+  Real lower = flow.lower.capacity, upper = flow.upper.capacity;
+  if (flow.lower.specific_heat >= 0 || flow.upper.specific_heat >= 0) {
+    const auto T = temperatures_of(nodes, flow);
+    lower = capacity_between(flow.lower, T, surfaces);
+    upper = capacity_between(flow.upper, T, surfaces);
+  }
+  flow.through = heat_between(flow.h_area, lower, upper, difference, dt);
   for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
     flow.rate[k] = flow.weight[k] * flow.through;
   }
@@ -114,20 +143,20 @@ HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const FrictionS
   return flow;
 }
 
-template Real heat_between<2>(const HeatFlow<2>&, Real, Real);
 template HeatFlow<2> heat_path<2>(const ContactFace<2>&, const ContactFace<2>&,
                                   const CommonPlane<2>&, const ContactHeat&, Real, Real);
 template HeatFlow<2> heat_path<2>(const ContactNodes<2>&, const ParticleTouch<2>&,
                                   const ContactHeat&);
-template void exchange_heat<2>(const ContactNodes<2>&, Real, HeatFlow<2>&);
+template void exchange_heat<2>(const ContactNodes<2>&, const std::vector<Surface<2>*>&, Real,
+                               HeatFlow<2>&);
 template HeatFlow<2> heat_of_friction<2>(const ContactRecord<2>&, const FrictionStep<2>&,
                                          const Friction<2>&, const FrictionShares&);
-template Real heat_between<3>(const HeatFlow<3>&, Real, Real);
 template HeatFlow<3> heat_path<3>(const ContactFace<3>&, const ContactFace<3>&,
                                   const CommonPlane<3>&, const ContactHeat&, Real, Real);
 template HeatFlow<3> heat_path<3>(const ContactNodes<3>&, const ParticleTouch<3>&,
                                   const ContactHeat&);
-template void exchange_heat<3>(const ContactNodes<3>&, Real, HeatFlow<3>&);
+template void exchange_heat<3>(const ContactNodes<3>&, const std::vector<Surface<3>*>&, Real,
+                               HeatFlow<3>&);
 template HeatFlow<3> heat_of_friction<3>(const ContactRecord<3>&, const FrictionStep<3>&,
                                          const Friction<3>&, const FrictionShares&);
 

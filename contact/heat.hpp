@@ -5,6 +5,13 @@
 
 namespace brunt {
 
+/// What stands behind one side of a contact for heat.
+struct HeatSide {
+  Real capacity = 0;                ///< [J/K]; [kg] where its specific heat varies
+  LocalIndex surface = 0;           ///< whose points
+  std::int32_t specific_heat = -1;  ///< among those of the points, where it varies
+};
+
 /// Heat that one contact gives to its nodes: what passes through it, or what friction makes.
 template <int Dim>
 struct HeatFlow {
@@ -12,10 +19,10 @@ struct HeatFlow {
   static constexpr std::uint32_t kFriction = 16;  ///< ordinals of friction begin here
   ContactKey key;
   Label lower_body = 0, upper_body = 0;
-  Real area = 0;                                ///< [m^2] through which heat passes
-  Real h_area = 0;                              ///< [W/K]; infinite: perfect; 0: friction alone
-  Real lower_capacity = 0, upper_capacity = 0;  ///< [J/K] behind the contact
-  Real through = 0;                             ///< [W] into the upper body, out of the lower one
+  Real area = 0;          ///< [m^2] through which heat passes
+  Real h_area = 0;        ///< [W/K]; infinite: perfect; 0: friction alone
+  HeatSide lower, upper;  ///< behind the contact
+  Real through = 0;       ///< [W] into the upper body, out of the lower one
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
   std::array<Real, kNodes> weight{};  ///< of the temperature there; of the lower side negative
@@ -33,8 +40,9 @@ struct HeatShare {
 /// times what they are apart after it, by backward Euler: dT / (1/(h A) + dt/C), C = C1 C2/(C1 +
 /// C2). Stable for any step, exact where temperatures are steady, and of one temperature where h is
 /// infinite.
-template <int Dim>
-Real heat_between(const HeatFlow<Dim>& flow, Real difference, Real dt);
+/// h_area  [W/K]
+/// lower, upper  heat capacities behind the sides [J/K]
+Real heat_between(Real h_area, Real lower, Real upper, Real difference, Real dt);
 
 /// The way of heat between two faces, by the weights of the middle of `plane`, of which an area
 /// `pressed` [m^2] is under `pressure` [Pa] and the rest under none.
@@ -61,9 +69,11 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
                         const ContactHeat& heat);
 
 /// What passes at the temperatures that the nodes have at the end of a step without it, so that a
-/// perfect contact leaves both sides alike.
+/// perfect contact leaves both sides alike. A capacity that varies counts as the least between the
+/// two temperatures: so much heat never brings one side past the other.
 template <int Dim>
-void exchange_heat(const ContactNodes<Dim>& nodes, Real dt, HeatFlow<Dim>& flow);
+void exchange_heat(const ContactNodes<Dim>& nodes, const std::vector<Surface<Dim>*>& surfaces,
+                   Real dt, HeatFlow<Dim>& flow);
 
 /// A side that friction warms.
 struct WarmedSide {

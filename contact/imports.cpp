@@ -33,14 +33,15 @@ struct FaceData {
   GlobalId id;
   Label body, piece;
   Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint, capacity, effusivity;
+  std::int32_t specific_heat;
   bool held;
 };
 
 template <int Dim>
 FaceData<Dim> data_of(const ContactFace<Dim>& f) {
-  return {f.n_nodes,   f.surface,    f.id,       f.body,       f.piece,
-          f.stiffness, f.areal_mass, f.depth,    f.area_start, f.phi,
-          f.zeta,      f.footprint,  f.capacity, f.effusivity, f.held};
+  return {f.n_nodes,       f.surface,    f.id,  f.body, f.piece,     f.stiffness, f.areal_mass,
+          f.depth,         f.area_start, f.phi, f.zeta, f.footprint, f.capacity,  f.effusivity,
+          f.specific_heat, f.held};
 }
 
 template <int Dim>
@@ -51,7 +52,8 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
   f.owned = false;
   f.stiffness = d.stiffness, f.areal_mass = d.areal_mass, f.depth = d.depth;
   f.area_start = d.area_start, f.phi = d.phi, f.zeta = d.zeta, f.footprint = d.footprint;
-  f.capacity = d.capacity, f.effusivity = d.effusivity, f.held = d.held;
+  f.capacity = d.capacity, f.effusivity = d.effusivity;
+  f.specific_heat = d.specific_heat, f.held = d.held;
   return f;
 }
 }  // namespace

@@ -12,6 +12,7 @@ struct Visitor {
   GlobalId id;
   Label body, piece;
   Real radius, modulus, conductivity, effusivity, mass;
+  std::int32_t specific_heat;
   bool held;
   Real x[Dim], v[Dim];  // [m], [m/s]
 };
@@ -19,8 +20,9 @@ struct Visitor {
 template <int Dim>
 Visitor<Dim> visitor_of(const ContactParticle& p, const ContactNodes<Dim>& nodes) {
   const auto i = static_cast<std::size_t>(p.node);
-  Visitor<Dim> one{p.surface,      p.id,         p.body,        p.piece, p.radius, p.modulus,
-                   p.conductivity, p.effusivity, nodes.mass[i], p.held,  {},       {}};
+  Visitor<Dim> one{
+      p.surface,    p.id,          p.body,          p.piece, p.radius, p.modulus, p.conductivity,
+      p.effusivity, nodes.mass[i], p.specific_heat, p.held,  {},       {}};
   for (int c = 0; c < Dim; ++c) one.x[c] = nodes.x[i][c], one.v[c] = nodes.v[i][c];
   return one;
 }
@@ -50,7 +52,7 @@ void ContactImports<Dim>::import_particles(const ImportBoxes<Dim>& boxes, Entiti
                                                         Vec<Dim>(one.x), Vec<Dim>(one.v));
       place_[{one.surface, one.id}] = node;
       imported.push_back({node, one.surface, one.id, one.body, one.piece, one.radius, one.modulus,
-                          one.conductivity, one.effusivity, one.held, false});
+                          one.conductivity, one.effusivity, one.held, false, one.specific_heat});
     }
   }
   entities.add_particles(imported);

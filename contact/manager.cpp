@@ -188,7 +188,8 @@ void ContactManager<Dim>::add_heat(Real dt) {
   nodes.foresee_temperatures(own.surfaces, dt);
   own.imports.refresh_temperatures(nodes.temperature);
   own.complete_pair_heat();
-  own.records.change_heat([&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, dt, flow); });
+  own.records.change_heat(
+      [&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, own.surfaces, dt, flow); });
   apply_heat<Dim>(own.records, own.imports.send_heat(own.records, nodes), own.surfaces, nodes);
 }
 

@@ -18,7 +18,7 @@ void ContactManager<Dim>::Implementation::complete_pair_heat() {
   const auto share = [&](HeatFlow<Dim>& flow) {
     if (flow.h_area == 0 || loads.empty()) return;
     const ParticleLoad& load = loads[entities.particle_with(flow.key.first)];
-    flow.upper_capacity *= static_cast<Real>(load.on_faces) / load.heat_contacts;
+    flow.upper.capacity *= static_cast<Real>(load.on_faces) / load.heat_contacts;
   };
   records.change_heat_of_particles(share, [&](PairHeatPath<Dim>& heat) {
     if (heat.per_area == 0) return;

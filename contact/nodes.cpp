@@ -60,7 +60,7 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
     const auto& shown = surfaces[static_cast<std::size_t>(surface[i])]->particle_material;
     if (asks_material && p < shown.size()) material[i] = shown[p];
     if (!warm || !points.conducts) continue;
-    capacity[i] = points.capacity[static_cast<std::size_t>(point[i])];
+    capacity[i] = points.capacity_varies(p) ? points.heated_mass[p] : points.capacity[p];
   }
 }
 
@@ -71,7 +71,9 @@ void ContactNodes<Dim>::foresee_temperatures(const std::vector<Surface<Dim>*>& s
     const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
     if (!points.conducts) continue;
     const auto p = static_cast<std::size_t>(point[i]);
-    temperature[i] = points.temperature[p] + dt * points.heat_rate[p] / points.capacity[p];
+    temperature[i] = points.capacity_varies(p)
+                         ? points.temperature_with(p, points.heat[p] + dt * points.heat_rate[p])
+                         : points.temperature[p] + dt * points.heat_rate[p] / points.capacity[p];
   }
 }
 

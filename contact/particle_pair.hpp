@@ -41,7 +41,7 @@ struct PairCandidate {
 /// What stands behind one side of a contact of two particles for heat.
 struct PairSide {
   Real area = 0;      ///< [m^2] of its section, shared by its contacts with the same body
-  Real capacity = 0;  ///< [J/K] shared by all of its contacts
+  Real capacity = 0;  ///< [J/K] or [kg], as of HeatSide, shared by all of its contacts
 };
 
 /// The way of heat between two particles, complete once both sides are known.
@@ -53,7 +53,7 @@ struct PairHeatPath {
   void complete(const PairSide& lower, const PairSide& upper) {
     flow.area = std::min(lower.area, upper.area);
     flow.h_area = flow.area * per_area;
-    flow.lower_capacity = lower.capacity, flow.upper_capacity = upper.capacity;
+    flow.lower.capacity = lower.capacity, flow.upper.capacity = upper.capacity;
   }
 };
 

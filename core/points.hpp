@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/materials/specific_heat.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -24,15 +25,21 @@ struct Points {
   std::vector<Vec<Dim>> x_start;  ///< [m] position at time 0
   std::vector<Real> integration;  ///< [J] what changes of the step left in the kinetic energy
   bool conducts = false;          ///< the group has what follows
-  std::vector<Real> temperature;  ///< [K] start_temperature + heat/capacity
+  std::vector<Real> temperature;  ///< [K] temperature_with(i, heat)
   std::vector<Real> start_temperature;  ///< [K] at time 0
-  std::vector<Real> capacity;           ///< [J/K] heat capacity
+  std::vector<Real> capacity;           ///< [J/K] heat capacity; where it varies, at time 0
   std::vector<Real> heat;               ///< [J] taken up since time 0: the state of the point
   std::vector<Real> heat_rate;          ///< [W] accumulated, as forces are
   /// [W/K] accumulated with heat_rate: what the point gives to all around it per degree. A step of
   /// at most capacity/conductance is stable, and makes no new extremes where all pairs exchange
   /// heat from hot to cold.
   std::vector<Real> conductance;
+  /// Those of the group that vary with temperature, of single materials first, then of mixtures
+  /// where elements share a node; the same on all ranks. What follows is empty where none does.
+  std::vector<SpecificHeat> specific_heats;
+  std::vector<std::int32_t> specific_heat;  ///< place there; -1: `capacity` is constant
+  std::vector<Real> heated_mass;            ///< [kg] that takes heat
+  std::vector<Real> start_enthalpy;         ///< [J/kg] of specific_heats at start_temperature
 
   LocalIndex size() const { return static_cast<LocalIndex>(x.size()); }
 
@@ -54,6 +61,40 @@ struct Points {
     temperature = start_temperature = at_start;
     for (auto* field : {&capacity, &heat, &heat_rate, &conductance}) field->assign(x.size(), 0.0);
   }
+  /// From now on heat capacities of points may vary; none does yet.
+  void vary_capacities(std::vector<SpecificHeat> varying) {
+    specific_heats = std::move(varying);
+    specific_heat.assign(x.size(), -1);
+    for (auto* field : {&heated_mass, &start_enthalpy}) field->assign(x.size(), 0.0);
+  }
+  /// Point i consists of `of_mass` [kg] with one of specific_heats.
+  void vary_capacity(std::size_t i, std::int32_t which, Real of_mass) {
+    const auto& cp = specific_heats[static_cast<std::size_t>(which)];
+    specific_heat[i] = which, heated_mass[i] = of_mass;
+    start_enthalpy[i] = cp.enthalpy(start_temperature[i]);
+    capacity[i] = of_mass * cp.at(start_temperature[i]);
+  }
+  bool capacity_varies(std::size_t i) const {
+    return !specific_heat.empty() && specific_heat[i] >= 0;
+  }
+  /// [K] of point i once it has taken up so much heat [J] since time 0: the inverse of its
+  /// enthalpy.
+  Real temperature_with(std::size_t i, Real taken_up) const {
+    if (!capacity_varies(i)) return start_temperature[i] + taken_up / capacity[i];
+    const auto& cp = specific_heats[static_cast<std::size_t>(specific_heat[i])];
+    return cp.temperature(start_enthalpy[i] + taken_up / heated_mass[i]);
+  }
+  /// [J] that point i has to take up from now on to be at T [K].
+  Real heat_needed(std::size_t i, Real T) const {
+    if (!capacity_varies(i)) return capacity[i] * (T - temperature[i]);
+    const auto& cp = specific_heats[static_cast<std::size_t>(specific_heat[i])];
+    return heated_mass[i] * (cp.enthalpy(T) - start_enthalpy[i]) - heat[i];
+  }
+  /// [J/K] of point i, least at any temperature: no step with it passes the neighbours'.
+  Real least_capacity(std::size_t i) const {
+    if (!capacity_varies(i)) return capacity[i];
+    return heated_mass[i] * specific_heats[static_cast<std::size_t>(specific_heat[i])].least();
+  }
 
   /// The points at `places`, in that order; the first n_owned_then of them are owned.
   Points subset(std::span<const LocalIndex> places, LocalIndex n_owned_then) const {
@@ -71,6 +112,10 @@ struct Points {
     copy(part.temperature, temperature), copy(part.start_temperature, start_temperature);
     copy(part.capacity, capacity), copy(part.heat, heat);
     copy(part.heat_rate, heat_rate), copy(part.conductance, conductance);
+    if (specific_heat.empty()) return part;
+    part.specific_heats = specific_heats;
+    copy(part.specific_heat, specific_heat), copy(part.heated_mass, heated_mass);
+    copy(part.start_enthalpy, start_enthalpy);
     return part;
   }
 
@@ -86,6 +131,8 @@ struct Points {
          {&temperature, &start_temperature, &capacity, &heat, &heat_rate, &conductance}) {
       field->push_back(0);
     }
+    if (specific_heat.empty()) return;
+    specific_heat.push_back(-1), heated_mass.push_back(0), start_enthalpy.push_back(0);
   }
 
   /// Ids of what is owned, ascending.

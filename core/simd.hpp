@@ -83,6 +83,8 @@ BRUNT_INLINE bool lane_of(bool m, int) { return m; }
 BRUNT_INLINE bool lane_of(PackMask m, int lane) { return m[lane] != 0; }
 BRUNT_INLINE Real lane_of(Real a, int) { return a; }
 BRUNT_INLINE Real lane_of(Pack a, int lane) { return a[lane]; }
+BRUNT_INLINE void set_lane(Real& a, int, Real value) { a = value; }
+BRUNT_INLINE void set_lane(Pack& a, int lane, Real value) { a[lane] = value; }
 BRUNT_INLINE Real vmin(Real a, Real b) { return a < b ? a : b; }
 BRUNT_INLINE Pack vmin(Pack a, Pack b) { return a < b ? a : b; }
 BRUNT_INLINE Real vmax(Real a, Real b) { return a > b ? a : b; }

@@ -21,8 +21,11 @@ struct Facet {
   /// [m] penetration at which it lets go: depth of the element normal to the face at its birth,
   /// half of it where the element's other face is free too; rigid: 0
   Real depth = 0;
-  Real capacity = 0;     ///< [J/m^2/K] rho cp h / 2 of the element behind; 0: takes no heat
-  Real effusivity = 0;   ///< [J/m^2/K/s^(1/2)] sqrt(k rho cp) at time 0
+  /// [J/m^2/K] rho cp h / 2 of the element behind; [kg/m^2] rho h / 2 where its cp varies; 0: takes
+  /// no heat
+  Real capacity = 0;
+  std::int32_t specific_heat = -1;  ///< of those of its points, where cp varies
+  Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)] sqrt(k rho cp) at time 0
   Real temperature = 0;  ///< [K] of its body at time 0, which lasts where nothing heats it
   /// [1/kg] the most with which a free rigid body gives way to a force at one of its corners, of
   /// all directions, turning too; 0: its points move by themselves, or as told

@@ -1,5 +1,7 @@
 #include "fe/conduction.hpp"
 
+#include <algorithm>
+
 #include "fe/element_step.hpp"
 #include "fe/gauss_point.hpp"
 
@@ -141,6 +143,18 @@ void conduct(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>&
 }
 
 template <int Dim>
+std::vector<const Material*> materials_that_vary(const std::vector<ElementBlock<Dim>>& blocks) {
+  std::vector<const Material*> materials;
+  for (const auto& block : blocks) {
+    if (!block.conducts || !block.material->specific_heat.varies()) continue;
+    if (std::find(materials.begin(), materials.end(), block.material) == materials.end()) {
+      materials.push_back(block.material);
+    }
+  }
+  return materials;
+}
+
+template <int Dim>
 void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e, const Real* temperature) {
   constexpr int n = kCorners<Dim>;
   Real* out = block.state.temperature.data() + e * static_cast<std::size_t>(block.gauss);
@@ -161,6 +175,8 @@ void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e, const Real
   }
 }
 
+template std::vector<const Material*> materials_that_vary(const std::vector<ElementBlock<2>>&);
+template std::vector<const Material*> materials_that_vary(const std::vector<ElementBlock<3>>&);
 template void conduct(ElementBlock<2>&, std::size_t, const ConductionStep<2>&);
 template void conduct(ElementBlock<3>&, std::size_t, const ConductionStep<3>&);
 template void interpolate_temperature(ElementBlock<2>&, std::size_t, const Real*);

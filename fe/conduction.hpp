@@ -24,6 +24,11 @@ struct ConductionStep {
 template <int Dim>
 void conduct(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
 
+/// Materials of conducting blocks whose specific heat varies, each once, in the order of blocks: in
+/// it stand their specific heats among those of the points.
+template <int Dim>
+std::vector<const Material*> materials_that_vary(const std::vector<ElementBlock<Dim>>& blocks);
+
 /// Writes what the law sees to the state: nodal temperatures interpolated to the material points.
 /// temperature  [K] by node
 template <int Dim>

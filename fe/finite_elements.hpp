@@ -57,6 +57,7 @@ class FiniteElements final : public Solid<Dim> {
   void make_rigid();
   void start_conduction();
   void interpolate_temperatures();
+  void vary_capacities();
   void conduct(Real inverse_dt);
   void find_elements_of_facets();
   ElementStep<Dim> element_step(const ElementBlock<Dim>& block, Real dt);

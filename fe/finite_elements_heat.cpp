@@ -1,4 +1,6 @@
 /// Conduction of a group of finite elements: temperatures live at its nodes.
+#include <algorithm>
+
 #include "fe/conduction.hpp"
 #include "fe/finite_elements.hpp"
 
@@ -15,7 +17,7 @@ void FiniteElements<Dim>::set_capacities() {
   for (const auto& block : blocks_) {
     constexpr std::size_t n = Shape<Dim>::kCorners;
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
-      const Real capacity = block.mass[e] * block.material->specific_heat;
+      const Real capacity = block.mass[e] * block.material->specific_heat.at(block.temperature);
       for (std::size_t I = e * n; I < (e + 1) * n; ++I) {
         at_start[static_cast<std::size_t>(block.corner[I])] = block.temperature;
         share[block.first_corner + I] = capacity * block.heat_share[I];
@@ -26,6 +28,54 @@ void FiniteElements<Dim>::set_capacities() {
   std::vector<Vec<1>> sum(points_.x.size(), Vec<1>::Zero());
   gather_.template add<1>(share.data(), sum);
   for (std::size_t k = 0; k < sum.size(); ++k) points_.capacity[k] = sum[k][0];
+  if (!materials_that_vary(blocks_).empty()) vary_capacities();
+}
+
+/// Nodes of several materials, one of which varies at least, have the specific heat of their
+/// mixture.
+template <int Dim>
+void FiniteElements<Dim>::vary_capacities() {
+  const auto varying = materials_that_vary(blocks_);
+  std::vector<const Material*> materials = varying;
+  for (const auto& block : blocks_) {
+    if (std::find(materials.begin(), materials.end(), block.material) == materials.end()) {
+      materials.push_back(block.material);
+    }
+  }
+  std::vector<std::vector<Vec<1>>> mass;  // [kg] by material, node
+  for (const Material* material : materials) {
+    std::vector<Real> share(corner_force_.size() / Dim, 0.0);
+    for (const auto& block : blocks_) {
+      if (block.material != material) continue;
+      constexpr std::size_t n = Shape<Dim>::kCorners;
+      for (std::size_t I = 0; I < static_cast<std::size_t>(block.n) * n; ++I) {
+        share[block.first_corner + I] = block.mass[I / n] * block.heat_share[I];
+      }
+    }
+    gather_.template add<1>(share.data(), mass.emplace_back(points_.x.size(), Vec<1>::Zero()));
+  }
+  std::vector<SpecificHeat> heats;
+  heats.reserve(varying.size());
+  for (const Material* material : varying) heats.push_back(material->specific_heat);
+  points_.vary_capacities(heats);
+  for (std::size_t i = 0; i < points_.x.size(); ++i) {
+    Real sum = 0;
+    for (const auto& of : mass) sum += of[i][0];
+    std::vector<const SpecificHeat*> parts;
+    std::vector<Real> shares;
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+      if (mass[m][i][0] == 0) continue;
+      parts.push_back(&materials[m]->specific_heat);
+      shares.push_back(mass[m][i][0] / sum);
+    }
+    const auto mixture = SpecificHeat::of_mixture(parts, shares);
+    if (!mixture.varies()) continue;
+    std::size_t which = 0;
+    while (which < points_.specific_heats.size() && points_.specific_heats[which] != mixture)
+      ++which;
+    if (which == points_.specific_heats.size()) points_.specific_heats.push_back(mixture);
+    points_.vary_capacity(i, static_cast<std::int32_t>(which), sum);
+  }
 }
 
 /// Leaves nothing but heat: no mass, and facets that contact sees as rigid.

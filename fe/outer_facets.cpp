@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fe/conduction.hpp"
+
 namespace brunt {
 namespace {
 
@@ -47,7 +49,7 @@ Real face_area(const std::array<LocalIndex, 2>& node, const std::vector<Vec<2>>&
 
 template <int Dim>
 Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
-                    const Points<Dim>& points) {
+                    const Points<Dim>& points, const std::vector<const Material*>& varying) {
   const LocalIndex e = face.element;
   Facet<Dim> facet;
   for (int i = 0; i < Shape<Dim>::kFaceNodes; ++i) {
@@ -63,7 +65,13 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   facet.temperature = block.temperature;
   facet.areal_mass = 0.5 * block.material->density * facet.depth;
   if (block.conducts) {
-    facet.capacity = facet.areal_mass * block.material->specific_heat;
+    const auto at = std::find(varying.begin(), varying.end(), block.material);
+    if (at == varying.end()) {
+      facet.capacity = facet.areal_mass * block.material->specific_heat.at(block.temperature);
+    } else {
+      facet.capacity = facet.areal_mass;
+      facet.specific_heat = static_cast<std::int32_t>(at - varying.begin());
+    }
     facet.effusivity = block.material->effusivity(block.temperature);
   }
   return facet;
@@ -95,6 +103,7 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
                                      const Points<Dim>& points,
                                      const std::vector<LocalIndex>& axis) {
   const std::vector<Face<Dim>> faces = all_faces(blocks);
+  const auto varying = materials_that_vary(blocks);
   std::vector<Facet<Dim>> facets;
   for (std::size_t k = 0; k < faces.size();) {
     std::size_t end = k + 1;
@@ -104,7 +113,7 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
     };
     const bool inner = std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
     if (end == k + 1 && !inner) {
-      facets.push_back(facet_of(blocks[faces[k].block], faces[k], points));
+      facets.push_back(facet_of(blocks[faces[k].block], faces[k], points, varying));
     }
     k = end;
   }

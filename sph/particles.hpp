@@ -133,6 +133,7 @@ class SphParticles final : public Solid<Dim> {
   void add_slot(const ParticleBlock& block, std::size_t slot, Totals<Dim>& totals) const;
   void seed_votes();
   void set_capacities();
+  void vary_capacities();
   void start_conduction();
   void take_temperatures();
   void refresh_heat();

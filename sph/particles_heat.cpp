@@ -1,4 +1,6 @@
 /// Conduction among particles: temperatures live at them.
+#include <algorithm>
+
 #include "sph/conduction.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
@@ -13,7 +15,32 @@ void SphParticles<Dim>::set_capacities() {
     for (const LocalIndex point : block.set.particle) {
       const auto i = static_cast<std::size_t>(point);
       points_.temperature[i] = points_.start_temperature[i] = block.set.temperature;
-      points_.capacity[i] = points_.mass[i] * block.set.material->specific_heat;
+      points_.capacity[i] =
+          points_.mass[i] * block.set.material->specific_heat.at(block.set.temperature);
+    }
+  }
+  vary_capacities();
+}
+
+template <int Dim>
+void SphParticles<Dim>::vary_capacities() {
+  std::vector<const Material*> varying;
+  for (const auto& block : blocks_) {
+    const Material* one = block.set.material;
+    if (!one->specific_heat.varies()) continue;
+    if (std::find(varying.begin(), varying.end(), one) == varying.end()) varying.push_back(one);
+  }
+  if (varying.empty()) return;
+  std::vector<SpecificHeat> heats;
+  heats.reserve(varying.size());
+  for (const Material* one : varying) heats.push_back(one->specific_heat);
+  points_.vary_capacities(std::move(heats));
+  for (const auto& block : blocks_) {
+    const auto at = std::find(varying.begin(), varying.end(), block.set.material);
+    if (at == varying.end()) continue;
+    for (const LocalIndex point : block.set.particle) {
+      const auto i = static_cast<std::size_t>(point);
+      points_.vary_capacity(i, static_cast<std::int32_t>(at - varying.begin()), points_.mass[i]);
     }
   }
 }

@@ -17,9 +17,11 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
     StrengthInputs strength;
     strength.shear = material->shear;
     if (given.thermal) {
-      material->specific_heat = given.thermal->cp;
+      material->specific_heat = SpecificHeat(*given.thermal->cp);
       if (given.thermal->k) material->conductivity = *given.thermal->k;
-      strength.heat_capacity = given.density * given.thermal->cp;
+      const SpecificHeat& cp = material->specific_heat;
+      strength.heat_capacity = given.density * cp.least();
+      if (cp.varies()) strength.specific_heat = &cp, strength.density = given.density;
       strength.taylor_quinney = given.thermal->taylor_quinney;
     }
     material->strength = make_strength(given.strength, strength);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/materials/specific_heat.hpp"
 #include "core/schema.hpp"
 #include "core/types.hpp"
 
@@ -80,8 +81,8 @@ struct Material {
   Real bulk = 0;                    ///< [Pa] K at the reference state
   Real tensile_cutoff = kInfinity;  ///< [Pa] pressure never below minus this
   bool thermal = false;
-  Real specific_heat = 0;  ///< [J/kg/K]
-  Varying conductivity;    ///< [W/m/K] a constant, or a table over temperature
+  SpecificHeat specific_heat;  ///< [J/kg/K] a constant, or a table over temperature
+  Varying conductivity;        ///< [W/m/K] a constant, or a table over temperature
   std::unique_ptr<Strength> strength;
   std::unique_ptr<EquationOfState> eos;
 
@@ -89,7 +90,7 @@ struct Material {
   bool yields() const { return strength->yields(); }
   /// sqrt(k rho cp) [J/m^2/K/s^(1/2)] at a temperature [K]: how heat of a surface shares itself.
   Real effusivity(Real temperature) const {
-    return std::sqrt(conductivity.at(temperature) * density * specific_heat);
+    return std::sqrt(conductivity.at(temperature) * density * specific_heat.at(temperature));
   }
 
   /// Fields for n points at rest, padded to whole tiles. Where `adiabatic` and the material is

@@ -15,6 +15,10 @@ struct StrengthInputs {
   Real shear = 0;           ///< [Pa] G
   Real heat_capacity = 0;   ///< [J/m^3/K reference] rho0 c_p; 0: plastic work heats nothing
   Real taylor_quinney = 0;  ///< [1] part of plastic work that becomes heat
+  /// Where it varies with temperature, which heat_capacity then is not read for; outlives the
+  /// strength.
+  const SpecificHeat* specific_heat = nullptr;
+  Real density = 0;  ///< [kg/m^3] rho0, where the specific heat varies
 };
 
 /// The unknown of one point's return, the increment of eps_p, between its brackets.
@@ -127,6 +131,10 @@ class RadialReturn final : public Strength {
     return !tile.state->heat.empty() && inputs_.heat_capacity > 0;
   }
 
+  /// Temperature [K] of heat [J/m^3 reference], to first order at T [K].
+  V heating_at(V T, V factor) const;
+  /// T [K] after heat [J/m^3 reference]: rho0 (h(after) - h(T)) is that heat.
+  V warmed(V T, V heat) const;
   void trial(MaterialTile& tile, int i, Candidates& candidates) const;
   void solve(Candidates& candidates, Real inverse_dt, Returned& returned) const;
   void finish(MaterialTile& tile, int i, Real inverse_dt, const Returned& returned) const;
@@ -134,6 +142,29 @@ class RadialReturn final : public Strength {
   Law law_;
   StrengthInputs inputs_;
 };
+
+template <FlowLaw Law, class V>
+V RadialReturn<Law, V>::heating_at(V T, V factor) const {
+  if (inputs_.specific_heat == nullptr) return factor * (1.0 / inputs_.heat_capacity);
+  V per_heat{};
+  for (int lane = 0; lane < kStep; ++lane) {
+    set_lane(per_heat, lane, 1.0 / (inputs_.density * inputs_.specific_heat->at(lane_of(T, lane))));
+  }
+  return factor * per_heat;
+}
+
+template <FlowLaw Law, class V>
+V RadialReturn<Law, V>::warmed(V T, V heat) const {
+  if (inputs_.specific_heat == nullptr) return T + heat * (1.0 / inputs_.heat_capacity);
+  const SpecificHeat& cp = *inputs_.specific_heat;
+  for (int lane = 0; lane < kStep; ++lane) {
+    const Real per_mass = lane_of(heat, lane) / inputs_.density, before = lane_of(T, lane);
+    // What takes up no heat keeps its bits.
+    if (per_mass == 0) continue;
+    set_lane(T, lane, cp.temperature(cp.enthalpy(before) + per_mass));
+  }
+  return T;
+}
 
 /// Elastic trial of kStep points; puts those above the law's floor among the candidates.
 template <FlowLaw Law, class V>
@@ -163,7 +194,7 @@ void RadialReturn<Law, V>::trial(MaterialTile& tile, int i, Candidates& candidat
   const V q_old = vsqrt(old_square);
   V heating = broadcast<V>(0.0);
   if (heats(tile)) {
-    heating = heat_factor(tile, i, inputs_.taylor_quinney) * (1.0 / inputs_.heat_capacity);
+    heating = heating_at(T, heat_factor(tile, i, inputs_.taylor_quinney));
   }
   for (int lane = 0; lane < kStep; ++lane) {
     if (!lane_of(may_yield, lane)) continue;
@@ -244,8 +275,8 @@ void RadialReturn<Law, V>::finish(MaterialTile& tile, int i, Real inverse_dt,
   const V heat = heat_factor(tile, i, inputs_.taylor_quinney) * load_as<V>(returned.work + i);
   store(state.heat.data() + at, load_as<V>(state.heat.data() + at) + heat);
   if (tile.adiabatic && heats(tile) && !state.temperature.empty()) {
-    const V rise = heat * (1.0 / inputs_.heat_capacity);
-    store(state.temperature.data() + at, load_as<V>(state.temperature.data() + at) + rise);
+    Real* T = state.temperature.data() + at;
+    store(T, warmed(load_as<V>(T), heat));
   }
 }
 

@@ -18,7 +18,7 @@ Material copper(bool plastic) {
   material.shear = 46e9;
   material.bulk = 129e9;
   material.thermal = true;
-  material.specific_heat = 383;
+  material.specific_heat = SpecificHeat(383);
   JohnsonCook law;
   law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025, law.m = 1.09;
   law.T_melt = 1356;

@@ -28,8 +28,9 @@ StrengthLaw steel() {
 Material material(const StrengthLaw& strength, const EosLaw& eos) {
   Material made;
   made.density = 8960, made.shear = 46e9, made.bulk = 139e9;
-  made.thermal = true, made.specific_heat = 383;
-  made.strength = make_strength(strength, {made.shear, made.density * made.specific_heat, 0.9});
+  made.thermal = true, made.specific_heat = SpecificHeat(383);
+  made.strength =
+      make_strength(strength, {made.shear, made.density * made.specific_heat.at(298), 0.9});
   made.eos = make_eos(eos, {made.density, made.bulk});
   return made;
 }

@@ -92,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
                 {"parameters.spacing=2 mm", "parameters.size=4 mm", "time.end=60 us"}},
         Shipped{"block-on-incline", {"parameters.end=60 ms"}},
         Shipped{"half-spaces", {"time.end=1 ms", "parameters.width=0.4 mm"}},
-        Shipped{"composite-rod", {"time.end=20 s"}}, Shipped{"hot-block", {"time.end=15 us"}},
+        Shipped{"freezing-slab", {"time.end=50 ms"}}, Shipped{"composite-rod", {"time.end=20 s"}},
+        Shipped{"hot-block", {"time.end=15 us"}},
         Shipped{"tumbling-blocks", {"parameters.end=4 ms", "bodies.plate.cells=[10, 10, 2]"}},
         Shipped{"cutting-2d", {"parameters.spacing=0.05 mm", "parameters.travel=0.08 mm"}},
         Shipped{"hertz", {"parameters.cells=8", "time.end=8 us", "measures.pressure.at=5 us"}},
@@ -117,10 +118,11 @@ Real largest_energy(const Simulation& run) {
 
 // What births, deaths and changes of contacts make or lose (physics.md D) is below 0.1 %.
 TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
-  for (const char* name : {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric",
-                           "taylor-bar-sph", "drop-on-plate", "projectile-2d", "block-on-incline",
-                           "brick-stack", "half-spaces", "composite-rod", "hertz", "hot-block",
-                           "tumbling-blocks", "rubbing-blocks", "sliding-blocks", "cutting-2d"}) {
+  for (const char* name :
+       {"bars", "hot-rod", "taylor-bar", "taylor-bar-axisymmetric", "taylor-bar-sph",
+        "drop-on-plate", "projectile-2d", "block-on-incline", "brick-stack", "half-spaces",
+        "composite-rod", "hertz", "hot-block", "tumbling-blocks", "rubbing-blocks",
+        "sliding-blocks", "cutting-2d", "freezing-slab"}) {
     const auto run = simulate_shipped(name);
     EXPECT_EQ(run.failure, "") << name;
     EXPECT_LT(run.worst_drift, 0.01) << name;

@@ -25,6 +25,7 @@ cases=(
   "taylor-bar-sph 2_us parameters.spacing=0.8_mm time.end=5_us"
   "drop-on-plate 20_us parameters.size=4_mm time.end=45_us"
   "block-on-incline 15_ms parameters.end=30_ms parameters.mu=0.6"
+  "freezing-slab 10_ms time.end=20_ms materials.steel.thermal.cp={table:_[[300_K,_475],_[800_K,_640]],_over:_temperature}"
   "half-spaces 0.4_ms time.end=0.8_ms parameters.width=0.4_mm"
   "hot-block 5_us time.end=10_us"
   "rubbing-blocks 5_us time.end=9_us"

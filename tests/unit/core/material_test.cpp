@@ -15,7 +15,7 @@ constexpr Real kDensity = 8930, kShear = 46e9, kBulk = 139e9;
 Material made_of(const StrengthLaw& strength, const EosLaw& eos) {
   Material made;
   made.density = kDensity, made.shear = kShear;
-  made.thermal = true, made.specific_heat = 383;
+  made.thermal = true, made.specific_heat = SpecificHeat(383);
   made.strength = make_strength(strength, {kShear, kDensity * 383, 0.9});
   made.eos = make_eos(eos, {kDensity, kBulk});
   made.bulk = made.eos->bulk_modulus();

@@ -12,7 +12,7 @@ namespace {
 Material conductor(Real k, Real heat_capacity = 1) {
   Material material = elastic(1e9, 0.3, 1000);
   material.thermal = true;
-  material.specific_heat = heat_capacity;
+  material.specific_heat = SpecificHeat(heat_capacity);
   material.conductivity.constant = k;
   return material;
 }
@@ -192,6 +192,41 @@ TEST(FeConduction, ConductivityFollowsTheTemperature) {
     }
   }
   EXPECT_NEAR(flow, 20 * 200 * 0.0025, 1e-9);
+}
+
+// Elements of 2 x 1 x 1 m, 1000 kg/m^3: each gives its four nodes of the face between them 250 kg.
+// Their cp is the mean of both tables: (100 + 500)/2 at 300 K, (300 + 500)/2 at 400 K.
+TEST(FeConduction, NodesOfTwoMaterialsMixTheirTables) {
+  Material steep = conductor(1), constant = conductor(1, 500);
+  Varying given;
+  given.over = Varying::Over::temperature;
+  given.abscissa = {300, 400}, given.ordinate = {100, 300};
+  steep.specific_heat = SpecificHeat(given);
+  auto mesh = box_mesh<3>({2, 1, 1}, Vec3::Zero(), Vec3(4, 1, 1));
+  std::vector<ElementSet<3>> sets(2);
+  for (std::size_t e = 0; e < 2; ++e) {
+    auto& set = sets[e];
+    set.material = e == 0 ? &steep : &constant;
+    set.conducts = set.held = true;
+    set.temperature = 300;
+    set.corners.push_back(mesh.set.corners[e]);
+    set.id.push_back(e), set.body.push_back(0), set.piece.push_back(0);
+  }
+  const FiniteElements<3> body(std::move(mesh.points), sets, Geometry::three_d, 1);
+  const auto& points = body.points();
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    const Real x = points.x[i][0];
+    if (x > 3) {
+      EXPECT_FALSE(points.capacity_varies(i));
+      EXPECT_NEAR(points.capacity[i], 250 * 500, 1e-9);
+      continue;
+    }
+    ASSERT_TRUE(points.capacity_varies(i));
+    const Real mass = x < 1 ? 250 : 500, low = x < 1 ? 100 : 300, high = x < 1 ? 300 : 400;
+    EXPECT_NEAR(points.capacity[i], mass * low, 1e-9);
+    EXPECT_NEAR(points.temperature_with(i, mass * 0.5 * (low + high) * 100), 400, 1e-11);
+    EXPECT_NEAR(points.least_capacity(i), mass * low, 1e-9);
+  }
 }
 
 }  // namespace

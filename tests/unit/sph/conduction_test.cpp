@@ -19,7 +19,7 @@ constexpr Real kConductivity = 40, kHeat = 3e6;  // [W/m/K], [J/m^3/K]
 std::unique_ptr<Material> conductor(Real k = kConductivity, Real heat = kHeat) {
   auto material = elastic_material(1000, 1e9, 0.3);
   material->thermal = true;
-  material->specific_heat = heat / 1000;
+  material->specific_heat = SpecificHeat(heat / 1000);
   material->conductivity.constant = k;
   return material;
 }

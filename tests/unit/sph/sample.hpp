@@ -25,7 +25,7 @@ inline std::unique_ptr<Material> copper() {
   auto material = elastic_material(8960, 124e9, 0.34);
   material->name = "copper";
   material->thermal = true;
-  material->specific_heat = 383;
+  material->specific_heat = SpecificHeat(383);
   JohnsonCook law;
   law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025, law.m = 1.09, law.T_melt = 1356;
   material->strength = make_strength(law, {material->shear, material->density * 383, 0.9});
