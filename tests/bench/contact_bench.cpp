@@ -75,10 +75,12 @@ void make_particles(int n, Real height, Label label, Body& body) {
   body.surface.points = &body.points;
 }
 
-template <class Work>
-Real median_seconds(std::size_t runs, const Work& work) {
+/// Of `work` alone; `prepare` runs before each.
+template <class Prepare, class Work>
+Real median_seconds(std::size_t runs, const Prepare& prepare, const Work& work) {
   std::vector<Real> times;
   while (times.size() < runs) {
+    prepare();
     const std::clock_t start = std::clock();
     work();
     times.push_back(static_cast<Real>(std::clock() - start) / CLOCKS_PER_SEC);
@@ -122,18 +124,19 @@ Cost report(const char* name, const std::vector<Body*>& bodies, std::size_t enti
   std::vector<Surface<3>*> surfaces;
   for (auto* body : bodies) surfaces.push_back(&body->surface);
   ContactManager<3> contact(options, Geometry::three_d, surfaces, {"a", "b", "far"});
-  const auto one_step = [&] {
+  const auto move = [&] {
     auto& points = bodies[1]->points;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       points.v[i] = Vec3(slip, 0, 0);
       points.x[i] += points.v[i];
     }
-    contact.add_forces(1);
   };
-  const Real build = median_seconds(5, [&] { contact.rearrange(); });
-  one_step();
+  const auto evaluate = [&] { contact.add_forces(1); };
+  const Real build = median_seconds(
+      5, [] {}, [&] { contact.rearrange(); });
+  move(), evaluate();
   const auto before = contact.work();
-  const Real step = median_seconds(25, one_step);
+  const Real step = median_seconds(25, move, evaluate);
   const auto work = contact.work();
   const Real n = static_cast<Real>(entities);
   std::printf(
