@@ -4,11 +4,14 @@
 // 1e-12 after 300 s. On the way no temperature may leave what the ends are held at (maximum
 // principle), and a poor conductor that is not light, of which only a skin warms, is watched for 20
 // s as well. Held particles have their temperature half a spacing inside, and the rods are as much
-// shorter.
+// shorter. A rod of few particles across conducts less than its material: the lattice sum of
+// physics.md A1 eq 6 over an endless rod of n x n particles is 0.970, 0.975, 0.980, 0.989 of it for
+// n = 4, 6, 8, 16, or 1 - 0.18/n. Edges conduct 90 %, faces 95 %, what is next to a face 100.3 %.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/support/simulate.hpp"
 
@@ -62,6 +65,51 @@ std::string deck(const Rods& rods) {
   return text;
 }
 
+/// What an endless rod of n x n particles along x conducts of what its material does: the mean of
+///   sum_j w_ij g_ij x_ij^2,  w = -W'(r)/r V,  g = min(e.B_i e, e.B_j e),  B^-1 = sum_j w x x
+/// over its particles, cubic kernel, h of 1.2 spacings, spacing 1.
+Real conductivity_of_rod(int n) {
+  constexpr Real h = 1.2;
+  struct Neighbour {
+    int y, z;
+    Vec3 arm;
+    Real weight;
+  };
+  std::vector<Neighbour> neighbours;
+  for (int k = 0; k < 125; ++k) {
+    const int x = k % 5 - 2, y = k / 5 % 5 - 2, z = k / 25 - 2;
+    const Vec3 arm(x, y, z);
+    const Real q = arm.norm() / h;
+    if (q == 0 || q >= 2) continue;
+    const Real slope = q < 1 ? 3 * q - 2.25 * q * q : 0.75 * (2 - q) * (2 - q);
+    neighbours.push_back({y, z, arm, slope / (kPi * h * h * h * h * arm.norm())});
+  }
+  const auto inside = [&](int y, int z) { return y >= 0 && y < n && z >= 0 && z < n; };
+  const auto correction = [&](int y, int z) {
+    Mat3 sum = Mat3::Zero();
+    for (const auto& [dy, dz, arm, weight] : neighbours) {
+      if (inside(y + dy, z + dz)) sum += weight * arm * arm.transpose();
+    }
+    return Mat3(sum.inverse());
+  };
+  Real all = 0;
+  for (int i = 0; i < n * n; ++i) {
+    const int y = i % n, z = i / n;
+    for (const auto& [dy, dz, arm, weight] : neighbours) {
+      if (!inside(y + dy, z + dz)) continue;
+      const Vec3 e = arm.normalized();
+      const Real own = e.dot(correction(y, z) * e), other = e.dot(correction(y + dy, z + dz) * e);
+      all += weight * std::min(own, other) * arm[0] * arm[0];
+    }
+  }
+  return all / (n * n);
+}
+
+TEST(HeatExtremesOfThinRods, ConductLessThanTheirMaterial) {
+  EXPECT_NEAR(conductivity_of_rod(4), 0.970, 1e-3);
+  EXPECT_NEAR(conductivity_of_rod(16), 0.989, 1e-3);
+}
+
 class HeatExtremes : public testing::TestWithParam<Rods> {};
 
 TEST_P(HeatExtremes, ConductivitiesAMillionApart) {
@@ -83,7 +131,8 @@ TEST_P(HeatExtremes, ConductivitiesAMillionApart) {
   EXPECT_GT(highest, lowest + 99);
   if (rods.tolerance == 0) return;
   const Real length = rods.method == kElements ? 50e-3 : 50e-3 - 0.5 * 1.25e-3;
-  const Real flux = 100 / (length / 237 + rods.resistance + length / 2.37e-4);
+  const Real part = rods.method == kElements ? 1 : conductivity_of_rod(4);
+  const Real flux = part * 100 / (length / 237 + rods.resistance + length / 2.37e-4);
   const Real area = 25e-6, rate = run.last("contact.left-right.heat_rate");
   EXPECT_NEAR(std::fabs(rate), flux * area, rods.tolerance * flux * area);
   EXPECT_EQ(rate > 0, rods.poor_is_hot);  // into the first
@@ -94,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Rods{kElements, kResistive, "900e-6", "300 s", false, 1e-4, 0.01},
                     Rods{kElements, "perfect", "900e-6", "300 s", true, 0, 0.01},
                     Rods{kElements, "perfect", "900", "20 s", false, 0, 0},
-                    Rods{kParticles, kResistive, "900e-6", "120 s", true, 1e-4, 0.03},
+                    Rods{kParticles, kResistive, "900e-6", "120 s", true, 1e-4, 0.01},
                     Rods{kParticles, "perfect", "900", "20 s", true, 0, 0}));
 
 }  // namespace
