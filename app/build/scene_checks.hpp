@@ -22,7 +22,7 @@ void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
 /// whole scene.
 template <int Dim>
 void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
-                      std::vector<DeckProblem>& warnings);
+                     std::vector<DeckProblem>& warnings);
 
 /// Measures of columns that history.csv does not have, and of fields that a body does not have.
 template <int Dim>

@@ -110,6 +110,9 @@ TEST(HeatExtremesOfThinRods, ConductLessThanTheirMaterial) {
   EXPECT_NEAR(conductivity_of_rod(16), 0.989, 1e-3);
 }
 
+void PrintTo(const Rods& rods, std::ostream* out) {
+  *out << rods.method << ' ' << rods.contact << " capacity " << rods.capacity;
+}
 class HeatExtremes : public testing::TestWithParam<Rods> {};
 
 TEST_P(HeatExtremes, ConductivitiesAMillionApart) {
