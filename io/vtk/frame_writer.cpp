@@ -4,6 +4,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <set>
 
 #include "core/errors.hpp"
@@ -37,6 +38,9 @@ std::string file_name(const std::string& body, std::size_t frame, const std::str
 template <class Writer>
 std::string bytes_of(vtkDataObject* data, const std::filesystem::path& path) {
   VtkMessages messages;
+  // VTK would look for the ranges of arrays on all cores, of which other ranks have theirs. This is
+  // how it is told: its header is not C++20.
+  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
   auto writer = vtkSmartPointer<Writer>::New();
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
