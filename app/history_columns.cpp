@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "app/rigid_reports.hpp"
 
@@ -105,15 +106,22 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   }
 }
 
-/// Heat rates of boundaries.
+/// Reactions of constraints and heat rates of boundaries, all in one reduction.
 template <int Dim>
-void HistoryColumns<Dim>::add_heat_rates(const Scene<Dim>& scene, std::vector<Real>& values) {
-  for (const auto& boundary : scene.heat.all()) {
-    ExactSum rate;
-    for (const Real one : boundary.rate) rate.add(one);
-    rate = scene.ranks->reduce(rate, [](ExactSum& a, const ExactSum& b) { a.add(b); });
-    values.push_back(rate.value());
+void HistoryColumns<Dim>::add_boundaries(const Scene<Dim>& scene, std::vector<Real>& values) {
+  std::vector<ExactSum> sums;
+  for (const auto& constraint : scene.supports.constraints()) {
+    for (int c = 0; c < Dim; ++c) {
+      auto& reaction = sums.emplace_back();
+      for (const auto& force : constraint.reaction) reaction.add(force[c]);
+    }
   }
+  for (const auto& boundary : scene.heat.all()) {
+    auto& rate = sums.emplace_back();
+    for (const Real one : boundary.rate) rate.add(one);
+  }
+  scene.ranks->reduce_all(std::span(sums), [](ExactSum& a, const ExactSum& b) { a.add(b); });
+  for (const auto& sum : sums) values.push_back(sum.value());
 }
 
 /// Probes and sections.
@@ -211,15 +219,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
       values.insert(values.end(), {pair.temperature_max, pair.temperature_mean});
     }
   }
-  for (const auto& constraint : scene.supports.constraints()) {
-    for (int c = 0; c < Dim; ++c) {
-      ExactSum reaction;
-      for (const auto& force : constraint.reaction) reaction.add(force[c]);
-      reaction = scene.ranks->reduce(reaction, [](ExactSum& a, const ExactSum& b) { a.add(b); });
-      values.push_back(reaction.value());
-    }
-  }
-  add_heat_rates(scene, values);
+  add_boundaries(scene, values);
   add_watched(scene, values);
   if (scene.conducts()) add_heat(totals, values);
   row.state_hash = totals.state_hash;

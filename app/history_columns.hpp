@@ -31,7 +31,7 @@ class HistoryColumns {
   void load_state(const StateTables& tables);  ///< throws StateError
 
  private:
-  static void add_heat_rates(const Scene<Dim>& scene, std::vector<Real>& values);
+  static void add_boundaries(const Scene<Dim>& scene, std::vector<Real>& values);
   static void add_watched(const Scene<Dim>& scene, std::vector<Real>& values);
   void add_heat(const Totals<Dim>& totals, std::vector<Real>& values);
 

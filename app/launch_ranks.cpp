@@ -50,6 +50,9 @@ int launch_ranks(const RunArguments& arguments, int argc, char** argv) {
     }
     // brunt says itself what went wrong; mpirun would add how it ended the others.
     command.insert(command.end(), {"--quiet", "--use-hwthread-cpus"});
+    // Ranks of one machine talk through its memory; Open MPI would look for networks for 0.2 s
+    // first.
+    command.insert(command.end(), {"--mca", "pml", "ob1", "--mca", "btl", "self,vader"});
   }
   if (arguments.oversubscribe) {
     command.insert(command.end(), {"--oversubscribe", "--mca", "mpi_yield_when_idle", "1"});

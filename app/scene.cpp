@@ -107,13 +107,28 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
   }
 }
 
+/// What is summed exactly, one after another: every sum that a row of history starts from.
+template <int Dim, class Visit>
+void visit_sums(Totals<Dim>& totals, const Visit& visit) {
+  for (auto& column : totals.columns) visit(column);
+  for (auto& body : totals.bodies) {
+    for (auto* sum : {&body.mass, &body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
+      visit(*sum);
+    }
+    for (auto& sum : body.mass_position) visit(sum);
+    for (auto& sum : body.momentum) visit(sum);
+  }
+  auto& heat = totals.heat;
+  for (auto* sum : {&heat.stored, &heat.plastic, &heat.friction, &heat.boundary}) visit(*sum);
+}
+
 template <int Dim>
 void sum_over_ranks(Totals<Dim>& totals, const Communicator& ranks) {
-  ranks.reduce_all(std::span<ExactSum>(totals.columns),
-                   [](ExactSum& a, const ExactSum& b) { a.add(b); });
-  ranks.reduce_all(std::span(totals.bodies),
-                   [](BodySums<Dim>& a, const BodySums<Dim>& b) { a.add(b); });
-  totals.heat = ranks.reduce(totals.heat, [](HeatSums& a, const HeatSums& b) { a.add(b); });
+  std::vector<ExactSum> sums;
+  visit_sums(totals, [&](const ExactSum& sum) { sums.push_back(sum); });
+  ranks.reduce_all(std::span(sums), [](ExactSum& a, const ExactSum& b) { a.add(b); });
+  std::size_t next = 0;
+  visit_sums(totals, [&](ExactSum& sum) { sum = sums[next++]; });
   totals.state_hash = ranks.sum(totals.state_hash);
 }
 }  // namespace

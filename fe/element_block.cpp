@@ -19,13 +19,7 @@ struct GaussPlace {
   Real radius = 0;
 };
 template <int Dim>
-GaussPlace<Dim> gauss_geometry(const Corners<Dim>& x, int g) {
-  constexpr int n = Shape<Dim>::kCorners;
-  Real node[n][Dim];
-  for (int I = 0; I < n; ++I) {
-    for (int i = 0; i < Dim; ++i) node[I][i] = x[I][i];
-  }
-  const Modal<Dim, Real> c = modes_of<Dim>(node);
+GaussPlace<Dim> gauss_geometry(const Modal<Dim, Real>& c, int g) {
   const auto slope = Shape<Dim>::mode_slopes(gauss_place<Dim>(g));
   const auto value = Shape<Dim>::mode_values(gauss_place<Dim>(g));
   Eigen::Matrix<Real, Dim, Dim> J = Eigen::Matrix<Real, Dim, Dim>::Zero();
@@ -125,9 +119,14 @@ std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& t
 template <int Dim>
 std::array<Real, Shape<Dim>::kGauss> gauss_volumes(const Corners<Dim>& x,
                                                    const Thickness& thickness) {
+  Real node[Shape<Dim>::kCorners][Dim];
+  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+    for (int i = 0; i < Dim; ++i) node[I][i] = x[I][i];
+  }
+  const Modal<Dim, Real> modes = modes_of<Dim>(node);
   std::array<Real, Shape<Dim>::kGauss> volume;
   for (int g = 0; g < Shape<Dim>::kGauss; ++g) {
-    const GaussPlace<Dim> place = gauss_geometry<Dim>(x, g);
+    const GaussPlace<Dim> place = gauss_geometry<Dim>(modes, g);
     volume[g] = place.determinant;
     if (Dim == 2) volume[g] *= thickness.constant + thickness.radial * place.radius;
   }

@@ -53,7 +53,9 @@ std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
 template <int Dim>
 PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
                                const Points<Dim>& points, const Thickness& thickness) {
-  const std::string name = "element " + std::to_string(block.id[e]);
+  const auto failed = [&](const char* quantity, Real value, const char* cause) -> PhysicsFailure {
+    return {0, "", "element " + std::to_string(block.id[e]), quantity, value, cause};
+  };
   const auto x = corner_positions(block, e, points);
   const Real volume = element_volume<Dim>(x, block.gauss == 1, thickness);
   Real least = volume;
@@ -63,19 +65,13 @@ PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
     }
   }
   if (!std::isfinite(least)) {
-    return {0,
-            "",
-            name,
-            "volume",
-            least,
-            "the position of a corner is not a finite number any more: try a smaller time.safety, "
-            "and look at the last frame for what collapsed there"};
+    return failed("volume", least,
+                  "the position of a corner is not a finite number any more: try a smaller "
+                  "time.safety, and look at the last frame for what collapsed there");
   }
   if (!(least > 0)) {
-    return {
-        0,      "",
-        name,   "volume",
-        volume, "the element is inverted: refine the mesh, use q1p0, erode, or reduce the step"};
+    return failed("volume", volume,
+                  "the element is inverted: refine the mesh, use q1p0, erode, or reduce the step");
   }
   Real sum = block.viscous_pressure[e];
   for (int g = 0; g < block.gauss; ++g) {
@@ -84,7 +80,7 @@ PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
     for (const auto& component : block.state.deviator) sum += component[k];
   }
   if (!std::isfinite(sum)) {
-    return {0, "", name, "stress", sum, "the stress is not a number: the step may be too long"};
+    return failed("stress", sum, "the stress is not a number: the step may be too long");
   }
   return {};
 }
