@@ -28,29 +28,31 @@ bool in_box(const SearchBox<Dim>& box, const Vec<Dim>& x, Real reach) {
 /// Where a particle may overlap a face from.
 enum class Reach { none, before, behind };
 
-/// Whether the particle may overlap the face: its centre at most r before it or a few r behind. An
-/// open surface holds what belongs to one of its `side`s deep on the other.
+/// Whether the particle, `before` [m] its mean plane, may overlap the face: its centre at most r
+/// before it or a few r behind.
 template <int Dim>
 Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r,
-               bool open, int side) {
+               Real before) {
   if (plane.area == 0) return Reach::none;
-  const Real before = plane.normal.dot(x - plane.center);
-  if (open) {
-    const Real reach = side != 0 ? kOpenDepthRadii * r : r;
-    if (std::fabs(before) > reach + plane.warp || !in_box<Dim>(box, x, reach)) return Reach::none;
-    return side == 0 || side * before > plane.warp ? Reach::before : Reach::behind;
-  }
   if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return Reach::none;
   const bool clear = before > plane.warp;
   if (!in_box<Dim>(box, x, clear ? r : kDepthRadii * r)) return Reach::none;
   return clear ? Reach::before : Reach::behind;
 }
 
-/// Where the particle belongs at a surface, as it was at the last evaluation; 0: not known, or the
-/// surface is closed.
+/// The same of an open surface, which holds what belongs to one of its `side`s deep on the other.
+template <int Dim>
+Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x,
+                    Real r, Real before, int side) {
+  if (plane.area == 0) return Reach::none;
+  const Real reach = side != 0 ? kOpenDepthRadii * r : r;
+  if (std::fabs(before) > reach + plane.warp || !in_box<Dim>(box, x, reach)) return Reach::none;
+  return side == 0 || side * before > plane.warp ? Reach::before : Reach::behind;
+}
+
+/// Where the particle belongs at an open surface, as it was at the last evaluation; 0: not known.
 template <int Dim>
 int side_of(const TouchStep& step, const ContactParticle& particle, const ContactFace<Dim>& face) {
-  if (!face.open) return 0;
   const auto* before = step.before->of_particle(particle.id, face.body, face.piece);
   return before == nullptr ? 0 : before->side;
 }
@@ -68,25 +70,30 @@ bool out_of_touch(const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
   return square > touching * touching;
 }
 
-/// The bound of a particle that closes on face f: to half a radius of overlap, or half a radius
-/// more. What would vote more than `longest` need not be near, nor listed. On an open surface it
-/// closes from both sides, and where it touches either way.
+/// A product that is larger by this factor is larger however it was rounded.
+constexpr Real kSurelyMore = 1 + 1e-12;
+
+/// The bound of a particle, `before` [m] the mean plane of face f, that closes on it: to half a
+/// radius of overlap, or half a radius more. What would vote more than `longest` need not be near,
+/// nor listed. On an open surface it closes from both sides, and where it touches either way.
 template <int Dim>
 void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
-                     Real longest, StepVote& vote) {
+                     Real before, Real longest, StepVote& vote) {
   const auto& plane = entities.planes[f];
   const Vec<Dim> relative = now.v - entities.face_velocity[f];
   const Real r = now.particle.radius;
   Real closing = -relative.dot(plane.normal);
-  Real before = plane.normal.dot(now.x - plane.center);
   if (entities.faces[f].open) {
     if (std::fabs(before) <= r) closing = std::fabs(closing);
     if (before < -r) closing = -closing;
     before = std::fabs(before);
   }
   if (!(closing > 0) || before < -kDepthRadii * r) return;
-  const Real step = (std::max(before - r - plane.warp, 0.0) + 0.5 * r) / closing;
-  if (step > std::min(longest, vote.step)) return;
+  const Real way = std::max(before - r - plane.warp, 0.0) + 0.5 * r;
+  const Real least = std::min(longest, vote.step);
+  if (way > closing * least * kSurelyMore) return;  // most are: spares the division
+  const Real step = way / closing;
+  if (step > least) return;
   if (!in_box<Dim>(entities.boxes[f], now.x, r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
@@ -107,9 +114,12 @@ void find_near(const Entities<Dim>& entities, const ParticleRows& rows, std::siz
     const auto f = static_cast<std::size_t>(rows.clearances[i].entity);
     const auto& plane = entities.planes[f];
     const auto& face = entities.faces[f];
-    take_speed_vote(entities, f, now, step.longest, part.vote);
-    const Reach reach = reach_of<Dim>(plane, entities.boxes[f], now.x, r, face.open,
-                                      side_of(step.touches, now.particle, face));
+    const Real before = plane.normal.dot(now.x - plane.center);
+    take_speed_vote(entities, f, now, before, step.longest, part.vote);
+    const auto& box = entities.boxes[f];
+    const Reach reach = face.open ? reach_of_open<Dim>(plane, box, now.x, r, before,
+                                                       side_of(step.touches, now.particle, face))
+                                  : reach_of<Dim>(plane, box, now.x, r, before);
     if (reach == Reach::none) continue;
     before_all = before_all && reach == Reach::before;
     near.push_back(i);
@@ -134,20 +144,20 @@ void add_hit(const Entities<Dim>& entities, const ParticleRows& rows, std::size_
   hit.plane = &entities.planes[f];
   hit.node = face.node;
   hit.body = face.body, hit.piece = face.piece;
-  hit.open = face.open, hit.side = side_of(step.touches, now.particle, face);
+  hit.open = face.open;
+  if (face.open) hit.side = side_of(step.touches, now.particle, face);
   hit.candidate = static_cast<LocalIndex>(candidate);
   hit.nearest = nearest_point<Dim>(entities.planes[f], now.x);
   hit.limit = rows.candidates[candidate].limit;
 }
 
-/// Record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
+/// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
-ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& now,
-                             const ParticleCandidate& candidate, ParticleHit<Dim>& hit, Real dt,
-                             Real& squared_frequency) {
+void fill_record(const Entities<Dim>& entities, const Present<Dim>& now,
+                 const ParticleCandidate& candidate, Real dt, ParticleHit<Dim>& hit,
+                 Real& squared_frequency, ContactRecord<Dim>& record) {
   const auto& nodes = entities.nodes;
   const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
-  ContactRecord<Dim> record;
   record.of_particle = true;
   record.first = now.particle.id, record.second = face.id;
   record.first_place = candidate.particle, record.second_place = candidate.face;
@@ -180,7 +190,6 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const Present<Dim>& 
     const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
     squared_frequency += hit.share * spring.tangent(coming) / mass;
   }
-  return record;
 }
 
 template <int Dim>
@@ -284,8 +293,8 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
     const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
-    part.particle_on_face.push_back(
-        record_of(entities, now, candidate, hit, dt, squared_frequency));
+    fill_record(entities, now, candidate, dt, hit, squared_frequency,
+                part.particle_on_face.emplace_back());
     if (candidate.rubs != nullptr && history != nullptr) {
       add_friction(entities, now, candidate, hit, section, dt, *history, part);
     }

@@ -58,19 +58,11 @@ void name_feature(const std::array<Real, 3>& w, const std::array<int, 3>& corner
   }
 }
 
-/// A triangle of a face, its corners there (-1: the centre), and its point that is nearest to x.
-struct Candidate {
-  std::array<Vec3, 3> at = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  std::array<int, 3> corner{};
-  std::array<Real, 3> weight{};
-  Vec3 point = Vec3::Zero();
-  Real squared_distance = kInfinity;
-};
-
-/// Of one triangle, or of four: weights and place of the nearest point, its squared distance [m^2].
+/// Of one triangle, or of four: weights and place of the nearest point, its squared distance [m^2],
+/// and the normal, as long as twice the area.
 template <class V>
 struct OfTriangles {
-  Place<V> weight, point;
+  Place<V> weight, point, normal;
   V squared_distance;  // infinite without area
 };
 template <class V>
@@ -78,59 +70,61 @@ BRUNT_INLINE OfTriangles<V> nearest_on(const Place<V> (&t)[3], const Place<V>& x
   OfTriangles<V> found;
   found.weight = nearest_weights(x, t[0], t[1], t[2]);
   found.point = found.weight.x * t[0] + found.weight.y * t[1] + found.weight.z * t[2];
-  const auto arm = x - found.point, twice = cross(t[1] - t[0], t[2] - t[0]);
-  found.squared_distance =
-      select(dot(twice, twice) > broadcast<V>(0.0), dot(arm, arm), broadcast<V>(kInfinity));
+  const auto arm = x - found.point;
+  found.normal = cross(t[1] - t[0], t[2] - t[0]);
+  found.squared_distance = select(dot(found.normal, found.normal) > broadcast<V>(0.0),
+                                  dot(arm, arm), broadcast<V>(kInfinity));
   return found;
 }
 
-Candidate nearest_on_triangle(const FacePlane<3>& face, const Vec3& x) {
+/// Of a face without area: infinitely far.
+NearestPoint<3> nowhere() {
+  NearestPoint<3> nearest;
+  nearest.point.setZero(), nearest.normal.setZero();
+  nearest.smooth = false;
+  return nearest;
+}
+
+Vec3 vector(const Place<Real>& p) { return {p.x, p.y, p.z}; }
+
+NearestPoint<3> nearest_on_triangle(const FacePlane<3>& face, const Vec3& x) {
   const auto& at = face.corner;
   const Place<Real> t[3] = {place(at[0]), place(at[1]), place(at[2])};
   const auto found = nearest_on(t, place(x));
-  if (!(found.squared_distance < kInfinity)) return {};
-  return {{at[0], at[1], at[2]},
-          {0, 1, 2},
-          {found.weight.x, found.weight.y, found.weight.z},
-          Vec3(found.point.x, found.point.y, found.point.z),
-          found.squared_distance};
+  if (!(found.squared_distance < kInfinity)) return nowhere();
+  NearestPoint<3> nearest;
+  nearest.distance = std::sqrt(found.squared_distance);
+  nearest.point = vector(found.point);
+  nearest.normal = vector(found.normal).normalized();
+  nearest.weight = {found.weight.x, found.weight.y, found.weight.z, 0};
+  name_feature({found.weight.x, found.weight.y, found.weight.z}, {0, 1, 2}, false, nearest);
+  return nearest;
 }
 
 /// The four triangles of a quad about its centre side by side; of equals the first.
-Candidate nearest_on_quad(const FacePlane<3>& face, const Vec3& x) {
-  const auto& at = face.corner;
-  const Place<Pack> from = corners(at);
+NearestPoint<3> nearest_on_quad(const FacePlane<3>& face, const Vec3& x) {
+  const Place<Pack> from = corners(face.corner);
   const Place<Pack> t[3] = {from, next(from), everywhere(face.center)};
   const auto found = nearest_on(t, everywhere(x));
-  Candidate best;
-  int nearest = -1;
-  for (int k = 0; k < kLanes; ++k) {
-    if (!(found.squared_distance[k] < best.squared_distance)) continue;
-    best.squared_distance = found.squared_distance[k];
-    nearest = k;
+  Real least = kInfinity;
+  int k = -1;
+  for (int i = 0; i < kLanes; ++i) {
+    if (!(found.squared_distance[i] < least)) continue;
+    least = found.squared_distance[i];
+    k = i;
   }
-  if (nearest < 0) return best;
-  const int k = nearest, j = (k + 1) % kLanes;
-  best.at = {at[static_cast<std::size_t>(k)], at[static_cast<std::size_t>(j)], face.center};
-  best.corner = {k, j, -1};
-  best.weight = {found.weight.x[k], found.weight.y[k], found.weight.z[k]};
-  best.point = Vec3(found.point.x[k], found.point.y[k], found.point.z[k]);
-  return best;
-}
-
-NearestPoint<3> nearest_of(const Candidate& best) {
+  if (k < 0) return nowhere();
   NearestPoint<3> nearest;
-  const auto& t = best.at;
-  nearest.distance = std::sqrt(best.squared_distance);
-  nearest.point = best.point;
-  nearest.normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
-  const bool is_quad = best.corner[2] < 0;
-  nearest.weight.fill(is_quad ? 0.25 * best.weight[2] : 0.0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (best.corner[i] >= 0)
-      nearest.weight[static_cast<std::size_t>(best.corner[i])] += best.weight[i];
-  }
-  name_feature(best.weight, best.corner, is_quad, nearest);
+  const auto lane = [k](const Place<Pack>& p) { return Place<Real>{p.x[k], p.y[k], p.z[k]}; };
+  const Place<Real> weight = lane(found.weight);
+  const int j = (k + 1) % kLanes;
+  nearest.distance = std::sqrt(least);
+  nearest.point = vector(lane(found.point));
+  nearest.normal = vector(lane(found.normal)).normalized();
+  nearest.weight.fill(0.25 * weight.z);
+  nearest.weight[static_cast<std::size_t>(k)] += weight.x;
+  nearest.weight[static_cast<std::size_t>(j)] += weight.y;
+  name_feature({weight.x, weight.y, weight.z}, {k, j, -1}, true, nearest);
   return nearest;
 }
 
@@ -157,8 +151,7 @@ NearestPoint<Dim> nearest_point(const FacePlane<Dim>& face, const Vec<Dim>& x) {
   if constexpr (Dim == 2) {
     return nearest_on_edge(face, x);
   } else {
-    return nearest_of(face.n_corners == 3 ? nearest_on_triangle(face, x)
-                                          : nearest_on_quad(face, x));
+    return face.n_corners == 3 ? nearest_on_triangle(face, x) : nearest_on_quad(face, x);
   }
 }
 
