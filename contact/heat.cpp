@@ -91,17 +91,10 @@ template <int Dim>
 void exchange_heat(const ContactNodes<Dim>& nodes, const std::vector<Surface<Dim>*>& surfaces,
                    Real dt, HeatFlow<Dim>& flow) {
   if (flow.h_area == 0) return;
-  Real difference = 0;  // lower less upper
-  for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
-    difference -= flow.weight[k] * nodes.temperature[static_cast<std::size_t>(flow.node[k])];
-  }
-  Real lower = flow.lower.capacity, upper = flow.upper.capacity;
-  if (flow.lower.specific_heat >= 0 || flow.upper.specific_heat >= 0) {
-    const auto T = temperatures_of(nodes, flow);
-    lower = capacity_between(flow.lower, T, surfaces);
-    upper = capacity_between(flow.upper, T, surfaces);
-  }
-  flow.through = heat_between(flow.h_area, lower, upper, difference, dt);
+  const auto T = temperatures_of(nodes, flow);
+  const Real lower = capacity_between(flow.lower, T, surfaces);
+  const Real upper = capacity_between(flow.upper, T, surfaces);
+  flow.through = heat_between(flow.h_area, lower, upper, T[0] - T[1], dt);
   for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
     flow.rate[k] = flow.weight[k] * flow.through;
   }

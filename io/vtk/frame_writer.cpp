@@ -34,13 +34,17 @@ std::string file_name(const std::string& body, std::size_t frame, const std::str
   return std::string(kSubfolder) + "/" + name + number.data() + extension;
 }
 
+/// VTK would look for the ranges of arrays on all cores, of which other ranks have theirs. It reads
+/// this before its first work; its header is not C++20.
+void write_with_one_thread() {
+  [[maybe_unused]] static const int told = ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
+}
+
 /// The bytes of a VTK file. VTK writes to memory: to a full disk it would report success.
 template <class Writer>
 std::string bytes_of(vtkDataObject* data, const std::filesystem::path& path) {
   VtkMessages messages;
-  // VTK would look for the ranges of arrays on all cores, of which other ranks have theirs. This is
-  // how it is told: its header is not C++20.
-  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
+  write_with_one_thread();
   auto writer = vtkSmartPointer<Writer>::New();
   writer->SetInputData(data);
   writer->SetDataModeToAppended();

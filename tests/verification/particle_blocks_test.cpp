@@ -1,7 +1,9 @@
 // Bodies of particles against bodies of particles. Bars of particles (physics.md B1.1): contact of
 // 2L/c = 39.62 us, stress rho c v/2 between them, 2 %, velocities swapped to 5 %. Two blocks (C10):
-// no particle at a corner of the faces that meet is accelerated by more than twice the mean over
-// both. Pulled over another block a block is held back by mu N, to what riding over the particles
+// while they touch, no particle at a corner of the face that meets the other block is accelerated
+// by more than twice the mean over that face: a spring that counts twice there would show at once.
+// (Measured 1.77. Apart again the block rings, and where its mean passes a low, corners reach 2.4.)
+// Pulled over another block a block is held back by mu N, to what riding over the particles
 // of the other adds: without friction 2 % of N, with mu = 0.3 a tenth of the force.
 #include <gtest/gtest.h>
 
@@ -116,6 +118,7 @@ TEST(RubbingBlocks, CornersAreNotThrownOut) {
   Real worst = 0, largest = 0;
   SceneHooks hooks;
   hooks.step_done = [&](Scene<3>& scene, const Clock&) {
+    if (scene.contact->work().contacts == 0) return;
     for (auto& solid : scene.solids) {
       const auto& p = solid->points();
       // The layer of the thrown block that meets the other one, and its four corners.
@@ -156,7 +159,7 @@ bodies:
                                  {}, {}, hooks);
   ASSERT_EQ(run.failure, "");
   EXPECT_GT(worst, 0.5);  // it was looked at
-  EXPECT_LT(worst, 2.1);
+  EXPECT_LT(worst, 2);
   testing::Test::RecordProperty("worst", std::to_string(worst));
 }
 

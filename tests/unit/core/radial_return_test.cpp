@@ -273,21 +273,33 @@ TEST(RadialReturn, NeighboursInATileChangeNoBit) {
   }
 }
 
+SpecificHeat specific_heat(std::vector<Real> temperature, std::vector<Real> value) {
+  Varying given;
+  given.over = Varying::Over::temperature;
+  given.abscissa = std::move(temperature), given.ordinate = std::move(value);
+  return SpecificHeat(given);
+}
+
+/// Points of a law at 298 K that shear adiabatically so many times.
+template <class Law>
+OneTile sheared(const RadialReturn<Law>& strength, SymmetricIndex component, Real strain,
+                int steps) {
+  OneTile points(full_state(298));
+  points.tile.adiabatic = true;
+  std::fill_n(points.tile.strain[component], kTile, strain);
+  for (int step = 0; step < steps; ++step) strength.update(points.at_first(), 1e-7);
+  return points;
+}
+
 // cp = a + b T, a = 300, b = 0.5 from 200 to 1200 K, perfect plasticity: all plastic work is Y
 // eps_p, so that 0.9 Y eps_p = rho (a (T - T0) + b (T^2 - T0^2)/2), whatever the steps. The root is
 // closed form; a hundred steps each round T to an ulp, 1e-13 of it.
 TEST(RadialReturn, AdiabaticHeatIsTheEnthalpyOfATable) {
   constexpr Real kYield = 400e6, kDensity = 8960, a = 300, b = 0.5;
-  Varying given;
-  given.over = Varying::Over::temperature;
-  given.abscissa = {200, 1200}, given.ordinate = {a + 200 * b, a + 1200 * b};
-  const SpecificHeat cp(given);
+  const auto cp = specific_heat({200, 1200}, {a + 200 * b, a + 1200 * b});
   const RadialReturn<J2> strength(J2{kYield, {}},
                                   {kShear, kDensity * cp.least(), kTaylorQuinney, &cp, kDensity});
-  OneTile points(full_state(298));
-  points.tile.adiabatic = true;
-  std::fill_n(points.tile.strain[xy], kTile, 5e-3);
-  for (int step = 0; step < 100; ++step) strength.update(points.at_first(), 1e-7);
+  const OneTile points = sheared(strength, xy, 5e-3, 100);
   const auto& state = points.state;
   EXPECT_GT(state.eps_p[3], 0.5);
   EXPECT_NEAR(state.heat[3], kTaylorQuinney * kYield * state.eps_p[3], 1e-12 * state.heat[3]);
@@ -298,17 +310,11 @@ TEST(RadialReturn, AdiabaticHeatIsTheEnthalpyOfATable) {
 // Softening sees the temperature at the end of the step to second order in the rise of the step:
 // at 0.25 K a step, the flow stress at the state left is that of the law to 1e-6 of it.
 TEST(RadialReturn, SofteningFollowsATable) {
-  Varying given;
-  given.over = Varying::Over::temperature;
-  given.abscissa = {300, 305, 310}, given.ordinate = {383, 3830, 383};
-  const SpecificHeat cp(given);
+  const auto cp = specific_heat({300, 305, 310}, {383, 3830, 383});
   const JohnsonCook law = copper();
   const RadialReturn<JohnsonCook> strength(law,
                                            {kShear, 8960 * cp.least(), kTaylorQuinney, &cp, 8960});
-  OneTile points(full_state(298));
-  points.tile.adiabatic = true;
-  std::fill_n(points.tile.strain[zx], kTile, 2e-3);
-  for (int step = 0; step < 400; ++step) strength.update(points.at_first(), 1e-7);
+  const OneTile points = sheared(strength, zx, 2e-3, 400);
   const auto& state = points.state;
   EXPECT_GT(state.temperature[0], 310);
   EXPECT_NEAR(8960 * (cp.enthalpy(state.temperature[0]) - cp.enthalpy(298)), state.heat[0],
