@@ -4,9 +4,11 @@
 // integrate the overlap of every two faces and share it with weights that are exact for linear
 // fields, so the meshes do not show. The columns of 2 m settle under a damping of 100 1/s: their
 // slowest wave of 25 to 50 rad/s decays at least as exp(-7 t), to 1e-12 of its start in 4 s of
-// rest. What is left of waves is the order of the strains in which they passed, for a stress of
-// rates is no function of the strain alone: 2e-8 of the stress where all is squeezed in half a
-// second, 1.3e-8 at most where it takes 5 s.
+// rest. What is left is of two kinds, measured: with q1p0 2.3e-10 (2D) and 5.5e-10 (3D) of the
+// stress, positions x += dt v rounded 2,000 times, 1e-13 m, of which volumes know and strains do
+// not (a hundredth of the speed leaves 5e-7 of a hundredth of the stress); with one-point elements
+// 4e-9 and 1.3e-8, in proportion to the strain (2.5 times as much at three times the strain): the
+// stress of rates depends on the way that the strain took.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +18,8 @@
 namespace brunt::test {
 namespace {
 
-constexpr Real kTolerance = 2e-8;  // of the stress
+/// Of the stress.
+Real tolerance(const std::string& element) { return element == "q1p0" ? 1e-9 : 2e-8; }
 
 std::string deck(const std::string& geometry, const std::string& lower, const std::string& upper,
                  const std::string& cells, const std::string& other_cells,
@@ -69,7 +72,7 @@ Real spread(const BodyView& body, int axis) {
 }
 
 // 0.2 mm of 2 m make E' strain = 100 Pa at most; the springs of contact take some of it.
-void expect_uniform(const Simulation& run, int axis) {
+void expect_uniform(const Simulation& run, int axis, Real uneven) {
   ASSERT_EQ(run.failure, "");
   const Real stress = along_and_across(run.bodies.at("lower"), axis).first;
   EXPECT_LT(stress, -30);
@@ -79,7 +82,7 @@ void expect_uniform(const Simulation& run, int axis) {
     const auto [along, across] = along_and_across(body, axis);
     EXPECT_NEAR(along, stress, 1e-3 * -stress) << name;  // one area may differ from the other
     EXPECT_LT(across, 1e-3 * -stress) << name;           // stresses of strains squared
-    EXPECT_LT(spread(body, axis), kTolerance * -stress) << name;
+    EXPECT_LT(spread(body, axis), uneven * -stress) << name;
   }
 }
 
@@ -88,14 +91,14 @@ class ContactPatch : public ::testing::TestWithParam<const char*> {};
 TEST_P(ContactPatch, EdgesThatDoNotMatchDoNotShow) {
   expect_uniform(simulate_text(deck("plane-strain", "min: [0, 0], max: [1, 1]",
                                     "min: [0, 1], max: [1, 2]", "[2, 2]", "[3, 3]", GetParam())),
-                 1);
+                 1, tolerance(GetParam()));
 }
 
 TEST_P(ContactPatch, FacesThatDoNotMatchDoNotShow) {
   expect_uniform(
       simulate_text(deck("3d", "min: [0, 0, 0], max: [1, 1, 1]", "min: [0, 0, 1], max: [1, 1, 2]",
                          "[2, 2, 2]", "[3, 3, 3]", GetParam())),
-      2);
+      2, tolerance(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, ContactPatch, ::testing::Values("one-point", "q1p0"),
