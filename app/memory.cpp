@@ -18,7 +18,7 @@ constexpr Real kMaterialPoint = 13 * sizeof(Real);
 
 template <int Dim>
 constexpr Real point_bytes() {
-  return sizeof(GlobalId) + 2 * sizeof(Label) + 2 * sizeof(Real) + 5 * sizeof(Vec<Dim>);
+  return sizeof(GlobalId) + 2 * sizeof(Label) + 2 * sizeof(Real) + 6 * sizeof(Vec<Dim>);
 }
 
 /// One element of `gauss` material points: its share of an ElementBlock, the buffer of corner

@@ -120,6 +120,7 @@ void Supports<Dim>::impose_rigid(Rigid& rigid, Real time, Real dt) {
     const Vec<Dim> now = motion.position(points.x_start[i], time);
     const Vec<Dim> before = motion.position(points.x_start[i], time - dt);
     points.x[i] = now;
+    points.x_rest[i].setZero();
     points.v[i] = (now - before) / dt;
   }
 }
@@ -130,19 +131,20 @@ void Supports<Dim>::impose_constraint(Constraint<Dim>& constraint, Real time, Re
   for (std::size_t k = 0; k < constraint.chosen.size(); ++k) {
     const auto i = static_cast<std::size_t>(constraint.chosen[k]);
     const Vec3 place = absolute<Dim>(points.x_start[i], origin_);
+    Vec<Dim> change = Vec<Dim>::Zero();  // of the motion that was foretold
     for (int c = 0; c < Dim; ++c) {
       if (!constraint.velocity[c]) continue;
       const Real old = points.a[i][c];
       const Real v_start = points.v[i][c] - 0.5 * dt * old;
-      const Real x_start = points.x[i][c] - dt * points.v[i][c];
       const Real v_half = (*constraint.velocity[c])(time - 0.5 * dt, place);
       const Real needed = 2 * (v_half - v_start) / dt;
       constraint.reaction[k][c] += points.mass[i] * (needed - old);
       points.integration[i] += dt * dt / 8 * points.mass[i] * (needed * needed - old * old);
       points.a[i][c] = needed;
+      change[c] = dt * (v_half - points.v[i][c]);
       points.v[i][c] = v_half;
-      points.x[i][c] = x_start + dt * v_half;
     }
+    points.move(i, change);
   }
 }
 

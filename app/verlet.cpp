@@ -12,7 +12,7 @@ void predict(Points<Dim>& points, Real dt, Real dt_last) {
     const auto k = static_cast<std::size_t>(i);
     points.integration[k] += change * points.mass[k] * points.a[k].squaredNorm();
     points.v[k] += 0.5 * dt * points.a[k];
-    points.x[k] += dt * points.v[k];
+    points.move(k, dt * points.v[k]);
     points.f[k].setZero();
   }
   if (!points.conducts) return;

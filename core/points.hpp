@@ -19,6 +19,7 @@ struct Points {
   std::vector<Label> piece;
   std::vector<Real> mass;         ///< [kg]; 0 for points of a rigid surface
   std::vector<Vec<Dim>> x;        ///< [m] position
+  std::vector<Vec<Dim>> x_rest;   ///< [m] what of all motion is below the last digit of x
   std::vector<Vec<Dim>> v;        ///< [m/s] velocity; at the half step between predict and correct
   std::vector<Vec<Dim>> a;        ///< [m/s^2] acceleration at the last full step
   std::vector<Vec<Dim>> f;        ///< [N] force, accumulated
@@ -52,7 +53,18 @@ struct Points {
     piece.resize(count);
     mass.assign(count, 0.0);
     integration.assign(count, 0.0);
-    for (auto* field : {&x, &v, &a, &f, &x_start}) field->assign(count, Vec<Dim>::Zero());
+    for (auto* field : {&x, &x_rest, &v, &a, &f, &x_start}) {
+      field->assign(count, Vec<Dim>::Zero());
+    }
+  }
+
+  /// Moves point i by dx [m]; what rounding leaves out goes with the next move (Kahan, 1965).
+  /// Volumes are those of x and strains those of v: in 2,000 steps of 1e-8 m at x = 1 m they came
+  /// apart by 1e-13 m, and a body that was pressed evenly was uneven by 1e-8 of its stress.
+  void move(std::size_t i, const Vec<Dim>& dx) {
+    const Vec<Dim> whole = dx + x_rest[i], moved = x[i] + whole;
+    x_rest[i] = whole - (moved - x[i]);
+    x[i] = moved;
   }
 
   /// From now on the points have a temperature, capacities are 0 yet; [K] by point.
@@ -105,7 +117,8 @@ struct Points {
     };
     part.n_owned = n_owned_then;
     copy(part.id, id), copy(part.body, body), copy(part.piece, piece), copy(part.mass, mass);
-    copy(part.x, x), copy(part.v, v), copy(part.a, a), copy(part.f, f);
+    copy(part.x, x), copy(part.x_rest, x_rest), copy(part.v, v);
+    copy(part.a, a), copy(part.f, f);
     copy(part.x_start, x_start), copy(part.integration, integration);
     part.conducts = conducts;
     if (!conducts) return part;
@@ -124,7 +137,7 @@ struct Points {
                     const Vec<Dim>& velocity) {
     id.push_back(of), body.push_back(of_body), piece.push_back(of_piece), mass.push_back(m);
     x.push_back(at), x_start.push_back(at), v.push_back(velocity);
-    a.push_back(Vec<Dim>::Zero()), f.push_back(Vec<Dim>::Zero());
+    for (auto* field : {&x_rest, &a, &f}) field->push_back(Vec<Dim>::Zero());
     integration.push_back(0);
     if (!conducts) return;
     for (auto* field :

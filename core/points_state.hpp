@@ -10,6 +10,7 @@ template <class Row, class AnyPoints>
 void visit_point(Row& row, AnyPoints& points, std::size_t i) {
   row(points.mass[i]);
   row(points.x[i]);
+  row(points.x_rest[i]);
   row(points.v[i]);
   row(points.a[i]);
   row(points.f[i]);

@@ -185,7 +185,7 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
                                      [](const auto& block) { return block.set.options.xsph != 0; });
   if (!any_moves) return;
   shift.resize(state_.size(), Vec<Dim>::Zero());
-  for_each(n_owned(), [&](std::size_t i) { points_.x[i] += shift[i]; });
+  for_each(n_owned(), [&](std::size_t i) { points_.move(i, shift[i]); });
   refresh_ghost_positions();
   refresh_motion();
   renew_lists_where_due();

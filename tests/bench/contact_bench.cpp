@@ -30,7 +30,9 @@ struct Body {
     points.mass.push_back(1);
     points.x.push_back(x);
     points.x_start.push_back(x);
-    for (auto* field : {&points.v, &points.a, &points.f}) field->push_back(Vec3::Zero());
+    for (auto* field : {&points.x_rest, &points.v, &points.a, &points.f}) {
+      field->push_back(Vec3::Zero());
+    }
     points.integration.push_back(0);
     ++points.n_owned;
   }

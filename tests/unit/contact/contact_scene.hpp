@@ -39,7 +39,9 @@ struct ContactScene {
     points.piece.push_back(0);
     points.mass.push_back(mass);
     for (auto* field : {&points.x, &points.x_start}) field->push_back(x);
-    for (auto* field : {&points.v, &points.a, &points.f}) field->push_back(Vec<Dim>::Zero());
+    for (auto* field : {&points.x_rest, &points.v, &points.a, &points.f}) {
+      field->push_back(Vec<Dim>::Zero());
+    }
     points.integration.push_back(0);
     return points.n_owned++;
   }

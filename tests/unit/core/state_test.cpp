@@ -20,7 +20,7 @@ Points<2> points_with(std::vector<GlobalId> ids, Real salt) {
     points.mass[i] = n, points.integration[i] = -n;
     points.x[i] = Vec<2>(n, 0.1 * n), points.v[i] = Vec<2>(-n, 1 / n);
     points.a[i] = Vec<2>(3 * n, -0.0), points.f[i] = Vec<2>(n * n, 5e-324);
-    points.x_start[i] = Vec<2>(n - 1, n + 1);
+    points.x_start[i] = Vec<2>(n - 1, n + 1), points.x_rest[i] = Vec<2>(1 / n, -n);
   }
   return points;
 }
@@ -44,6 +44,7 @@ TEST(State, PointsAreFoundByIdInAnyOrderAndNumber) {
   EXPECT_EQ(some.mass, wanted.mass);
   EXPECT_EQ(some.integration, wanted.integration);
   EXPECT_EQ(some.x, wanted.x);
+  EXPECT_EQ(some.x_rest, wanted.x_rest);
   EXPECT_EQ(some.v, wanted.v);
   EXPECT_EQ(some.f, wanted.f);
   EXPECT_EQ(some.x_start, wanted.x_start);
