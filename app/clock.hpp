@@ -32,9 +32,9 @@ class Clock {
     return dt;
   }
   /// True if a step under this vote would be shortened by `end`.
-  bool shortens(const StepVote& vote) const {
-    return std::min(safety_ * vote.step, max_step_) >= end_ - time_;
-  }
+  bool shortens(const StepVote& vote) const { return unshortened(vote) >= end_ - time_; }
+  /// The step [s] under this vote if there were no `end`.
+  Real unshortened(const StepVote& vote) const { return std::min(safety_ * vote.step, max_step_); }
   void advance(Real dt) {
     dt_ = dt;
     time_ = last_ ? end_ : time_ + dt;

@@ -211,9 +211,10 @@ template <int Dim>
 StepVote heat_step(const Points<Dim>& points) {
   StepVote vote;
   if (!points.conducts) return vote;
+  const Real steps = points.conduction_every;
   for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
     // Infinite where nothing flows.
-    const Real step = points.least_capacity(i) / points.conductance[i];
+    const Real step = points.least_capacity(i) / (steps * points.conductance[i]);
     vote.take({step >= 0 ? step : 0.0, "heat of point", points.body[i], points.id[i]});
   }
   return vote;

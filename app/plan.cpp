@@ -133,7 +133,7 @@ template <int Dim>
 std::unique_ptr<Scene<Dim>> build_and_warn(const LoadedDeck& loaded) {
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings;
-  warn_of_contact(loaded, *scene, true, warnings);
+  warn_of_scene(loaded, *scene, true, warnings);
   return scene;
 }
 
@@ -153,6 +153,7 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   const Deck& deck = loaded.deck;
   const Real dt = std::min(deck.time.safety * vote.step, deck.time.max_step.value_or(kInfinity));
   const Real steps = std::ceil(deck.time.end / dt);
+  const Real heat_step = deck.time.heat_every * scene->heat_step().step;
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
               scene->n_elements(), scene->n_particles());
   print_memory(deck, *scene, program);
@@ -160,6 +161,10 @@ void print_plan(const LoadedDeck& loaded, Real program) {
               scene->body_names[vote.body].c_str());
   std::printf("steps      about %.0f to %s, more where elements flatten\n", steps,
               deck::time_text(deck.time.end).c_str());
+  if (heat_step < kInfinity) {
+    std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
+                deck::time_text(heat_step).c_str(), heat_step / dt, deck.time.heat_every);
+  }
   print_columns(*scene);
 }
 

@@ -111,6 +111,19 @@ struct Ended {
   std::string reason;
 };
 
+/// How long the windows of conduction are at the end, of which their error is told. Collective.
+template <int Dim>
+void log_windows(const Scene<Dim>& scene, const Clock& clock, int heat_every, spdlog::logger& log) {
+  if (heat_every == 1) return;
+  const auto smallest = [&](const StepVote& vote) {
+    return over_ranks({vote, {}}, *scene.ranks).vote;
+  };
+  const Real step = clock.unshortened(smallest(scene.stable_step(clock.time(), clock.dt())));
+  const Real longest = smallest(scene.heat_step()).step;
+  log.info("conduction of every {}th step acts for {} s, {:.2g} of its longest stable step",
+           heat_every, heat_every * step, step / longest);
+}
+
 /// Steps the scene; a broken physics is reported after a last frame.
 template <int Dim>
 Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim>& monitor,
@@ -218,7 +231,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   }
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings = loaded.warnings;
-  warn_of_contact(loaded, *scene, ranks.is_root(), warnings);
+  warn_of_scene(loaded, *scene, ranks.is_root(), warnings);
   distribute(*scene, ranks);
   const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
   Balance<Dim> balance(
@@ -274,6 +287,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
     summary.warnings.push_back({"checkpoint", reason});
   }
 
+  log_windows(*scene, clock, deck.time.heat_every, *log);
   fill_summary(loaded, ended, clock, monitor, summary);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();

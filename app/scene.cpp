@@ -15,8 +15,8 @@ StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
   StepVote vote;
   for (const auto& solid : solids) {
     vote.take(solid->stable_step());
-    vote.take(heat_step(solid->points()));
   }
+  vote.take(heat_step());
   if (contact) vote.take(contact->stable_step(dt_last));
   if (rigid) vote.take(rigid->stable_step());
   vote.take(loads.stable_step(time));
@@ -30,14 +30,21 @@ bool Scene<Dim>::conducts() const {
 }
 
 template <int Dim>
-void Scene<Dim>::add_heat(Real time, Real dt) {
+StepVote Scene<Dim>::heat_step() const {
+  StepVote vote;
+  for (const auto& solid : solids) vote.take(brunt::heat_step(solid->points()));
+  return vote;
+}
+
+template <int Dim>
+void Scene<Dim>::add_heat(Real time, Real dt, std::int64_t step) {
   {
     const PhaseTimer timer(phases, Phase::points);
     heat.add_heat(time, dt);
   }
   for (auto& solid : solids) {
     const PhaseTimer timer(phases, solid->n_particles() ? Phase::particles : Phase::elements);
-    solid->add_conduction(dt);
+    solid->add_conduction(dt, step);
   }
   if (contact) {
     const PhaseTimer timer(phases, Phase::contact);
@@ -90,6 +97,9 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
     }
     if (points.conducts) {
       hash.add(points.heat[i]);
+      if (points.conduction_every > 1) {
+        hash.add(points.kept_rate[i]), hash.add(points.kept_conductance[i]);
+      }
       body.heat.add(points.heat[i]);
       totals.heat.stored.add(points.heat[i]);
     }

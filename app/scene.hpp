@@ -49,8 +49,11 @@ struct Scene {
   /// Positions, velocities and temperatures of copies, from their owners. Collective, as all that
   /// follows.
   void refresh_motion();
-  /// Conduction, and what boundaries do to it, after all other heat of a step.
-  void add_heat(Real time, Real dt);
+  /// Conduction, and what boundaries do to it, after all other heat of a step; time is that of its
+  /// end, `step` counts those before it.
+  void add_heat(Real time, Real dt, std::int64_t step);
+  /// The longest stable step of heat of the owned points of this rank, and whose it is.
+  StepVote heat_step() const;
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
   /// are due, after the motion; no answer depends on when.
   void rearrange();

@@ -86,7 +86,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
       const PhaseTimer timer(phases, Phase::points);
       if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
     }
-    if (scene.conducts()) scene.add_heat(clock.time() + dt, dt);
+    if (scene.conducts()) scene.add_heat(clock.time() + dt, dt, clock.step());
     {
       const PhaseTimer timer(scene.phases, Phase::points);
       if (scene.rigid) scene.rigid->collect_forces(*scene.ranks, clock.time() + dt, dt);

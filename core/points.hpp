@@ -35,6 +35,11 @@ struct Points {
   /// at most capacity/conductance is stable, and makes no new extremes where all pairs exchange
   /// heat from hot to cold.
   std::vector<Real> conductance;
+  /// Steps between two evaluations of conduction; with more than one the points keep what follows,
+  /// and step n evaluates it anew where n is a multiple.
+  int conduction_every = 1;
+  std::vector<Real> kept_rate;         ///< [W] that the last evaluation gave
+  std::vector<Real> kept_conductance;  ///< [W/K] with it
   /// Those of the group that vary with temperature, of single materials first, then of mixtures
   /// where elements share a node; the same on all ranks. What follows is empty where none does.
   std::vector<SpecificHeat> specific_heats;
@@ -72,6 +77,21 @@ struct Points {
     conducts = true;
     temperature = start_temperature = at_start;
     for (auto* field : {&capacity, &heat, &heat_rate, &conductance}) field->assign(x.size(), 0.0);
+  }
+  /// From now on conduction is evaluated at every `every`-th step, and acts as it was in between.
+  void conduct_every(int every) {
+    conduction_every = every;
+    if (every == 1) return;
+    for (auto* field : {&kept_rate, &kept_conductance}) field->assign(x.size(), 0.0);
+  }
+  /// True where step n [1] since time 0 evaluates conduction.
+  bool evaluates_conduction(std::int64_t n) const { return n % conduction_every == 0; }
+  /// Adds what is kept to the heat rates and conductances of owned points.
+  void add_kept_conduction() {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n_owned); ++i) {
+      heat_rate[i] += kept_rate[i];
+      conductance[i] += kept_conductance[i];
+    }
   }
   /// From now on heat capacities of points may vary; none does yet.
   void vary_capacities(std::vector<SpecificHeat> varying) {
@@ -125,6 +145,10 @@ struct Points {
     copy(part.temperature, temperature), copy(part.start_temperature, start_temperature);
     copy(part.capacity, capacity), copy(part.heat, heat);
     copy(part.heat_rate, heat_rate), copy(part.conductance, conductance);
+    part.conduction_every = conduction_every;
+    if (conduction_every > 1) {
+      copy(part.kept_rate, kept_rate), copy(part.kept_conductance, kept_conductance);
+    }
     if (specific_heat.empty()) return part;
     part.specific_heats = specific_heats;
     copy(part.specific_heat, specific_heat), copy(part.heated_mass, heated_mass);
@@ -144,6 +168,7 @@ struct Points {
          {&temperature, &start_temperature, &capacity, &heat, &heat_rate, &conductance}) {
       field->push_back(0);
     }
+    if (conduction_every > 1) kept_rate.push_back(0), kept_conductance.push_back(0);
     if (specific_heat.empty()) return;
     specific_heat.push_back(-1), heated_mass.push_back(0), start_enthalpy.push_back(0);
   }

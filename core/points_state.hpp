@@ -23,6 +23,7 @@ void visit_heat(Row& row, AnyPoints& points, std::size_t i) {
   row(points.temperature[i]);
   row(points.heat[i]);
   row(points.conductance[i]);
+  if (points.conduction_every > 1) row(points.kept_rate[i]), row(points.kept_conductance[i]);
 }
 }  // namespace detail
 

@@ -11,7 +11,7 @@ struct ConductionStep {
   const Vec<Dim>* x = nullptr;        ///< [m] by node, x(n+1)
   const Real* temperature = nullptr;  ///< [K] by node, T(n)
   Thickness thickness;
-  Real inverse_dt = 0;         ///< [1/s] 0: plastic work gives no heat
+  Real inverse_dt = 0;         ///< [1/s] 0: plastic work gives no heat yet
   Real* corner_heat = nullptr; /**< [element][corner][2], written: heat rate [W] and conductance
                                     [W/K] of the corner */
 };
@@ -23,6 +23,11 @@ struct ConductionStep {
 /// Gershgorin's theorem a step of capacity/conductance is stable, whatever the element's shape.
 template <int Dim>
 void conduct(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
+
+/// Writes heat rates [W] that the plastic heat of the step gives to the corners of four elements
+/// from e on, [element][corner], without conduction.
+template <int Dim>
+void give_plastic_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* corner_heat);
 
 /// Materials of conducting blocks whose specific heat varies, each once, in the order of blocks: in
 /// it stand their specific heats among those of the points.

@@ -32,7 +32,7 @@ class FiniteElements final : public Solid<Dim> {
   /// Shows contact the materials behind the facets, where friction asks for them.
   void update_state(Real) override;
   void add_internal_forces(Real dt) override;
-  void add_conduction(Real dt) override;
+  void add_conduction(Real dt, std::int64_t step) override;
   StepVote stable_step() const override;
   void rearrange() override {}
   void add_totals(Totals<Dim>& totals) const override;
@@ -58,7 +58,10 @@ class FiniteElements final : public Solid<Dim> {
   void start_conduction();
   void interpolate_temperatures();
   void vary_capacities();
+  void sum_conduction(Real inverse_dt);
   void conduct(Real inverse_dt);
+  void keep_conduction();
+  void add_plastic_heat(Real inverse_dt);
   void find_elements_of_facets();
   ElementStep<Dim> element_step(const ElementBlock<Dim>& block, Real dt);
 
@@ -66,9 +69,10 @@ class FiniteElements final : public Solid<Dim> {
   Thickness thickness_;
   std::vector<ElementBlock<Dim>> blocks_;
   CornerGather gather_;
-  std::vector<LocalIndex> axis_;    ///< nodes on the axis of an axisymmetric scene
-  std::vector<Real> corner_force_;  ///< [N] [element][corner][Dim], blocks one after another
-  std::vector<Vec<2>> node_heat_;   ///< [W], [W/K] of each node, while they are summed
+  std::vector<LocalIndex> axis_;      ///< nodes on the axis of an axisymmetric scene
+  std::vector<Real> corner_force_;    ///< [N] [element][corner][Dim], blocks one after another
+  std::vector<Vec<2>> node_heat_;     ///< [W], [W/K] of each node, while they are summed
+  std::vector<Vec<1>> node_plastic_;  ///< [W] of plastic work alone; empty: it is in node_heat_
   std::vector<Real>
       corner_heat_;    ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
   bool held_ = false;  ///< nothing of it ever moves: only its heat is computed

@@ -107,8 +107,9 @@ void FiniteElements<Dim>::interpolate_temperatures() {
   }
 }
 
+/// Writes node_heat_ of conduction, and of plastic heat where inverse_dt is above 0.
 template <int Dim>
-void FiniteElements<Dim>::conduct(Real inverse_dt) {
+void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
   for (auto& block : blocks_) {
     const ConductionStep<Dim> step{points_.x.data(), points_.temperature.data(), thickness_,
                                    inverse_dt, corner_heat_.data() + 2 * block.first_corner};
@@ -120,6 +121,11 @@ void FiniteElements<Dim>::conduct(Real inverse_dt) {
   }
   node_heat_.assign(points_.x.size(), Vec<2>::Zero());
   gather_.template add<2>(corner_heat_.data(), node_heat_);
+}
+
+template <int Dim>
+void FiniteElements<Dim>::conduct(Real inverse_dt) {
+  sum_conduction(inverse_dt);
   for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
     points_.heat_rate[i] += node_heat_[i][0];
     points_.conductance[i] += node_heat_[i][1];
@@ -127,8 +133,47 @@ void FiniteElements<Dim>::conduct(Real inverse_dt) {
 }
 
 template <int Dim>
-void FiniteElements<Dim>::add_conduction(Real dt) {
-  if (points_.conducts) conduct(1.0 / dt);
+void FiniteElements<Dim>::keep_conduction() {
+  sum_conduction(0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+    points_.kept_rate[i] = node_heat_[i][0];
+    points_.kept_conductance[i] = node_heat_[i][1];
+  }
+}
+
+/// The plastic heat of a step alone. Its corner rates stand where those of conduction do, which are
+/// no longer needed.
+template <int Dim>
+void FiniteElements<Dim>::add_plastic_heat(Real inverse_dt) {
+  constexpr std::size_t corners = Shape<Dim>::kCorners;
+  const auto yields = [](const auto& block) { return !block.heat_given.empty(); };
+  if (!std::any_of(blocks_.begin(), blocks_.end(), yields)) return;
+  for (auto& block : blocks_) {
+    Real* const rates = corner_heat_.data() + block.first_corner;
+    if (!yields(block)) {
+      std::fill_n(rates, static_cast<std::size_t>(block.n_padded) * corners, 0.0);
+      continue;
+    }
+    const int n = block.n_padded / kLanes;
+#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+    for (int k = 0; k < n; ++k) {
+      give_plastic_heat(block, static_cast<std::size_t>(k) * kLanes, inverse_dt, rates);
+    }
+  }
+  node_plastic_.assign(points_.x.size(), Vec<1>::Zero());
+  gather_.template add<1>(corner_heat_.data(), node_plastic_);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+    points_.heat_rate[i] += node_plastic_[i][0];
+  }
+}
+
+template <int Dim>
+void FiniteElements<Dim>::add_conduction(Real dt, std::int64_t step) {
+  if (!points_.conducts) return;
+  if (points_.conduction_every == 1) return conduct(1.0 / dt);
+  if (points_.evaluates_conduction(step)) keep_conduction();
+  points_.add_kept_conduction();
+  add_plastic_heat(1.0 / dt);
 }
 
 template void FiniteElements<2>::set_capacities();
@@ -139,7 +184,7 @@ template void FiniteElements<2>::start_conduction();
 template void FiniteElements<3>::start_conduction();
 template void FiniteElements<2>::interpolate_temperatures();
 template void FiniteElements<3>::interpolate_temperatures();
-template void FiniteElements<2>::add_conduction(Real);
-template void FiniteElements<3>::add_conduction(Real);
+template void FiniteElements<2>::add_conduction(Real, std::int64_t);
+template void FiniteElements<3>::add_conduction(Real, std::int64_t);
 
 }  // namespace brunt

@@ -87,7 +87,7 @@ class SphParticles final : public Solid<Dim> {
   void update_state(Real dt) override;
   void refresh_state() override;
   void add_internal_forces(Real dt) override;
-  void add_conduction(Real dt) override;
+  void add_conduction(Real dt, std::int64_t step) override;
   StepVote stable_step() const override;
   void rearrange() override;
   WallTime take_list_time() override { return std::exchange(list_time_, {}); }
@@ -137,7 +137,8 @@ class SphParticles final : public Solid<Dim> {
   void start_conduction();
   void take_temperatures();
   void refresh_heat();
-  void conduct(Real inverse_dt);
+  void conduct(std::vector<Real>& rate, std::vector<Real>& conductance);
+  void give_plastic_heat(Real inverse_dt);
 
   Points<Dim> points_;
   Surface<Dim> surface_;

@@ -51,7 +51,7 @@ void SphParticles<Dim>::start_conduction() {
   refresh_motion();
   refresh_gradients();
   std::fill(points_.conductance.begin(), points_.conductance.end(), 0.0);
-  conduct(0);
+  conduct(points_.heat_rate, points_.conductance);
   std::fill(points_.heat_rate.begin(), points_.heat_rate.end(), 0.0);
 }
 
@@ -89,9 +89,9 @@ void SphParticles<Dim>::refresh_heat() {
       [&](std::size_t i, const Real* in) { std::copy_n(in, width, heat_[i].data); });
 }
 
-/// inverse_dt  [1/s] 0: plastic work gives no heat
+/// rate, conductance  [W], [W/K] of owned points, accumulated
 template <int Dim>
-void SphParticles<Dim>::conduct(Real inverse_dt) {
+void SphParticles<Dim>::conduct(std::vector<Real>& rate, std::vector<Real>& conductance) {
   refresh_heat();
   for (auto& block : blocks_) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
@@ -100,9 +100,18 @@ void SphParticles<Dim>::conduct(Real inverse_dt) {
       const PairHeat sums =
           sum_heat(motion_.data(), heat_.data(), point, rows_.row(point), rows_.weights(point));
       const Real volume = depth_ * motion_[i].data[MotionRecord<Dim>::kVolume];
-      points_.heat_rate[i] += volume * sums.rate;
-      points_.conductance[i] += volume * sums.conductance;
-      if (block.heat_given.empty()) return;
+      rate[i] += volume * sums.rate;
+      conductance[i] += volume * sums.conductance;
+    });
+  }
+}
+
+template <int Dim>
+void SphParticles<Dim>::give_plastic_heat(Real inverse_dt) {
+  for (auto& block : blocks_) {
+    if (block.heat_given.empty()) continue;
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
+      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
       const Real heat = block.state.heat[slot] * state_[i].start_volume;
       points_.heat_rate[i] += (heat - block.heat_given[slot]) * inverse_dt;
       block.heat_given[slot] = heat;
@@ -111,8 +120,20 @@ void SphParticles<Dim>::conduct(Real inverse_dt) {
 }
 
 template <int Dim>
-void SphParticles<Dim>::add_conduction(Real dt) {
-  if (points_.conducts) conduct(1.0 / dt);
+void SphParticles<Dim>::add_conduction(Real dt, std::int64_t step) {
+  if (!points_.conducts) return;
+  if (points_.conduction_every == 1) {
+    conduct(points_.heat_rate, points_.conductance);
+  } else {
+    if (points_.evaluates_conduction(step)) {
+      for (auto* kept : {&points_.kept_rate, &points_.kept_conductance}) {
+        std::fill(kept->begin(), kept->end(), 0.0);
+      }
+      conduct(points_.kept_rate, points_.kept_conductance);
+    }
+    points_.add_kept_conduction();
+  }
+  give_plastic_heat(1.0 / dt);
 }
 
 template void SphParticles<2>::set_capacities();
@@ -121,7 +142,7 @@ template void SphParticles<2>::start_conduction();
 template void SphParticles<3>::start_conduction();
 template void SphParticles<2>::take_temperatures();
 template void SphParticles<3>::take_temperatures();
-template void SphParticles<2>::add_conduction(Real);
-template void SphParticles<3>::add_conduction(Real);
+template void SphParticles<2>::add_conduction(Real, std::int64_t);
+template void SphParticles<3>::add_conduction(Real, std::int64_t);
 
 }  // namespace brunt

@@ -170,8 +170,10 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     set->body.push_back(geometry.label);
     set->piece.push_back(geometry.piece[e]);
   }
-  return std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets, scene.geometry,
-                                               scene.depth);
+  auto group = std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets,
+                                                     scene.geometry, scene.depth);
+  if (kind.conducts) group->points().conduct_every(loaded.deck.time.heat_every);
+  return group;
 }
 
 namespace {
@@ -224,6 +226,7 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
                                                        std::move(sets), Dim == 2 ? scene.depth : 1,
                                                        sums_of_pieces(loaded.deck, bodies));
   particles->set_search(loaded.deck.contact.search);
+  if (kind.conducts) particles->points().conduct_every(loaded.deck.time.heat_every);
   return particles;
 }
 

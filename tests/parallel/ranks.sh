@@ -14,7 +14,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# deck, when it is split by a restart, then what makes it a matter of seconds; a blank is written _
+# deck, when it is split by a restart, then what makes it a matter of seconds; a blank is written
+# _, and _ itself __
 cases=(
   "bars 8_us time.end=20_us"
   "hot-rod 0.4_s time.end=0.8_s"
@@ -31,6 +32,9 @@ cases=(
   "rubbing-blocks 5_us time.end=9_us"
   "sliding-blocks 1_ms parameters.end=2_ms"
   "cutting-2d 0.5_us heat=conduct parameters.spacing=0.05_mm parameters.travel=0.06_mm probes={edge:_{body:_work,_at:_[3.4_mm,_0.6_mm],_fields:_[temperature,_stress.xx]}} sections={foot:_{body:_work,_plane:_{axis:_y,_at:_0.45_mm}}}"
+  "hot-block 5_us time.end=10_us time.heat__every=16"
+  "taylor-bar 2_us heat=conduct materials.copper.thermal={cp:_383,_k:_386} parameters.size=0.9_mm time.end=4_us time.heat__every=7"
+  "cutting-2d 0.5_us heat=conduct parameters.spacing=0.05_mm parameters.travel=0.06_mm time.heat__every=8"
   "hertz 4_us time.end=8_us parameters.cells=8 measures.pressure.at=5_us"
   "brick-stack 8_ms time.end=15_ms"
   "tumbling-blocks 3.4_ms parameters.end=4_ms bodies.plate.cells=[10,_10,_2]"
@@ -42,7 +46,10 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
   shift 2
   while [ "$1" != -- ]; do options+=("$1"); shift; done
   shift
-  for each in "$@"; do overrides+=(--set "${each//_/ }"); done
+  for each in "$@"; do
+    each=${each//__/$'\1'} each=${each//_/ }
+    overrides+=(--set "${each//$'\1'/_}")
+  done
   printf '%q ' "$decks/$deck/$deck.yaml" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
   "$brunt" run "$decks/$deck/$deck.yaml" --quiet --out "$out" --oversubscribe \
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }

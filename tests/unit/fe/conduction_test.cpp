@@ -32,7 +32,7 @@ std::vector<Real> heat_rates(FiniteElements<Dim>& body, const std::vector<Real>&
   points.temperature = T;
   std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
   std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
-  body.add_conduction(1);
+  body.add_conduction(1, 0);
   return points.heat_rate;
 }
 
@@ -226,6 +226,35 @@ TEST(FeConduction, NodesOfTwoMaterialsMixTheirTables) {
     EXPECT_NEAR(points.capacity[i], mass * low, 1e-9);
     EXPECT_NEAR(points.temperature_with(i, mass * 0.5 * (low + high) * 100), 400, 1e-11);
     EXPECT_NEAR(points.least_capacity(i), mass * low, 1e-9);
+  }
+}
+
+// Every third step conducts; in between its rates and conductances stay, whatever temperatures do.
+TEST(FeConduction, RatesStayUntilTheNextEvaluation) {
+  const auto material = conductor(20);
+  auto body = body_of(box_mesh<3>({3, 2, 2}, Vec3::Zero(), Vec3(3, 2, 2), 0.2), material,
+                      Geometry::three_d);
+  auto& points = body->points();
+  points.conduct_every(3);
+  std::vector<std::vector<Real>> rates, conductances;
+  for (std::int64_t step = 0; step < 7; ++step) {
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      points.temperature[i] = 300 + static_cast<Real>(step + 1) * points.x[i].squaredNorm();
+    }
+    std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
+    std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
+    body->add_conduction(1, step);
+    rates.push_back(points.heat_rate), conductances.push_back(points.conductance);
+    const Real sum = std::accumulate(rates.back().begin(), rates.back().end(), 0.0);
+    EXPECT_NEAR(sum, 0, 1e-12 * 20 * 17 * 7);  // of the largest coupling and temperature
+  }
+  EXPECT_EQ(rates[1], rates[0]);
+  EXPECT_EQ(rates[2], rates[0]);
+  EXPECT_EQ(rates[5], rates[3]);
+  EXPECT_EQ(conductances[2], conductances[0]);
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    EXPECT_NEAR(rates[3][i], 4 * rates[0][i], 1e-9);  // linear in the temperature
+    EXPECT_NEAR(rates[6][i], 7 * rates[0][i], 1e-9);
   }
 }
 

@@ -48,7 +48,7 @@ const std::vector<Real>& heat_rates(SphParticles<Dim>& solid, const std::vector<
   std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
   std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
   solid.update_state(1);
-  solid.add_conduction(1);
+  solid.add_conduction(1, 0);
   return points.heat_rate;
 }
 
@@ -172,6 +172,33 @@ TEST(SphConduction, OneMaterialConductsAMillionTimesBetter) {
   const Real exact = 8 * 100 / (19.5 / 50 + 19.5 / 50e-6);
   std::printf("k ratio 1e6: flux %.4f of the exact one\n", flow / exact);
   EXPECT_NEAR(flow / exact, 1, 0.03);
+}
+
+// Every third step conducts; in between its rates and conductances stay, whatever temperatures do.
+TEST(SphConduction, RatesStayUntilTheNextEvaluation) {
+  const auto material = conductor();
+  auto solid = still<2>(lattice<2>({6, 6}, 1, 1000), 1, *material);
+  auto& points = solid->points();
+  points.conduct_every(3);
+  std::vector<std::vector<Real>> rates, conductances;
+  for (std::int64_t step = 0; step < 7; ++step) {
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      points.temperature[i] = 300 + static_cast<Real>(step + 1) * points.x[i].squaredNorm();
+    }
+    std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
+    std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
+    solid->update_state(1);
+    solid->add_conduction(1, step);
+    rates.push_back(points.heat_rate), conductances.push_back(points.conductance);
+  }
+  EXPECT_EQ(rates[1], rates[0]);
+  EXPECT_EQ(rates[2], rates[0]);
+  EXPECT_EQ(rates[5], rates[3]);
+  EXPECT_EQ(conductances[2], conductances[0]);
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    EXPECT_NEAR(rates[3][i], 4 * rates[0][i], 1e-9 * std::fabs(rates[0][i]));  // linear in T
+    EXPECT_NEAR(rates[6][i], 7 * rates[0][i], 1e-9 * std::fabs(rates[0][i]));
+  }
 }
 
 }  // namespace

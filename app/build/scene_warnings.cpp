@@ -1,19 +1,20 @@
 #include <cstdio>
+#include <functional>
 
 #include "app/build/scene_checks.hpp"
 #include "app/deck/findings.hpp"
 
 namespace brunt {
 
+namespace {
+using Warn = std::function<void(const std::string& path, const std::string& what)>;
+
 template <int Dim>
-void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
-                     std::vector<DeckProblem>& warnings) {
+void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn_at) {
   if (!scene.contact) return;
   const auto warn = [&](const std::string& pair, const std::string& what) {
     const std::string named = "contact.pairs." + pair;
-    warnings.push_back(
-        loaded.places.problem(loaded.places.has(named) ? named : "contact", pair + ": " + what));
-    if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
+    warn_at(loaded.places.has(named) ? named : "contact", pair + ": " + what);
   };
   for (const auto& pair : scene.contact->initial_overlaps()) {
     warn(pair.name, std::to_string(pair.contacts) + " contacts overlap at time 0 by up to " +
@@ -29,10 +30,22 @@ void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, bool pri
                         "them, or close it (particles meet both sides)");
   }
 }
+}  // namespace
 
-template void warn_of_contact<2>(const LoadedDeck&, const Scene<2>&, bool,
-                                 std::vector<DeckProblem>&);
-template void warn_of_contact<3>(const LoadedDeck&, const Scene<3>&, bool,
-                                 std::vector<DeckProblem>&);
+template <int Dim>
+void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
+                   std::vector<DeckProblem>& warnings) {
+  const auto warn = [&](const std::string& path, const std::string& what) {
+    warnings.push_back(loaded.places.problem(path, what));
+    if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
+  };
+  warn_of_contact(loaded, scene, warn);
+  if (loaded.deck.time.heat_every > 1 && !scene.conducts()) {
+    warn("time.heat_every", "changes nothing: no body conducts heat");
+  }
+}
+
+template void warn_of_scene<2>(const LoadedDeck&, const Scene<2>&, bool, std::vector<DeckProblem>&);
+template void warn_of_scene<3>(const LoadedDeck&, const Scene<3>&, bool, std::vector<DeckProblem>&);
 
 }  // namespace brunt
