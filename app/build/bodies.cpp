@@ -131,7 +131,7 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
   Label next_piece = 0;
   for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[b];
-    if (const auto wrong = heat_problem(loaded.deck, body, name); !wrong.empty()) {
+    if (const auto wrong = heat_problem(body, name); !wrong.empty()) {
       problems.push_back(loaded.places.problem("bodies." + name + ".material", wrong));
       continue;
     }

@@ -46,7 +46,7 @@ struct Bodies {
     other.state.x = other.center = Vec3(0, 9, 0);
     other.state.v = Vec3(2 - 4, 1, 0);
     other.state.momentum = Vec3(0, 0, 4);  // of an inertia of 1
-    free = std::make_unique<FreeBodies<3>>(points, std::move(bodies));
+    free = std::make_unique<FreeBodies<3>>(std::vector{&points}, std::move(bodies));
     free->start();
   }
 
