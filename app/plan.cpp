@@ -41,9 +41,10 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
     if (view.corners > 0)
       elements = view.connectivity.size() / static_cast<std::size_t>(view.corners);
     if (body.rigid) {
-      std::printf("  %-16s rigid, %s: %zu facet%s\n", scene.body_names[b].c_str(),
+      const bool conducts = heat_mode(loaded.deck, body, scene.body_names[b]) == HeatMode::conducts;
+      std::printf("  %-16s rigid, %s: %zu %s%s\n", scene.body_names[b].c_str(),
                   rigid_text(body, scene, static_cast<Label>(b)).c_str(), elements,
-                  elements == 1 ? "" : "s");
+                  conducts ? "element" : "facet", elements == 1 ? "" : "s");
     } else if (body.method == deck::Method::fe) {
       std::printf("  %-16s finite elements: %zu elements, %zu nodes, material %s\n",
                   scene.body_names[b].c_str(), elements, points, body.material.c_str());

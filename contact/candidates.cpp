@@ -143,9 +143,10 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
     ImportBoxes<Dim> boxes;
     for (std::size_t f = 0; f < entities.faces.size(); ++f) {
       boxes.offered.push_back(box_of_face(entities, f));
-      // Faces of rigid bodies have the larger ids: they are the lower ones among themselves alone.
+      // Faces that are held or move as told have larger ids than those that are dealt out and do
+      // not: they are the lower ones of faces that stand everywhere alone.
       const auto& face = entities.faces[f];
-      if (face.owned && !face.rigid() && face.compliance == 0)
+      if (face.owned && !face.rigid() && !face.everywhere)
         boxes.wanted.push_back(boxes.offered.back());
     }
     for (std::size_t p = 0; p < entities.particles.size(); ++p) {

@@ -190,7 +190,6 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   any_particles = !diameters.empty();
   set_options(pairs, diameters, *this);
   constant_vote = vote_of_particles<Dim>(pairs, section, *this);
-  constant_vote.take(vote_of_rigid<Dim>(section, *this));
   add_faces({});
 }
 

@@ -83,7 +83,7 @@ struct Entities {
   /// Behind each face, as of the step's start; empty where no friction asks for it.
   std::vector<SurfaceMaterial> materials;
   std::vector<char> conducts;  ///< by surface: its points keep the temperature
-  StepVote constant_vote;      ///< bound from the springs of particles and of free rigid bodies
+  StepVote constant_vote;      ///< bound from the springs of particles
   Real deepest = 0;            ///< [m] largest depth of a face of any rank
   Real size = 0;               ///< [m] median size of faces and particles, of all ranks
   std::vector<Real> gaps;      ///< [m] by body, up to which heat passes to it; empty: none

@@ -79,6 +79,7 @@ struct ContactManager<Dim>::Implementation {
   /// The first coefficient of friction of the last evaluation that is none, with its contact.
   std::optional<PhysicsFailure> wrong_friction;
   Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]
+  StepVote rigid_vote;  // of free rigid bodies, from all their faces: of all ranks
   StepVote vote;
   Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation

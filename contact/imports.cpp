@@ -33,15 +33,16 @@ struct FaceData {
   GlobalId id;
   Label body, piece;
   Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint, capacity, effusivity;
+  Real compliance;
   std::int32_t specific_heat;
   bool held;
 };
 
 template <int Dim>
 FaceData<Dim> data_of(const ContactFace<Dim>& f) {
-  return {f.n_nodes,       f.surface,    f.id,  f.body, f.piece,     f.stiffness, f.areal_mass,
-          f.depth,         f.area_start, f.phi, f.zeta, f.footprint, f.capacity,  f.effusivity,
-          f.specific_heat, f.held};
+  return {f.n_nodes,    f.surface,    f.id,         f.body,          f.piece, f.stiffness,
+          f.areal_mass, f.depth,      f.area_start, f.phi,           f.zeta,  f.footprint,
+          f.capacity,   f.effusivity, f.compliance, f.specific_heat, f.held};
 }
 
 template <int Dim>
@@ -52,7 +53,7 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
   f.owned = false;
   f.stiffness = d.stiffness, f.areal_mass = d.areal_mass, f.depth = d.depth;
   f.area_start = d.area_start, f.phi = d.phi, f.zeta = d.zeta, f.footprint = d.footprint;
-  f.capacity = d.capacity, f.effusivity = d.effusivity;
+  f.capacity = d.capacity, f.effusivity = d.effusivity, f.compliance = d.compliance;
   f.specific_heat = d.specific_heat, f.held = d.held;
   return f;
 }
@@ -65,7 +66,7 @@ void ContactImports<Dim>::renew(const ImportBoxes<Dim>& offers, Entities<Dim>& e
   for (std::size_t i = 0; i < entities.nodes.size(); ++i) {
     place_[{entities.nodes.surface[i], entities.nodes.id[i]}] = static_cast<LocalIndex>(i);
   }
-  // One rank offers a face: its owner. Faces of rigid bodies are everywhere already.
+  // One rank offers a face: its owner. Those of rigid surfaces are everywhere already.
   std::vector<SearchBox<Dim>> boxes;
   std::vector<LocalIndex> face;
   for (std::size_t f = 0; f < entities.faces.size(); ++f) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "contact/implementation.hpp"
+#include "contact/own_springs.hpp"
 
 namespace brunt {
 
@@ -24,6 +25,7 @@ void ask_surfaces(const std::vector<Surface<Dim>*>& surfaces, const PairTable& p
 template <int Dim>
 StepVote ContactManager<Dim>::Implementation::longest_after(Real dt) const {
   StepVote longest = entities.stiffness_vote();
+  longest.take(rigid_vote);
   if (dt > 0 && !entities.particles.empty()) {
     const auto& first = entities.particles.front();
     longest.take({kStepGrowth * dt, "contact look-ahead", first.body, first.id});
@@ -92,6 +94,8 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
   ask_surfaces(surfaces, pairs);
   implementation_ = std::make_unique<Implementation>(
       options, Section{geometry, depth}, std::move(pairs), std::move(surfaces), ContactRanks{});
+  auto& own = *implementation_;
+  own.rigid_vote = vote_of_rigid<Dim>(own.section, own.entities);
   rearrange();
 }
 
@@ -103,6 +107,7 @@ ContactManager<Dim>::ContactManager(const ContactManager& whole,
   ask_surfaces(surfaces, own.pairs);
   implementation_ = std::make_unique<Implementation>(
       own.options, own.section, own.pairs, std::move(surfaces), ContactRanks{&ranks, &deal});
+  implementation_->rigid_vote = own.rigid_vote;
   rearrange();
 }
 

@@ -86,6 +86,11 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
   const Sizing sizing{body.size, body.cells, body.grading};
   std::vector<Label> piece;
   if (!body.file.empty()) {
+    if (body.rigid && conducts) {
+      throw std::invalid_argument(
+          "is a surface, and has no elements inside that could conduct heat: take k out of the "
+          "material, or fill a `shape` instead");
+    }
     if constexpr (Dim == 3) take_surface(body, read_surface(loaded, named), geometry);
     geometry.piece_names = {""};
     piece.assign(body.rigid ? geometry.facets.size() : geometry.points.size(), 0);
@@ -131,7 +136,7 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
   Label next_piece = 0;
   for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[b];
-    if (const auto wrong = heat_problem(loaded.deck, body, name); !wrong.empty()) {
+    if (const auto wrong = heat_problem(body, name); !wrong.empty()) {
       problems.push_back(loaded.places.problem("bodies." + name + ".material", wrong));
       continue;
     }

@@ -252,7 +252,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   std::vector<std::size_t> chosen;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
-    if (!body.rigid || group_kind(loaded.deck, body, name) == kRigidConductors) continue;
+    if (!body.rigid || group_kind(loaded.deck, body, name).conducts) continue;
     if (is_warm_surface(loaded.deck, body) == warm) chosen.push_back(b);
   }
   if (chosen.empty()) return nullptr;

@@ -33,9 +33,6 @@ bool is_held_with_its_sum(const Deck& deck, const std::string& name) {
 bool is_held_warm(const deck::Body& body) {
   return body.rigid && body.motion && body.motion->temperature;
 }
-
-/// A rigid body that its forces move: its elements of heat would have to move with it.
-bool is_free(const deck::Body& body) { return deck::follows_forces(body); }
 }  // namespace
 
 HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name) {
@@ -64,7 +61,7 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
                       (deck.heat == deck::Heat::automatic && warmed) ||
                       (deck.heat == deck::Heat::automatic &&
                        std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
-  if (thermal->k && driven) return is_free(body) ? HeatMode::none : HeatMode::conducts;
+  if (thermal->k && driven) return HeatMode::conducts;
   if (body.rigid) return HeatMode::none;
   // An elastic material is never heated: it keeps no temperature.
   const bool yields = !std::holds_alternative<NoStrength>(material->value.strength);
@@ -84,19 +81,11 @@ bool is_held(const Deck& deck, const std::string& name) {
   return held;
 }
 
-std::string heat_problem(const Deck& deck, const deck::Body& body, const std::string& name) {
-  if (!is_free(body)) return "";
-  if (is_held_warm(body)) {
-    return "'" + name +
-           "' moves freely, and only a body that moves as told is held at a temperature: give it "
-           "all components of `motion.velocity`, or take `motion.temperature` out";
-  }
-  deck::Body told = body;
-  told.motion.emplace();
-  if (heat_mode(deck, told, name) != HeatMode::conducts) return "";
+std::string heat_problem(const deck::Body& body, const std::string& name) {
+  if (!deck::follows_forces(body) || !is_held_warm(body)) return "";
   return "'" + name +
-         "' moves freely, and such a body does not conduct heat yet: take k out of its "
-         "material, or give it `motion`";
+         "' moves freely, and only a body that moves as told is held at a temperature: give it "
+         "all components of `motion.velocity`, or take `motion.temperature` out";
 }
 
 bool is_warm_surface(const Deck& deck, const deck::Body& body) {
@@ -107,7 +96,7 @@ bool is_warm_surface(const Deck& deck, const deck::Body& body) {
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name) {
   const bool conducts = heat_mode(deck, body, name) == HeatMode::conducts;
   const bool held = conducts && (body.rigid || is_held_with_its_sum(deck, name));
-  return {conducts, held, body.rigid};
+  return {conducts, held, body.rigid, conducts && deck::follows_forces(body)};
 }
 
 }  // namespace brunt

@@ -20,8 +20,8 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
 /// True where a body that conducts never moves: `fix` holds all components of all of it for ever.
 bool is_held(const Deck& deck, const std::string& name);
 
-/// Why a body cannot conduct that should, "" where nothing is wrong.
-std::string heat_problem(const Deck& deck, const deck::Body& body, const std::string& name);
+/// Why a body cannot be heated as its deck says, "" where nothing is wrong.
+std::string heat_problem(const deck::Body& body, const std::string& name);
 
 /// True for a rigid body whose surface is held at the temperature of its motion.
 bool is_warm_surface(const Deck& deck, const deck::Body& body);
@@ -31,14 +31,16 @@ bool acts_on_heat(const deck::Boundary& boundary);
 
 /// Which bodies of one method share a group: those that conduct are apart from the others, and
 /// those of them that never move too, whose mechanics nobody computes. Rigid bodies that conduct
-/// are finite elements of heat alone.
+/// are finite elements of heat alone, and those that follow their forces are apart.
 struct GroupKind {
   bool conducts = false, held = false;
-  bool rigid = false;  ///< moves as told, and only its heat is computed; else it deforms
+  bool rigid = false;  ///< only its heat is computed; else it deforms
+  bool free = false;   ///< it is rigid and follows its forces; else it is held or moves as told
   bool operator==(const GroupKind&) const = default;
 };
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name);
 inline constexpr GroupKind kGroupKinds[] = {{false, false}, {true, false}, {true, true}};
+inline constexpr GroupKind kFreeConductors{true, true, true, true};
 inline constexpr GroupKind kRigidConductors{true, true, true};
 
 }  // namespace brunt

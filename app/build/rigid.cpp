@@ -82,8 +82,6 @@ void set_facets(const Material& material, const MassProperties& properties,
   }
 }
 
-/// Shares of a body's mass for its points with its centre as their mean: m/n, and more towards it,
-/// as little as squares allow: w = m/n + b.(x - mean), where sum w x = m center.
 template <int Dim>
 void set_shares(const FreeBody<Dim>& made, const Points<Dim>& points, std::vector<Real>& shares) {
   std::vector<std::size_t> mine;
@@ -127,48 +125,57 @@ RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& 
 }
 
 template <int Dim>
-std::unique_ptr<FreeBodies<Dim>> make_free_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene,
-                                                  RigidSurfaces<Dim>& surfaces,
-                                                  std::vector<DeckProblem>& problems) {
-  const auto& points = surfaces.points();
-  auto& facets = surfaces.surface().facets;
+std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                          Surface<Dim>& surface,
+                                          std::vector<DeckProblem>& problems) {
+  const auto& points = *surface.points;
+  std::map<Label, std::vector<std::size_t>> pieces;  // which facets are theirs
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+    const auto& facet = surface.facets[f];
+    if (deck::follows_forces(loaded.deck.bodies[facet.body].value))
+      pieces[facet.piece].push_back(f);
+  }
   std::vector<FreeBody<Dim>> made;
-  std::vector<Real> shares(points.x.size(), 0.0);
-  for (std::size_t first = 0, last = 0; first < facets.size(); first = last) {
-    while (last < facets.size() && facets[last].piece == facets[first].piece) ++last;
-    const auto& [name, body] = loaded.deck.bodies[facets[first].body];
-    const Material* material = material_of(loaded.deck, scene.materials, body);
-    if (!deck::follows_forces(body) || material == nullptr) continue;
+  for (const auto& [piece, places] : pieces) {
+    std::vector<Facet<Dim>> facets;
+    for (const std::size_t f : places) facets.push_back(surface.facets[f]);
     FreeBody<Dim> one;
-    one.body = facets[first].body, one.piece = facets[first].piece;
+    one.body = facets.front().body, one.piece = piece;
+    const auto& [name, body] = loaded.deck.bodies[one.body];
+    const Material* material = material_of(loaded.deck, scene.materials, body);
+    if (material == nullptr) continue;
     one.told = motion_of<Dim>(body, one.body, scene.origin);
-    const std::span<Facet<Dim>> own(facets.data() + first, last - first);
     try {
       const auto properties =
-          mass_properties<Dim>(points, own, material->density, scene.geometry, scene.depth);
+          mass_properties<Dim>(points, facets, material->density, scene.geometry, scene.depth);
       set_freedom(body, scene.geometry, one);
       set_state<Dim>(body, properties, scene.origin, one);
       set_told_start(one);
-      set_facets<Dim>(*material, properties, one, points, own);
-      set_shares(one, points, shares);
+      set_facets<Dim>(*material, properties, one, points, facets);
     } catch (const std::invalid_argument& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));
       continue;
     }
+    for (std::size_t k = 0; k < places.size(); ++k) surface.facets[places[k]] = facets[k];
     made.push_back(std::move(one));
   }
-  if (made.empty()) return nullptr;
-  surfaces.set_shares(std::move(shares));
-  return std::make_unique<FreeBodies<Dim>>(surfaces.points(), std::move(made));
+  return made;
+}
+
+template <int Dim>
+std::vector<Real> mass_shares(std::span<const FreeBody<Dim>> bodies, const Points<Dim>& points) {
+  std::vector<Real> shares(points.x.size(), 0.0);
+  for (const auto& body : bodies) set_shares(body, points, shares);
+  return shares;
 }
 
 template RigidMotion<2> motion_of<2>(const deck::Body&, Label, const Vec<2>&);
 template RigidMotion<3> motion_of<3>(const deck::Body&, Label, const Vec<3>&);
-template std::unique_ptr<FreeBodies<2>> make_free_bodies<2>(const LoadedDeck&, const Scene<2>&,
-                                                            RigidSurfaces<2>&,
-                                                            std::vector<DeckProblem>&);
-template std::unique_ptr<FreeBodies<3>> make_free_bodies<3>(const LoadedDeck&, const Scene<3>&,
-                                                            RigidSurfaces<3>&,
-                                                            std::vector<DeckProblem>&);
+template std::vector<FreeBody<2>> free_bodies_of<2>(const LoadedDeck&, const Scene<2>&, Surface<2>&,
+                                                    std::vector<DeckProblem>&);
+template std::vector<FreeBody<3>> free_bodies_of<3>(const LoadedDeck&, const Scene<3>&, Surface<3>&,
+                                                    std::vector<DeckProblem>&);
+template std::vector<Real> mass_shares<2>(std::span<const FreeBody<2>>, const Points<2>&);
+template std::vector<Real> mass_shares<3>(std::span<const FreeBody<3>>, const Points<3>&);
 
 }  // namespace brunt

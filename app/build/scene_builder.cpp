@@ -46,17 +46,46 @@ std::vector<RigidMotion<Dim>> told_motions(const LoadedDeck& loaded, const Scene
   return motions;
 }
 
+/// Bodies that follow their forces, and the groups that have their points.
+template <int Dim>
+struct Followers {
+  std::vector<Points<Dim>*> groups;
+  std::vector<FreeBody<Dim>> bodies;
+
+  void add(Points<Dim>& points, std::vector<FreeBody<Dim>> more) {
+    if (more.empty()) return;
+    groups.push_back(&points);
+    bodies.insert(bodies.end(), more.begin(), more.end());
+  }
+};
+
+/// Rigid bodies that conduct: first those that follow their forces, whose faces press all others.
+template <int Dim>
+void add_rigid_conductors(const LoadedDeck& loaded, const std::vector<BodyGeometry<Dim>>& bodies,
+                          Scene<Dim>& scene, NextIds& next, Followers<Dim>& followers,
+                          std::vector<DeckProblem>& problems) {
+  if (auto free = make_elements(loaded, scene, bodies, kFreeConductors, next)) {
+    followers.add(free->points(), free_bodies_of(loaded, scene, free->surface(), problems));
+    scene.solids.push_back(std::move(free));
+  }
+  if (auto told = make_elements(loaded, scene, bodies, kRigidConductors, next)) {
+    scene.supports.move_rigid(told->points(), told_motions(loaded, scene));
+    scene.solids.push_back(std::move(told));
+  }
+}
+
 /// Rigid surfaces: of bodies that are held, move as told, or follow their forces.
 template <int Dim>
 void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
-               std::unique_ptr<RigidSurfaces<Dim>> surfaces, std::vector<DeckProblem>& problems) {
+               std::unique_ptr<RigidSurfaces<Dim>> surfaces, Followers<Dim>& followers,
+               std::vector<DeckProblem>& problems) {
   std::set<Label> free;
   for (Label b = 0; b < loaded.deck.bodies.size(); ++b) {
     if (deck::follows_forces(loaded.deck.bodies[b].value)) free.insert(b);
   }
-  if (auto bodies = make_free_bodies(loaded, scene, *surfaces, problems)) {
-    scene.rigid = std::move(bodies);
-  }
+  const auto made = free_bodies_of(loaded, scene, surfaces->surface(), problems);
+  if (!made.empty()) surfaces->set_shares(mass_shares<Dim>(made, surfaces->points()));
+  followers.add(surfaces->points(), made);
   scene.supports.move_rigid(surfaces->points(), told_motions(loaded, scene), std::move(free));
   scene.solids.push_back(std::move(surfaces));
 }
@@ -109,14 +138,16 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     auto particles = make_particles(loaded, *scene, bodies, kind, next);
     if (particles) scene->solids.push_back(std::move(particles));
   }
-  // Rigid faces come after all others: they are never the lower face of a pair.
-  if (auto rigid = make_elements(loaded, *scene, bodies, kRigidConductors, next)) {
-    scene->supports.move_rigid(rigid->points(), told_motions(loaded, *scene));
-    scene->solids.push_back(std::move(rigid));
-  }
+  // Faces that are held or move as told come after those that are dealt out and do not, and those
+  // that stand on every rank last: whatever a lower face asks of others can be told beforehand.
+  Followers<Dim> followers;
+  add_rigid_conductors(loaded, bodies, *scene, next, followers, problems);
   for (const bool warm : {false, true}) {
     auto rigid = make_rigid(loaded, *scene, bodies, warm, next);
-    if (rigid) add_rigid(loaded, *scene, std::move(rigid), problems);
+    if (rigid) add_rigid(loaded, *scene, std::move(rigid), followers, problems);
+  }
+  if (!followers.bodies.empty()) {
+    scene->rigid = std::make_unique<FreeBodies<Dim>>(followers.groups, std::move(followers.bodies));
   }
   hold_temperatures(loaded, *scene);
   add_boundaries(loaded, *scene, problems);

@@ -14,7 +14,7 @@ namespace {
 std::array<std::vector<Vec<2>>, 4> sides_of(const PolygonShape& polygon) {
   if (!polygon.corners) {
     throw std::invalid_argument(
-        "a polygon of a deforming FE body needs `corners: [i, j, k, l]`, four of its points; fill "
+        "a polygon of finite elements needs `corners: [i, j, k, l]`, four of its points; fill "
         "other polygons with particles (method: sph)");
   }
   const int n = static_cast<int>(polygon.points.size());

@@ -40,50 +40,59 @@ struct FreeBodies<Dim>::Sums {
 };
 
 template <int Dim>
-FreeBodies<Dim>::FreeBodies(Points<Dim>& points, std::vector<FreeBody<Dim>> bodies)
-    : points_(&points), bodies_(std::move(bodies)) {
-  find_points();
+FreeBodies<Dim>::FreeBodies(const std::vector<Points<Dim>*>& groups,
+                            std::vector<FreeBody<Dim>> bodies)
+    : bodies_(std::move(bodies)) {
+  for (Points<Dim>* points : groups) {
+    groups_.push_back({points});
+    find_points(groups_.back());
+  }
 }
 
 template <int Dim>
-void FreeBodies<Dim>::find_points() {
+void FreeBodies<Dim>::find_points(Group& group) const {
   std::map<Label, std::size_t> number;
   for (std::size_t b = 0; b < bodies_.size(); ++b) number[bodies_[b].piece] = b;
-  chosen_.clear(), body_of_.clear();
-  for (LocalIndex i = 0; i < points_->size(); ++i) {
-    const auto found = number.find(points_->piece[static_cast<std::size_t>(i)]);
+  group.chosen.clear(), group.body_of.clear();
+  for (LocalIndex i = 0; i < group.points->size(); ++i) {
+    const auto found = number.find(group.points->piece[static_cast<std::size_t>(i)]);
     if (found == number.end()) continue;
-    chosen_.push_back(i);
-    body_of_.push_back(found->second);
+    group.chosen.push_back(i);
+    group.body_of.push_back(found->second);
   }
-  arm_.assign(chosen_.size(), Vec3::Zero());
-  last_force_.assign(chosen_.size(), Vec<Dim>::Zero());
-  work_.assign(chosen_.size(), 0.0);
+  group.arm.assign(group.chosen.size(), Vec3::Zero());
+  group.last_force.assign(group.chosen.size(), Vec<Dim>::Zero());
+  group.work.assign(group.chosen.size(), 0.0);
 }
 
 template <int Dim>
 void FreeBodies<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
-  if (points_ != &old) return;
-  points_ = &now;
-  find_points();
+  for (auto& group : groups_) {
+    if (group.points != &old) continue;
+    group.points = &now;
+    find_points(group);
+  }
 }
 
 /// Arms as the bodies lie now; positions and velocities of the points with them.
 template <int Dim>
 template <class Velocity>
 void FreeBodies<Dim>::place_points(const Velocity& velocity) {
-  auto& points = *points_;
   std::vector<Mat3> rotation;
   for (const auto& body : bodies_) rotation.push_back(body.state.rotation());
-#pragma omp parallel for schedule(static) if (chosen_.size() > kWorthThreads)
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    const auto i = static_cast<std::size_t>(chosen_[k]);
-    const auto& body = bodies_[body_of_[k]];
-    const Vec3 start = in_space<Dim>(points.x_start[i]) - body.center;
-    const Vec3 arm = rotation[body_of_[k]] * start;
-    points.x[i] = (body.state.x + arm).template head<Dim>();
-    points.v[i] = (body.state.v + velocity(k, arm)).template head<Dim>();
-    arm_[k] = arm;
+  for (auto& group : groups_) {
+    auto& points = *group.points;
+#pragma omp parallel for schedule(static) if (group.chosen.size() > kWorthThreads)
+    for (std::size_t k = 0; k < group.chosen.size(); ++k) {
+      const auto i = static_cast<std::size_t>(group.chosen[k]);
+      const std::size_t b = group.body_of[k];
+      const auto& body = bodies_[b];
+      const Vec3 start = in_space<Dim>(points.x_start[i]) - body.center;
+      const Vec3 arm = rotation[b] * start;
+      points.x[i] = (body.state.x + arm).template head<Dim>();
+      points.v[i] = (body.state.v + velocity(b, group.arm[k], arm)).template head<Dim>();
+      group.arm[k] = arm;
+    }
   }
 }
 
@@ -91,7 +100,7 @@ template <int Dim>
 void FreeBodies<Dim>::start() {
   std::vector<Vec3> spin;
   for (const auto& body : bodies_) spin.push_back(body.state.spin());
-  place_points([&](std::size_t k, const Vec3& arm) { return spin[body_of_[k]].cross(arm); });
+  place_points([&](std::size_t b, const Vec3&, const Vec3& arm) { return spin[b].cross(arm); });
 }
 
 template <int Dim>
@@ -138,25 +147,31 @@ void FreeBodies<Dim>::predict(Real time, Real dt, Real dt_last) {
     body.load_force.setZero(), body.load_torque.setZero();
   }
   // r(n+1) - r(n) = dt w x (r(n) + r(n+1))/2 to the last digit, whatever the step
-  place_points([&](std::size_t k, const Vec3& arm) {
-    return chords[body_of_[k]].cross(0.5 * (arm_[k] + arm));
+  place_points([&](std::size_t b, const Vec3& before, const Vec3& arm) {
+    return chords[b].cross(0.5 * (before + arm));
   });
+}
+
+/// Adds the forces of the owned points of a group, and books their work.
+template <int Dim>
+void FreeBodies<Dim>::add_forces(Real dt, Group& group, std::vector<Sums>& sums) {
+  const auto& points = *group.points;
+  for (std::size_t k = 0; k < group.chosen.size(); ++k) {
+    if (group.chosen[k] >= points.n_owned) continue;
+    const auto i = static_cast<std::size_t>(group.chosen[k]);
+    const Vec<Dim>& f = points.f[i];
+    group.work[k] += 0.5 * dt * points.v[i].dot(group.last_force[k] + f);
+    group.last_force[k] = f;
+    if (f.squaredNorm() == 0) continue;
+    const Vec3 force = in_space<Dim>(f);
+    sums[group.body_of[k]].add(force, group.arm[k].cross(force));
+  }
 }
 
 template <int Dim>
 void FreeBodies<Dim>::collect_forces(const Communicator& ranks, Real time, Real dt) {
-  const auto& points = *points_;
   std::vector<Sums> sums(bodies_.size());
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    if (chosen_[k] >= points.n_owned) continue;
-    const auto i = static_cast<std::size_t>(chosen_[k]);
-    const Vec<Dim>& f = points.f[i];
-    work_[k] += 0.5 * dt * points.v[i].dot(last_force_[k] + f);
-    last_force_[k] = f;
-    if (f.squaredNorm() == 0) continue;
-    const Vec3 force = in_space<Dim>(f);
-    sums[body_of_[k]].add(force, arm_[k].cross(force));
-  }
+  for (auto& group : groups_) add_forces(dt, group, sums);
   ranks.reduce_all(std::span(sums), [](Sums& a, const Sums& b) { a.add(b); });
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     take_forces(sums[b].force(), sums[b].torque(), time, dt, bodies_[b]);
@@ -211,10 +226,12 @@ StepVote FreeBodies<Dim>::stable_step() const {
 
 template <int Dim>
 void FreeBodies<Dim>::add_totals(Totals<Dim>& totals) const {
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    if (chosen_[k] >= points_->n_owned) continue;
-    const bool turns = bodies_[body_of_[k]].turns;
-    totals.add(turns ? Column::integration : Column::boundary, work_[k]);
+  for (const auto& group : groups_) {
+    for (std::size_t k = 0; k < group.chosen.size(); ++k) {
+      if (group.chosen[k] >= group.points->n_owned || group.work[k] == 0) continue;
+      const bool turns = bodies_[group.body_of[k]].turns;
+      totals.add(turns ? Column::integration : Column::boundary, group.work[k]);
+    }
   }
 }
 
@@ -251,6 +268,11 @@ void visit_body(Row& row, AnyBody& body) {
   row(body.point_force), row(body.point_torque), row(body.reaction);
   row(body.integration), row(body.boundary);
 }
+
+template <class Row, class Group>
+void visit_point(Row& row, Group& group, std::size_t k) {
+  row(group.last_force[k]), row(group.work[k]);
+}
 }  // namespace
 
 template <int Dim>
@@ -258,9 +280,11 @@ void FreeBodies<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
       [&](auto& row, std::size_t b) { visit_body(row, bodies_[b]); }, tables);
-  save_chosen(
-      "rigid.points", *points_, chosen_,
-      [&](auto& row, std::size_t k) { row(last_force_[k]), row(work_[k]); }, tables);
+  for (const auto& group : groups_) {
+    save_chosen(
+        "rigid.points", *group.points, group.chosen,
+        [&](auto& row, std::size_t k) { visit_point(row, group, k); }, tables);
+  }
 }
 
 template <int Dim>
@@ -268,9 +292,11 @@ void FreeBodies<Dim>::load_state(const StateTables& tables) {
   load_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
       [&](auto& row, std::size_t b) { visit_body(row, bodies_[b]); }, tables);
-  load_chosen(
-      "rigid.points", *points_, chosen_,
-      [&](auto& row, std::size_t k) { row(last_force_[k]), row(work_[k]); }, tables);
+  for (auto& group : groups_) {
+    load_chosen(
+        "rigid.points", *group.points, group.chosen,
+        [&](auto& row, std::size_t k) { visit_point(row, group, k); }, tables);
+  }
   start();
 }
 

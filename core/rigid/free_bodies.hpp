@@ -48,10 +48,11 @@ struct FreeBody {
 template <int Dim>
 class FreeBodies {
  public:
-  /// points  of all rigid surfaces, by `piece`; outlive this
-  FreeBodies(Points<Dim>& points, std::vector<FreeBody<Dim>> bodies);
+  /// groups  whose points with the `piece` of a body are its own, all of them or those that stand
+  ///         here; outlive this
+  FreeBodies(const std::vector<Points<Dim>*>& groups, std::vector<FreeBody<Dim>> bodies);
 
-  /// From now on their points are those of `now`, if they were those of `old`.
+  /// From now on those of their points that were among `old` are those of `now`.
   void follow(const Points<Dim>& old, Points<Dim>& now);
   /// Velocities of the points at time 0.
   void start();
@@ -77,7 +78,18 @@ class FreeBodies {
   std::span<FreeBody<Dim>> all() { return bodies_; }
 
  private:
-  void find_points();
+  /// What it keeps of the points of one group.
+  struct Group {
+    Points<Dim>* points = nullptr;
+    std::vector<LocalIndex> chosen = {};    // points of these bodies, copies too
+    std::vector<std::size_t> body_of = {};  // of each of them
+    std::vector<Vec3> arm = {};             // [m] from the centre, of each of them
+    std::vector<Vec<Dim>> last_force = {};  // [N] at the last full step
+    std::vector<Real> work = {};            // [J] of its forces along its chords
+  };
+  struct Sums;
+  void find_points(Group& group) const;
+  static void add_forces(Real dt, Group& group, std::vector<Sums>& sums);
   void impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords);
   Vec3 told_center(const FreeBody<Dim>& body, Real time) const;
   void take_forces(const Vec3& point_force, const Vec3& point_torque, Real time, Real dt,
@@ -85,14 +97,8 @@ class FreeBodies {
   template <class Velocity>
   void place_points(const Velocity& velocity);
 
-  Points<Dim>* points_;
+  std::vector<Group> groups_;
   std::vector<FreeBody<Dim>> bodies_;
-  std::vector<LocalIndex> chosen_;    // points of these bodies
-  std::vector<std::size_t> body_of_;  // of each of them
-  std::vector<Vec3> arm_;             // [m] from the centre, of each of them
-  std::vector<Vec<Dim>> last_force_;  // [N] at the last full step
-  std::vector<Real> work_;            // [J] of its forces along its chords
-  struct Sums;
 };
 
 }  // namespace brunt

@@ -46,7 +46,7 @@ struct Bodies {
     other.state.x = other.center = Vec3(0, 9, 0);
     other.state.v = Vec3(2 - 4, 1, 0);
     other.state.momentum = Vec3(0, 0, 4);  // of an inertia of 1
-    free = std::make_unique<FreeBodies<3>>(points, std::move(bodies));
+    free = std::make_unique<FreeBodies<3>>(std::vector{&points}, std::move(bodies));
     free->start();
   }
 
@@ -178,6 +178,46 @@ TEST(FreeBodies, BitsDependOnNeitherOrderNorRestart) {
     EXPECT_EQ(one.totals().value(column), other.totals().value(column));
     EXPECT_EQ(one.totals().value(column), third.totals().value(column));
   }
+}
+
+// Points that stand in two groups, the second with copies of some of the first that nobody owns,
+// are one body's all the same: forces of owned points act once, and copies move along.
+TEST(FreeBodies, PointsOfTwoGroupsAreOneBody) {
+  Bodies one, other;
+  auto& all = other.points;
+  const std::vector<LocalIndex> here = {0, 2, 4, 6, 8}, there = {1, 3, 5, 7, 0, 2};
+  Points<3> first = all.subset(here, 5), second = all.subset(there, 4);
+  std::vector<FreeBody<3>> bodies(other.free->all().begin(), other.free->all().end());
+  FreeBodies<3> split({&all, &second}, bodies);
+  split.follow(all, first);
+  split.start();
+  Real time = 0;
+  for (int n = 0; n < 50; ++n) {
+    one.step(0.01, pulls);
+    time += 0.01;
+    split.predict(time, 0.01, n == 0 ? 0 : 0.01);
+    for (auto* points : {&first, &second}) {
+      for (std::size_t i = 0; i < points->x.size(); ++i) {
+        points->f[i] = pulls(points->id[i], time);
+      }
+    }
+    split.collect_forces(lone_rank(), time, 0.01);
+    split.correct(0.01);
+  }
+  Totals<3> totals;
+  totals.bodies.resize(2);
+  split.add_totals(totals);
+  split.add_body_totals(0.01, totals);
+  EXPECT_EQ(totals.state_hash, one.totals().state_hash);
+  EXPECT_EQ(totals.value(Column::integration), one.totals().value(Column::integration));
+  EXPECT_EQ(second.x[4], one.points.x[0]);
+  // What it keeps of points goes by their ids: the checkpoint of one group is that of two.
+  std::vector<StateTable> tables;
+  split.save_state(tables);
+  Bodies again;
+  again.free->load_state(StateTables(std::move(tables)));
+  EXPECT_EQ(again.totals().value(Column::integration), totals.value(Column::integration));
+  EXPECT_EQ(again.points.x, one.points.x);
 }
 
 // A step turns no body by more than 0.2 rad, even if all its momentum went to its least inertia.
