@@ -10,12 +10,12 @@ template <class Row, class AnyPoints>
 void visit_point(Row& row, AnyPoints& points, std::size_t i) {
   row(points.mass[i]);
   row(points.x[i]);
-  row(points.x_rest[i]);
   row(points.v[i]);
   row(points.a[i]);
   row(points.f[i]);
   row(points.x_start[i]);
   row(points.integration[i]);
+  row(points.x_rest[i]);
 }
 /// Temperatures follow from heat only while heat capacities are constant: both are kept.
 template <class Row, class AnyPoints>

@@ -90,6 +90,7 @@ void FreeBodies<Dim>::place_points(const Velocity& velocity) {
       const Vec3 start = in_space<Dim>(points.x_start[i]) - body.center;
       const Vec3 arm = rotation[b] * start;
       points.x[i] = (body.state.x + arm).template head<Dim>();
+      points.x_rest[i].setZero();
       points.v[i] = (body.state.v + velocity(b, group.arm[k], arm)).template head<Dim>();
       group.arm[k] = arm;
     }

@@ -94,7 +94,7 @@ TEST(State, MissingTablesAndRowsAreNamed) {
   solid.resize(1);
   solid.id = {1};
   const auto width = message_of([&] { load_points(solid, state); });
-  EXPECT_NE(width.find("12 values"), std::string::npos) << width;
+  EXPECT_NE(width.find("14 values"), std::string::npos) << width;
 }
 
 TEST(State, RowsThatContradictEachOtherAreRefused) {
