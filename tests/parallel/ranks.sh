@@ -14,7 +14,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# deck, when it is split by a restart, then what makes it a matter of seconds; a blank is written
+# deck, or folder/deck where they differ, when it is split by a restart, then what makes it a matter of seconds; a blank is written
 # _, and _ itself __
 cases=(
   "bars 8_us time.end=20_us"
@@ -35,13 +35,19 @@ cases=(
   "hot-block 5_us time.end=10_us time.heat__every=16"
   "taylor-bar 2_us heat=conduct materials.copper.thermal={cp:_383,_k:_386} parameters.size=0.9_mm time.end=4_us time.heat__every=7"
   "cutting-2d 0.5_us heat=conduct parameters.spacing=0.05_mm parameters.travel=0.06_mm time.heat__every=8"
+  "cutting-2d/conducting 0.5_us parameters.spacing=0.05_mm parameters.travel=0.06_mm"
+  "composite-rod 0.4_s time.end=0.8_s output.history=0.05_s"
   "hertz 4_us time.end=8_us parameters.cells=8 measures.pressure.at=5_us"
+  "hertz/3d 4_us time.end=8_us parameters.cells=4 measures.pressure.at=5_us"
+  "hertz/pressed 4_us time.end=8_us parameters.cells=8"
+  "hertz/cylinders 4_us time.end=8_us parameters.cells=8"
   "brick-stack 8_ms time.end=15_ms"
   "tumbling-blocks 3.4_ms parameters.end=4_ms bodies.plate.cells=[10,_10,_2]"
   "tumbling-blocks 3.4_ms parameters.end=4_ms bodies.plate.cells=[10,_10,_2] materials.nylon.thermal={cp:_1700,_k:_10} materials.hot={density:_700,_elastic:_{E:_1.5_GPa,_nu:_0.3},_thermal:_{cp:_1200,_k:_20}} bodies.die.material=hot bodies.die.cells=[3,_3,_3] bodies.die.temperature=900_K bodies.brick.material=hot bodies.brick.cells=[4,_2,_1] contact.default.heat=perfect time.heat__every=3"
   "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"
 )
 status=0
+path_of() { case $1 in */*) echo "$1.yaml" ;; *) echo "$1/$1.yaml" ;; esac; }
 run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
   local deck=$1 out=$2 options=() overrides=()
   shift 2
@@ -51,8 +57,9 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
     each=${each//__/$'\1'} each=${each//_/ }
     overrides+=(--set "${each//$'\1'/_}")
   done
-  printf '%q ' "$decks/$deck/$deck.yaml" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
-  "$brunt" run "$decks/$deck/$deck.yaml" --quiet --out "$out" --oversubscribe \
+  deck=$decks/$(path_of "$deck")
+  printf '%q ' "$deck" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
+  "$brunt" run "$deck" --quiet --out "$out" --oversubscribe \
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
 }
 same() {  # same DECK A B
@@ -65,24 +72,25 @@ same() {  # same DECK A B
 }
 for each in "${cases[@]}"; do
   read -r deck until shorten <<<"$each"
-  rm -rf "$deck"-*  # of the same deck with other keys
-  run "$deck" "$deck-1" --threads 1 -- $shorten
+  name=${deck//\//-}
+  rm -rf "$name"-*  # of the same deck with other keys
+  run "$deck" "$name-1" --threads 1 -- $shorten
   for n in "$@"; do
     for threads in 1 2; do
       [ "$n" -le 3 ] || [ "$threads" = 1 ] || continue
-      run "$deck" "$deck-$n-$threads" --ranks "$n" --threads "$threads" -- $shorten
-      same "$deck" "$deck-1" "$deck-$n-$threads"
+      run "$deck" "$name-$n-$threads" --ranks "$n" --threads "$threads" -- $shorten
+      same "$deck" "$name-1" "$name-$n-$threads"
     done
   done
-  run "$deck" "$deck-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
-  same "$deck" "$deck-1" "$deck-skin"
-  run "$deck" "$deck-dealt" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
-  same "$deck" "$deck-1" "$deck-dealt"
-  grep -q '"deals": [1-9]' "$deck-dealt/summary.json" || { echo "FAILED: $deck was not dealt again"; status=1; }
-  run "$deck" "$deck-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
-  run "$deck" "$deck-rest" --ranks 3 --threads 1 --restart "$deck-half" -- $shorten
-  same "$deck" "$deck-1" "$deck-rest"
-  run "$deck" "$deck-alone" --threads 1 --restart "$deck-half" -- $shorten
-  same "$deck" "$deck-1" "$deck-alone"
+  run "$deck" "$name-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
+  same "$deck" "$name-1" "$name-skin"
+  run "$deck" "$name-dealt" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
+  same "$deck" "$name-1" "$name-dealt"
+  grep -q '"deals": [1-9]' "$name-dealt/summary.json" || { echo "FAILED: $deck was not dealt again"; status=1; }
+  run "$deck" "$name-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
+  run "$deck" "$name-rest" --ranks 3 --threads 1 --restart "$name-half" -- $shorten
+  same "$deck" "$name-1" "$name-rest"
+  run "$deck" "$name-alone" --threads 1 --restart "$name-half" -- $shorten
+  same "$deck" "$name-1" "$name-alone"
 done
 exit $status
