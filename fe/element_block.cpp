@@ -12,6 +12,15 @@ namespace {
 template <int Dim>
 using Corners = std::array<Vec<Dim>, Shape<Dim>::kCorners>;
 
+template <int Dim>
+Modal<Dim, Real> modes_at(const Corners<Dim>& x) {
+  Real node[Shape<Dim>::kCorners][Dim];
+  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+    for (int i = 0; i < Dim; ++i) node[I][i] = x[I][i];
+  }
+  return modes_of<Dim>(node);
+}
+
 /// Determinant of dx/dxi and first coordinate at Gauss point g.
 template <int Dim>
 struct GaussPlace {
@@ -90,6 +99,37 @@ void measure_elements(const Points<Dim>& points, const Thickness& thickness,
   }
 }
 
+/// sum_I B_iI B_iI / V^2 [1/m^2], what gradients of an element's corners are like.
+template <int Dim>
+Real squared_gradients(const Corners<Dim>& x) {
+  const Modal<Dim, Real> modes = modes_at<Dim>(x);
+  Real E[Shape<Dim>::kActive][Dim], sum = 0;
+  volume_gradient(modes, E);
+  for (const auto& row : E) {
+    for (const Real component : row) sum += component * component;
+  }
+  const Real volume = measure<Dim, Real>(modes, E);
+  return Shape<Dim>::kCorners * sum / (volume * volume);
+}
+
+/// Hourglass control of one-point elements: k = kappa mu V sum B B / V^2 of stiffness
+/// (physics.md A4, 2 mu form).
+template <int Dim>
+void start_hourglass(const Points<Dim>& points, ElementBlock<Dim>& block) {
+  const auto padded = static_cast<std::size_t>(block.n_padded);
+  const auto* stiff = std::get_if<StiffnessHourglass>(&block.options.hourglass);
+  if (stiff == nullptr) {
+    block.hourglass.assign(padded * block.kHourglassValues, 0.0);
+    return;
+  }
+  block.hourglass_stiffness.resize(padded);
+  for (LocalIndex e = 0; e < block.n_padded; ++e) {
+    block.hourglass_stiffness[e] = stiff->coefficient * block.material->shear *
+                                   squared_gradients<Dim>(corner_positions(block, e, points)) *
+                                   block.element_volume[e];
+  }
+}
+
 }  // namespace
 
 Thickness thickness_of(Geometry geometry, Real depth) {
@@ -119,11 +159,7 @@ std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& t
 template <int Dim>
 std::array<Real, Shape<Dim>::kGauss> gauss_volumes(const Corners<Dim>& x,
                                                    const Thickness& thickness) {
-  Real node[Shape<Dim>::kCorners][Dim];
-  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
-    for (int i = 0; i < Dim; ++i) node[I][i] = x[I][i];
-  }
-  const Modal<Dim, Real> modes = modes_of<Dim>(node);
+  const Modal<Dim, Real> modes = modes_at<Dim>(x);
   std::array<Real, Shape<Dim>::kGauss> volume;
   for (int g = 0; g < Shape<Dim>::kGauss; ++g) {
     const GaussPlace<Dim> place = gauss_geometry<Dim>(modes, g);
@@ -175,7 +211,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
     block.heat_share = corner_shares(block, points, thickness);
     if (!block.state.heat.empty()) block.heat_given.assign(padded, 0.0);
   }
-  if (block.gauss == 1) block.hourglass.assign(padded * block.kHourglassValues, 0.0);
+  if (block.gauss == 1) start_hourglass(points, block);
   for (auto* field : {&block.viscous_pressure, &block.stress_work, &block.hourglass_work,
                       &block.viscous_work, &block.stable_step}) {
     field->assign(padded, 0.0);

@@ -66,12 +66,14 @@ struct ElementBlock {
   std::vector<Real> element_volume;    ///< [m^3] of each element at time 0
   std::vector<Real> reference_size;    ///< [m] volume^(1/3), area^(1/2) in 2D, at time 0
   std::vector<Real> mass;              ///< [kg] of each element
-  std::vector<Real> hourglass;  ///< [N] generalised forces Q at n, kHourglassValues x n_padded
-  std::vector<Real> viscous_pressure;  ///< [Pa] bulk viscosity q at n
-  std::vector<Real> stress_work;       ///< [J] of each element since time 0
-  std::vector<Real> hourglass_work;    ///< [J]
-  std::vector<Real> viscous_work;      ///< [J]
-  std::vector<Real> stable_step;       ///< [s] bound of each element
+  /// Viscous control: [N] generalised forces Q at n, kHourglassValues x n_padded.
+  std::vector<Real> hourglass;
+  std::vector<Real> hourglass_stiffness;  ///< [N/m] stiffness control: of each element
+  std::vector<Real> viscous_pressure;     ///< [Pa] bulk viscosity q at n
+  std::vector<Real> stress_work;          ///< [J] of each element since time 0
+  std::vector<Real> hourglass_work;       ///< [J]
+  std::vector<Real> viscous_work;         ///< [J]
+  std::vector<Real> stable_step;          ///< [s] bound of each element
   /// Where it conducts: share of its volume [1] that each corner stands for at time 0, n_padded x
   /// kCorners: of its heat capacity, and of the plastic heat.
   std::vector<Real> heat_share;

@@ -9,8 +9,9 @@ namespace brunt {
 /// One step for the kernels. Positions are x(n+1), velocities v(n+1/2).
 template <int Dim>
 struct ElementStep {
-  const Vec<Dim>* x = nullptr;  ///< [m] by node
-  const Vec<Dim>* v = nullptr;  ///< [m/s] by node
+  const Vec<Dim>* x = nullptr;        ///< [m] by node
+  const Vec<Dim>* v = nullptr;        ///< [m/s] by node
+  const Vec<Dim>* x_start = nullptr;  ///< [m] by node, at time 0
   Thickness thickness;
   Real dt = 0;                   ///< [s]
   Real* corner_force = nullptr;  ///< [N] forces on the corners, [element][corner][Dim], written
@@ -168,18 +169,11 @@ BRUNT_INLINE void add_half(std::vector<Real>& total, std::size_t e, Pack work) {
 /// Strain increment of four points from the gradient of displacement L at mid-step.
 template <int Dim>
 BRUNT_INLINE void store_strain(const Pack (&L)[Dim][Dim], Pack hoop, int at, MaterialTile& tile) {
-  store(tile.strain[xx] + at, L[0][0]);
-  store(tile.strain[yy] + at, L[1][1]);
-  store(tile.strain[xy] + at, 0.5 * (L[0][1] + L[1][0]));
-  if constexpr (Dim == 3) {
-    store(tile.strain[zz] + at, L[2][2]);
-    store(tile.strain[yz] + at, 0.5 * (L[1][2] + L[2][1]));
-    store(tile.strain[zx] + at, 0.5 * (L[2][0] + L[0][2]));
-  } else {
-    store(tile.strain[zz] + at, hoop);
-    store(tile.strain[yz] + at, broadcast<Pack>(0));
-    store(tile.strain[zx] + at, broadcast<Pack>(0));
-  }
+  Pack strain[6];
+  for (auto& component : strain) component = broadcast<Pack>(0);
+  strain[zz] = hoop;
+  step_strain(L, strain);
+  for (int k = 0; k < 6; ++k) store(tile.strain[k] + at, strain[k]);
 }
 
 template <int Dim>

@@ -131,7 +131,11 @@ void FiniteElements<Dim>::start_steps() {
 
 template <int Dim>
 ElementStep<Dim> FiniteElements<Dim>::element_step(const ElementBlock<Dim>& block, Real dt) {
-  return {points_.x.data(), points_.v.data(), thickness_, dt,
+  return {points_.x.data(),
+          points_.v.data(),
+          points_.x_start.data(),
+          thickness_,
+          dt,
           corner_force_.data() + block.first_corner * Dim};
 }
 

@@ -7,13 +7,18 @@ namespace {
 template <int Dim>
 constexpr Real kRootCorners = Dim == 3 ? 2.82842712474619009760 : 2.0;
 
-/// Gradients of the displacement of the step at one configuration.
+/// Values of the hourglass modes of a field, [mode][component].
+template <int Dim>
+using HourglassModes = Pack[Shape<Dim>::kHourglass][Dim];
+
+/// One configuration, and the gradient of a field u at it: of the displacement of the step.
 template <int Dim>
 struct Configuration {
   Pack E[Shape<Dim>::kActive][Dim];  ///< [m^(Dim-1)] dV/dc / corners
+  HourglassModes<Dim> mode;          ///< [m] of the positions
   Pack measure;                      ///< [m^Dim] volume; area in 2D
   Pack thickness;                    ///< [m] depth or 2 pi r; 1 in 3D
-  Pack G[Dim][Dim];                  ///< [m^Dim] sum dx (x) B
+  Pack G[Dim][Dim];                  ///< [m^Dim] sum u (x) B
   Pack G_hoop;                       ///< [m^3] volume times hoop strain
 
   Pack volume() const { return Dim == 3 ? measure : measure * thickness; }
@@ -40,21 +45,20 @@ BRUNT_INLINE void evaluate(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u,
   volume_gradient(c, at.E);
   at.measure = measure<Dim, Pack>(c, at.E);
   volume_times_gradient<Dim, Pack>(u, at.E, at.G);
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) at.mode[a][i] = c.m[Dim + a][i];
+  }
   if constexpr (Dim == 2) {
     at.thickness = thickness.constant + thickness.radial * c.m[mean][0];
     at.G_hoop = thickness.radial * at.measure * u.m[mean][0];
   }
 }
 
-/// Values of the hourglass modes of a field, [mode][component].
+/// q_a = u_I gamma_aI / sqrt(corners): hourglass amplitudes [m] of a field of modes u, whose
+/// gradient `at` has. gamma is orthogonal to all fields that are linear over `at`.
 template <int Dim>
-using HourglassModes = Pack[Shape<Dim>::kHourglass][Dim];
-
-/// q_a = dx_I gamma_aI / sqrt(corners): what the step adds to the hourglass amplitudes [m].
-/// c, u  hourglass modes of position and displacement [m]
-template <int Dim>
-BRUNT_INLINE void hourglass_increment(const Pack (*c)[Dim], const Pack (*u)[Dim],
-                                      const Configuration<Dim>& at, HourglassModes<Dim>& q) {
+BRUNT_INLINE void hourglass_amplitudes(const Configuration<Dim>& at, const Modal<Dim, Pack>& u,
+                                       HourglassModes<Dim>& q) {
   const Pack inverse = 1.0 / at.measure;
   Pack L[Dim][Dim];
   for (int i = 0; i < Dim; ++i) {
@@ -62,9 +66,9 @@ BRUNT_INLINE void hourglass_increment(const Pack (*c)[Dim], const Pack (*u)[Dim]
   }
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
     for (int i = 0; i < Dim; ++i) {
-      Pack linear = L[i][0] * c[a][0];
-      for (int j = 1; j < Dim; ++j) linear += L[i][j] * c[a][j];
-      q[a][i] = kRootCorners<Dim> * (u[a][i] - linear);
+      Pack linear = L[i][0] * at.mode[a][0];
+      for (int j = 1; j < Dim; ++j) linear += L[i][j] * at.mode[a][j];
+      q[a][i] = kRootCorners<Dim> * (u.m[Dim + a][i] - linear);
     }
   }
 }
@@ -81,15 +85,14 @@ BRUNT_INLINE Pack dot(const HourglassModes<Dim>& Q, const HourglassModes<Dim>& q
 /// What kinematics hand to forces, of four elements.
 template <int Dim>
 struct Work {
-  Configuration<Dim> now;     ///< at x(n+1)
-  HourglassModes<Dim> mode;   ///< [m] of x(n+1)
-  HourglassModes<Dim> moved;  ///< [m] of the displacement of the step
-  HourglassModes<Dim> Q;      ///< [N] hourglass forces: n, then n+1
+  Configuration<Dim> now;  ///< at x(n+1)
   OperatorNorm<Pack> norm;
-  Pack rho;                                        ///< [kg/m^3]
-  Pack rate;                                       ///< [1/s] volumetric strain rate at mid-step
-  Pack q;                                          ///< [Pa] bulk viscosity at n+1
-  Pack stress_work, hourglass_work, viscous_work;  ///< [J] halves of the old forces
+  Pack hourglass[Shape<Dim>::kModes - 1][Dim];  ///< [N] modes of the forces of hourglass control
+  Pack rho;                                     ///< [kg/m^3]
+  Pack rate;                                    ///< [1/s] volumetric strain rate at mid-step
+  Pack q;                                       ///< [Pa] bulk viscosity at n+1
+  Pack speed;                                   ///< [m/s] of sound
+  Pack stress_work, viscous_work;               ///< [J] halves of the old forces
 };
 
 template <int Dim>
@@ -122,51 +125,98 @@ BRUNT_INLINE Modal<Dim, Pack> moved_back(const Modal<Dim, Pack>& c, const Modal<
   return r;
 }
 
-/// Hourglass forces of the step: viscous from the rate, stiffness rotated and incremented.
-template <int Dim, class R>
-BRUNT_INLINE void update_hourglass(const Lane<Dim>& lane, const R& rotation,
-                                   const HourglassModes<Dim>& q, Pack c, Work<Dim>& w) {
-  const ElementBlock<Dim>& block = lane.block;
-  if (const auto* viscous = std::get_if<ViscousHourglass>(&block.options.hourglass)) {
-    const Pack size = load(block.reference_size.data() + lane.e);
-    Pack area = size * size;
-    if constexpr (Dim == 2) area = size * w.now.thickness;
-    const Pack k = (2.0 * viscous->coefficient / lane.step.dt) * w.rho * c * area;
-    for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
-      for (int i = 0; i < Dim; ++i) w.Q[a][i] = k * q[a][i];
+/// Modes of the forces that do the work Q . q on amplitudes measured on `at`, to w.hourglass.
+template <int Dim>
+BRUNT_INLINE void set_hourglass_forces(const Configuration<Dim>& at, const HourglassModes<Dim>& Q,
+                                       Work<Dim>& w) {
+  const Pack k = kRootCorners<Dim> / at.measure;
+  for (int i = 0; i < Dim; ++i) {
+    Pack moment[Dim];
+    for (int j = 0; j < Dim; ++j) {
+      moment[j] = Q[0][i] * at.mode[0][j];
+      for (int a = 1; a < Shape<Dim>::kHourglass; ++a) moment[j] += Q[a][i] * at.mode[a][j];
+      moment[j] *= k;
     }
-    return;
+    for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
+      Pack force = broadcast<Pack>(0);
+      if (m < Shape<Dim>::kActive) {
+        for (int j = 0; j < Dim; ++j) force += moment[j] * at.E[m][j];
+      }
+      if (m >= Dim) force -= (1.0 / kRootCorners<Dim>)*Q[m - Dim][i];
+      w.hourglass[m][i] = force;
+    }
   }
-  const Real coefficient = std::get<StiffnessHourglass>(block.options.hourglass).coefficient;
-  const Pack k = (coefficient * block.material->shear) * w.norm.trace * w.now.volume();
+}
+
+/// Viscous control: Q = 2 Q_HG rho c l^2 dq/dt at mid-step.
+template <int Dim>
+BRUNT_INLINE void resist_rates(const Lane<Dim>& lane, Real coefficient,
+                               const Configuration<Dim>& old, const Configuration<Dim>& mid,
+                               const Modal<Dim, Pack>& u, Work<Dim>& w) {
+  ElementBlock<Dim>& block = lane.block;
+  const auto kept = [&](int a, int i) {
+    return block.hourglass.data() + static_cast<std::size_t>(a * Dim + i) * block.n_padded + lane.e;
+  };
+  HourglassModes<Dim> q, Q;
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
-    rotate_vector(rotation, w.Q[a]);
-    for (int i = 0; i < Dim; ++i) w.Q[a][i] += k * q[a][i];
+    for (int i = 0; i < Dim; ++i) Q[a][i] = load(kept(a, i));
   }
+  hourglass_amplitudes(old, u, q);
+  const Pack old_work = dot<Dim>(Q, q);
+  hourglass_amplitudes(mid, u, q);
+  const Pack size = load(block.reference_size.data() + lane.e);
+  Pack area = size * size;
+  if constexpr (Dim == 2) area = size * w.now.thickness;
+  const Pack k = (2.0 * coefficient / lane.step.dt) * w.rho * w.speed * area;
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) {
+      Q[a][i] = k * q[a][i];
+      store(kept(a, i), Q[a][i]);
+    }
+  }
+  hourglass_amplitudes(w.now, u, q);
+  add_half(block.hourglass_work, lane.e, old_work + dot<Dim>(Q, q));
+  set_hourglass_forces(w.now, Q, w);
+}
+
+/// Stiffness control: Q = k q of the positions c, gamma and k those of the positions at time 0.
+/// A linear map of the body has no q, a turn turns it with the body, and its energy k q^2/2 is that
+/// of a spring. Forces summed over rates have no potential: where the deformation of an element
+/// comes and goes they keep a rest, of the order of the strain (Joldes, Wittek & Miller 2008).
+template <int Dim>
+BRUNT_INLINE void resist_amplitudes(const Lane<Dim>& lane, const Modal<Dim, Pack>& c,
+                                    Work<Dim>& w) {
+  ElementBlock<Dim>& block = lane.block;
+  Pack node[Shape<Dim>::kCorners][Dim];
+  gather<Dim>(block.corner.data() + lane.e * Shape<Dim>::kCorners, lane.step.x_start, node);
+  Configuration<Dim> start;
+  evaluate(modes_of<Dim>(node), c, lane.step.thickness, start);
+  HourglassModes<Dim> q, Q;
+  hourglass_amplitudes(start, c, q);
+  const Pack k = load(block.hourglass_stiffness.data() + lane.e);
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) Q[a][i] = k * q[a][i];
+  }
+  store(block.hourglass_work.data() + lane.e, 0.5 * dot<Dim>(Q, q));
+  set_hourglass_forces(start, Q, w);
 }
 
 /// Halves of the works that the forces at n do on the displacement of the step.
 template <int Dim>
 BRUNT_INLINE void book_old_forces(const Lane<Dim>& lane, const Configuration<Dim>& old,
-                                  const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u,
                                   Work<Dim>& w) {
   const ElementBlock<Dim>& block = lane.block;
   Pack s[6];
   load_tensor<Dim>(block.state.deviator, lane.e, s);
-  HourglassModes<Dim> q;
-  hourglass_increment<Dim>(&c.m[Dim], &u.m[Dim], old, q);
   w.stress_work = old.work(s, load(block.state.pressure.data() + lane.e));
-  w.hourglass_work = dot<Dim>(w.Q, q);
   w.viscous_work = -load(block.viscous_pressure.data() + lane.e) * old.dilatation();
 }
 
-/// Strain increment and rotation at mid-step: fills the tile, rotates deviator and Q.
+/// Strain increment and rotation at mid-step: fills the tile, rotates the deviator.
 template <int Dim>
-BRUNT_INLINE void deform(const Lane<Dim>& lane, const Modal<Dim, Pack>& c,
-                         const Modal<Dim, Pack>& u, int at, MaterialTile& tile, Work<Dim>& w) {
+BRUNT_INLINE void deform(const Lane<Dim>& lane, const Configuration<Dim>& mid, int at,
+                         MaterialTile& tile, Work<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
-  Configuration<Dim> mid;
-  evaluate(c, u, lane.step.thickness, mid);
   const Pack inverse = 1.0 / mid.measure;
   Pack L[Dim][Dim], hoop = broadcast<Pack>(0);
   for (int i = 0; i < Dim; ++i) {
@@ -183,12 +233,9 @@ BRUNT_INLINE void deform(const Lane<Dim>& lane, const Modal<Dim, Pack>& c,
 
   w.rate = (1.0 / lane.step.dt) * (trace(L) + hoop);
   const Pack bulk = load(block.state.bulk.data() + lane.e);
-  const Pack speed = vsqrt((bulk + (4.0 / 3) * block.material->shear) / w.rho);
-  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Dim>(), speed,
+  w.speed = vsqrt((bulk + (4.0 / 3) * block.material->shear) / w.rho);
+  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Dim>(), w.speed,
                        w.rate);
-  HourglassModes<Dim> q;
-  hourglass_increment<Dim>(&c.m[Dim], &u.m[Dim], mid, q);
-  update_hourglass(lane, rotation, q, speed, w);
 }
 
 /// Strain, rotation and ratios of four elements for the material; works of the old forces.
@@ -198,19 +245,11 @@ BRUNT_INLINE void kinematics(const Lane<Dim>& lane, int at, MaterialTile& tile, 
   const Thickness& thickness = lane.step.thickness;
   Modal<Dim, Pack> c, u;
   load_modes(lane, c, u);
-  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
-    for (int i = 0; i < Dim; ++i) {
-      w.mode[a][i] = c.m[Dim + a][i];
-      w.moved[a][i] = u.m[Dim + a][i];
-      w.Q[a][i] = load(block.hourglass.data() +
-                       static_cast<std::size_t>(a * Dim + i) * block.n_padded + lane.e);
-    }
-  }
   evaluate(c, u, thickness, w.now);
-  Configuration<Dim> old;
-  const Modal<Dim, Pack> c_old = moved_back<Dim>(c, u, 1.0);
-  evaluate(c_old, u, thickness, old);
-  book_old_forces(lane, old, c_old, u, w);
+  Configuration<Dim> old, mid;
+  evaluate(moved_back<Dim>(c, u, 1.0), u, thickness, old);
+  evaluate(moved_back<Dim>(c, u, 0.5), u, thickness, mid);
+  book_old_forces(lane, old, w);
 
   const Pack inverse_reference = 1.0 / load(block.element_volume.data() + lane.e);
   const Pack volume = w.now.volume();
@@ -218,36 +257,33 @@ BRUNT_INLINE void kinematics(const Lane<Dim>& lane, int at, MaterialTile& tile, 
   store(tile.ratio + at, volume * inverse_reference);
   w.rho = load(block.mass.data() + lane.e) / volume;
   w.norm = operator_norm<Dim, Pack>(w.now.E, w.now.measure, w.now.hoop_gradient(thickness));
-  deform(lane, moved_back<Dim>(c, u, 0.5), u, at, tile, w);
+  deform(lane, mid, at, tile, w);
+  if (const auto* viscous = std::get_if<ViscousHourglass>(&block.options.hourglass)) {
+    resist_rates(lane, viscous->coefficient, old, mid, u, w);
+  } else {
+    resist_amplitudes(lane, c, w);
+  }
   w.viscous_work -= w.q * w.now.dilatation();
   store(tile.viscous_work + at, 0.5 * w.viscous_work * inverse_reference);
 }
 
-/// Forces of four elements on their corners, from stress and hourglass forces at n+1.
+/// Forces of four elements on their corners, from the stress at n+1 and hourglass control.
 template <int Dim>
 BRUNT_INLINE void corner_forces(const Work<Dim>& w, const Pack (&s)[6], Pack p, Real* out,
                                 const Thickness& thickness) {
   Pack sigma[Dim][Dim];
   stress_matrix(s, p, sigma);
-  const Pack k = kRootCorners<Dim> / w.now.measure;
-  for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) {
-      Pack moment = w.Q[0][i] * w.mode[0][j];
-      for (int a = 1; a < Shape<Dim>::kHourglass; ++a) moment += w.Q[a][i] * w.mode[a][j];
-      if constexpr (Dim == 2) sigma[i][j] *= w.now.thickness;
-      sigma[i][j] = k * moment - sigma[i][j];
+  if constexpr (Dim == 2) {
+    for (auto& row : sigma) {
+      for (Pack& component : row) component *= w.now.thickness;
     }
   }
   Modal<Dim, Pack> f;
   for (int m = 0; m < Shape<Dim>::kModes; ++m) {
     for (int i = 0; i < Dim; ++i) {
-      f.m[m][i] = broadcast<Pack>(0);
-      if (m < Shape<Dim>::kActive) {
-        for (int j = 0; j < Dim; ++j) f.m[m][i] += sigma[i][j] * w.now.E[m][j];
-      }
-      if (m >= Dim && m < Dim + Shape<Dim>::kHourglass) {
-        f.m[m][i] -= (1.0 / kRootCorners<Dim>)*w.Q[m - Dim][i];
-      }
+      f.m[m][i] = m < Shape<Dim>::kModes - 1 ? w.hourglass[m][i] : broadcast<Pack>(0);
+      if (m >= Shape<Dim>::kActive) continue;
+      for (int j = 0; j < Dim; ++j) f.m[m][i] -= sigma[i][j] * w.now.E[m][j];
     }
   }
   if constexpr (Dim == 2) {
@@ -266,16 +302,9 @@ BRUNT_INLINE void dynamics(const Lane<Dim>& lane, Work<Dim>& w) {
   Pack s[6];
   load_tensor<Dim>(block.state.deviator, e, s);
   const Pack p = load(block.state.pressure.data() + e);
-  HourglassModes<Dim> q;
-  hourglass_increment<Dim>(w.mode, w.moved, w.now, q);
   add_half(block.stress_work, e, w.stress_work + w.now.work(s, p));
-  add_half(block.hourglass_work, e, w.hourglass_work + dot<Dim>(w.Q, q));
   add_half(block.viscous_work, e, w.viscous_work);
   store(block.viscous_pressure.data() + e, w.q);
-  for (int k = 0; k < block.kHourglassValues; ++k) {
-    store(block.hourglass.data() + static_cast<std::size_t>(k) * block.n_padded + e,
-          w.Q[k / Dim][k % Dim]);
-  }
   store_stable_step<Dim>(block, e, w.norm, w.rho, load(block.state.bulk.data() + e), w.rate);
   corner_forces(w, s, p + w.q, lane.step.corner_force + e * Shape<Dim>::kCorners * Dim,
                 lane.step.thickness);

@@ -16,11 +16,8 @@ BRUNT_INLINE void rotate_and_strain(const MidStep<Dim, Pack>& mid, Pack (&s)[6],
   const auto& g = mid.gradient;
   const Pack zero = broadcast<Pack>(0.0);
   for (auto& component : strain) component = zero;
-  for (int i = 0; i < Dim; ++i) strain[i] = g[i][i];
-  strain[xy] = 0.5 * (g[0][1] + g[1][0]);
+  step_strain(g, strain);
   if constexpr (Dim == 3) {
-    strain[yz] = 0.5 * (g[1][2] + g[2][1]);
-    strain[zx] = 0.5 * (g[2][0] + g[0][2]);
     rotate_symmetric(hughes_winget<Pack>(0.5 * (g[2][1] - g[1][2]), 0.5 * (g[0][2] - g[2][0]),
                                          0.5 * (g[1][0] - g[0][1])),
                      s);

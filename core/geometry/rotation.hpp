@@ -73,6 +73,37 @@ BRUNT_INLINE void rotate_symmetric(const PlaneRotation<V>& rotation, V* s) {
   s[zx] = c * s_zx - n * s_yz;
 }
 
+/// Strain of a step in the axes of its end, e[xx], e[yy], e[zz], e[xy], e[yz], e[zx], from the
+/// gradient of displacement L = D + w at its middle: D + (w D - D w)/2. D is in the axes of the
+/// middle, which half of the step's rotation takes to its end. D alone would leave an error of w D
+/// in each step, of first order in dt; a strain that comes and goes under a turn that comes and
+/// goes would then not come back to nothing.
+template <class V>
+BRUNT_INLINE void step_strain(const V (&L)[3][3], V* e) {
+  const V d_xy = 0.5 * (L[0][1] + L[1][0]), d_yz = 0.5 * (L[1][2] + L[2][1]);
+  const V d_zx = 0.5 * (L[2][0] + L[0][2]);
+  // Halves of w_xy, w_yz, w_zx.
+  const V a = 0.25 * (L[0][1] - L[1][0]), b = 0.25 * (L[1][2] - L[2][1]);
+  const V c = 0.25 * (L[2][0] - L[0][2]);
+  const V turned_xy = 2.0 * (a * d_xy), turned_yz = 2.0 * (b * d_yz), turned_zx = 2.0 * (c * d_zx);
+  e[xx] = L[0][0] + (turned_xy - turned_zx);
+  e[yy] = L[1][1] + (turned_yz - turned_xy);
+  e[zz] = L[2][2] + (turned_zx - turned_yz);
+  e[xy] = d_xy + (a * (L[1][1] - L[0][0]) + (b * d_zx - c * d_yz));
+  e[yz] = d_yz + (b * (L[2][2] - L[1][1]) + (c * d_xy - a * d_zx));
+  e[zx] = d_zx + (c * (L[0][0] - L[2][2]) + (a * d_yz - b * d_xy));
+}
+
+/// The same in the plane, without e[zz]; e[yz] and e[zx] are none.
+template <class V>
+BRUNT_INLINE void step_strain(const V (&L)[2][2], V* e) {
+  const V shear = 0.5 * (L[0][1] + L[1][0]), a = 0.25 * (L[0][1] - L[1][0]);
+  const V turned = 2.0 * (a * shear);
+  e[xx] = L[0][0] + turned;
+  e[yy] = L[1][1] - turned;
+  e[xy] = shear + a * (L[1][1] - L[0][0]);
+}
+
 /// a <- R a of a vector a[3].
 template <class V>
 BRUNT_INLINE void rotate_vector(const Rotation<V>& rotation, V* a) {
