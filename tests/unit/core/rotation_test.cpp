@@ -68,17 +68,59 @@ TEST(Rotation, TenTurnsKeepTheNormOfStress) {
   EXPECT_NEAR(matrix(s).norm() / norm, 1, 1e-12);  // 3600 steps of a few 1e-16
 }
 
-TEST(Rotation, SimpleShearIsThatOfJaumann) {
-  constexpr int steps = 1000;
-  constexpr Real step = 1.0 / steps;
-  Real s[6] = {};  // in units of G
-  for (int i = 0; i < steps; ++i) {
-    rotate_symmetric(hughes_winget(-0.5 * step), s);
-    s[xy] += 2 * 0.5 * step;
+// ds/dt of Jaumann's rate in simple shear, G = 1: s_xy = sin gamma, s_xx = -s_yy = 1 - cos gamma.
+// Rotated first and strained then, in the axes of the step's end, the error is of second order: a
+// step leaves out [w, [w, D]]/6 of the strain, which is step^2/6 of it.
+TEST(Rotation, SimpleShearIsThatOfJaumannToSecondOrder) {
+  Real error[2];
+  for (const int fine : {0, 1}) {
+    const int steps = 100 << fine;
+    const Real step = 1.0 / steps;
+    const Real L[2][2] = {{0, step}, {0, 0}};
+    Real s[6] = {};
+    for (int i = 0; i < steps; ++i) {
+      Real e[6] = {};
+      step_strain(L, e);
+      rotate_symmetric(hughes_winget(-0.5 * step), s);
+      for (int c = 0; c < 6; ++c) s[c] += 2 * e[c];
+    }
+    error[fine] = std::max({std::abs(s[xy] - std::sin(1.0)), std::abs(s[xx] - (1 - std::cos(1.0))),
+                            std::abs(s[yy] + (1 - std::cos(1.0)))});
+    EXPECT_LT(error[fine], step * step / 6);
   }
-  EXPECT_NEAR(s[xy], std::sin(1.0), 1e-3);
-  EXPECT_NEAR(s[xx], 1 - std::cos(1.0), 1e-3);
-  EXPECT_NEAR(s[yy], -(1 - std::cos(1.0)), 1e-3);
+  EXPECT_NEAR(error[0] / error[1], 4, 0.1);
+}
+
+// Half of the rotation of a step R takes what is seen from its middle to its end: e is
+// R^1/2 D R^1/2^T up to terms of third order, here some 1e-12 where w D is 1e-8.
+TEST(Rotation, StrainIsInTheAxesOfTheEnd) {
+  const Real L[3][3] = {{1e-4, 3e-4, -2e-4}, {-1e-4, -2e-4, 1e-4}, {2e-4, -3e-4, 3e-4}};
+  const Real D[6] = {L[0][0],
+                     L[1][1],
+                     L[2][2],
+                     0.5 * (L[0][1] + L[1][0]),
+                     0.5 * (L[1][2] + L[2][1]),
+                     0.5 * (L[2][0] + L[0][2])};
+  Real half[6], e[6];
+  std::copy_n(D, 6, half);
+  rotate_symmetric(hughes_winget(0.25 * (L[2][1] - L[1][2]), 0.25 * (L[0][2] - L[2][0]),
+                                 0.25 * (L[1][0] - L[0][1])),
+                   half);
+  step_strain(L, e);
+  Real turned = 0;
+  for (int c = 0; c < 6; ++c) {
+    EXPECT_NEAR(e[c], half[c], 2e-11);
+    turned = std::max(turned, std::abs(e[c] - D[c]));
+  }
+  EXPECT_GT(turned, 1e-8);
+  EXPECT_NEAR(e[xx] + e[yy] + e[zz], D[xx] + D[yy] + D[zz], 1e-19);
+
+  const Real plane[2][2] = {{L[0][0], L[0][1]}, {L[1][0], L[1][1]}};
+  const Real flat[3][3] = {{L[0][0], L[0][1], 0}, {L[1][0], L[1][1], 0}, {0, 0, 0}};
+  Real in_plane[6] = {}, in_space[6];
+  step_strain(plane, in_plane);
+  step_strain(flat, in_space);
+  for (int c = 0; c < 6; ++c) EXPECT_EQ(in_plane[c], in_space[c]);
 }
 
 TEST(Rotation, LanesHaveTheBitsOfAReal) {
