@@ -75,16 +75,17 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
       }
       phases.rebook(Phase::contact, Phase::search, scene.contact->take_list_time());
     }
+    // Before the internal forces, which take what acts across the axis of an axisymmetric scene.
+    {
+      const PhaseTimer timer(phases, Phase::points);
+      if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
+    }
     for (std::size_t s = 0; s < scene.solids.size(); ++s) {
       auto& solid = *scene.solids[s];
       const PhaseTimer timer(phases, phase_of(solid));
       scene.sections.before_internal(s, solid.points());
       solid.add_internal_forces(dt);
       scene.sections.after_internal(s, solid.points());
-    }
-    {
-      const PhaseTimer timer(phases, Phase::points);
-      if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
     }
     if (scene.conducts()) scene.add_heat(clock.time() + dt, dt, clock.step());
     {

@@ -40,6 +40,9 @@ void ContactManager<Dim>::Implementation::press_at_start() {
     auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
     const auto p = static_cast<std::size_t>(nodes.point[i]);
     points.a[p] = points.f[p] / nodes.mass[i];
+    // Nothing moves off the axis.
+    const bool ring = section.geometry == Geometry::axisymmetric;
+    if (ring && points.x_start[p][0] == 0) points.a[p][0] = 0;
   }
   records.visit([&](const ContactRecord<Dim>& record) {
     nodes.spring_energy[book_of(entities, key_of(record))] +=

@@ -156,6 +156,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
     }
   }
   gather_.template add<Dim>(corner_force_.data(), points_.f);
+  // Of whatever acts: contact and loads come first.
   for (const LocalIndex node : axis_) points_.f[node][0] = 0;
 }
 

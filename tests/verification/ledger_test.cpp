@@ -112,5 +112,25 @@ TEST(BrokenRun, NamesTheElementThatIsTurnedInsideOut) {
   EXPECT_NE(failure.find("invert"), std::string::npos) << "said: " << failure;
 }
 
+// A force along the radius on a whole side pulls at its node on the axis too, which cannot follow:
+// the axis keeps its five nodes, and the balance closes to rounding.
+TEST(AxisOfSymmetry, KeepsItsNodesUnderARadialForce) {
+  const auto run = simulate_text(R"(
+title: a disc pulled outwards at its upper side
+geometry: axisymmetric
+time: {end: 2 ms}
+materials: {rubber: {density: 1000 kg/m^3, elastic: {E: 1 MPa, nu: 0.3}}}
+bodies:
+  disc: {material: rubber, shape: {box: {min: [0, 0], max: [10 mm, 10 mm]}}, cells: [4, 4]}
+boundaries: {pull: {body: disc, where: {side: max-y}, force: [1 N, 1 N]}}
+)");
+  ASSERT_EQ(run.failure, "");
+  EXPECT_LT(run.worst_drift, 1e-12);
+  const auto& position = run.bodies.at("disc").position;
+  int on_axis = 0;
+  for (std::size_t i = 0; i < position.size(); i += 3) on_axis += position[i] == 0 ? 1 : 0;
+  EXPECT_EQ(on_axis, 5);
+}
+
 }  // namespace
 }  // namespace brunt::test
