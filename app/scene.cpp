@@ -85,7 +85,6 @@ namespace {
 template <int Dim>
 void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, Real dt,
                 Totals<Dim>& totals) {
-  const Real correction = 0.25 * dt * dt;
   for (std::size_t i = first; i < last; ++i) {
     auto& body = totals.bodies[points.body[i]];
     const Real m = points.mass[i];
@@ -110,9 +109,10 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
       body.mass_position[c].add(m * points.x[i][c]);
       body.momentum[c].add(m * points.v[i][c]);
     }
-    // m v(n-1/2).v(n+1/2)/2, the kinetic energy that velocity Verlet keeps (physics.md D)
-    body.kinetic.add(0.5 * m *
-                     (points.v[i].squaredNorm() - correction * points.a[i].squaredNorm()));
+    // m v(n-1/2).v(n+1/2)/2, the kinetic energy that velocity Verlet keeps (physics.md D); as a
+    // product it is 0 to the last digit in the first step from rest
+    const Vec<Dim> half = 0.5 * dt * points.a[i];
+    body.kinetic.add(0.5 * m * (points.v[i] - half).dot(points.v[i] + half));
     totals.add(Column::integration, points.integration[i]);
   }
 }
