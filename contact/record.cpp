@@ -16,6 +16,7 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
         nodes.damping[at][c] += next->damping[c];
         if (nodes.rubs) nodes.friction[at][c] += next->friction[c];
       }
+      nodes.pressed[at] = 1;
     }
     ++next;
   };
@@ -29,6 +30,7 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
       nodes.spring[at] += record.weight[k] * record.spring * record.normal;
       nodes.damping[at] += record.weight[k] * record.damping * record.normal;
       if (friction != nullptr) nodes.friction[at] += friction->force[k];
+      nodes.pressed[at] = 1;
     }
   });
   while (next != elsewhere.end()) add_next();
@@ -41,6 +43,7 @@ void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
   const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
   nodes.spring_energy[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
   nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
+  if (!nodes.pressed[i]) return;
   auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
   auto& f = points.f[static_cast<std::size_t>(nodes.point[i])];
   f += nodes.spring[i] + nodes.damping[i];
@@ -101,6 +104,7 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
   std::swap(nodes.spring, nodes.spring_last);
   std::swap(nodes.damping, nodes.damping_last);
+  std::swap(nodes.pressed, nodes.pressed_last);
   const std::size_t n = nodes.size();
 #pragma omp parallel if (n > kWorthThreads)
   {
@@ -109,13 +113,17 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     const auto k = static_cast<std::size_t>(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
     for (std::size_t i = first; i < last; ++i) {
+      if (nodes.rubs && nodes.pressed_last[i]) nodes.friction[i].setZero();
+      if (!nodes.pressed[i]) continue;  // most touch nothing, and are not even read
       nodes.spring[i].setZero();
       nodes.damping[i].setZero();
-      if (nodes.rubs) nodes.friction[i].setZero();
+      nodes.pressed[i] = 0;
     }
     gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
            nodes);
-    for (std::size_t i = first; i < last; ++i) book(i, dt, surfaces, nodes);
+    for (std::size_t i = first; i < last; ++i) {
+      if (nodes.pressed[i] || nodes.pressed_last[i]) book(i, dt, surfaces, nodes);
+    }
   }
 }
 
