@@ -275,7 +275,16 @@ void Entities<Dim>::refresh_planes() {
     face_velocity[f] = sum / face.n_nodes;
     refresh(plane);
     boxes[f] = box_of(plane, 0.0);
-    reaches[f] = grown(plane, face.rigid() ? deepest : face.depth, gap(face.body), boxes[f]);
+  }
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_reaches() {
+#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& face = faces[f];
+    const Real depth = face.rigid() ? deepest : face.depth;
+    reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
   }
 }
 

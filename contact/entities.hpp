@@ -106,6 +106,8 @@ struct Entities {
   void inherit_tractions(const Entities& old);
   /// Planes, velocities and boxes of all faces at nodes.x, nodes.v.
   void refresh_planes();
+  /// `reaches` of all faces, once their planes are there.
+  void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
   /// Bound from the faces' own springs, before anything touches (physics.md A5).

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "contact/evaluate.hpp"
-#include "contact/law.hpp"
+#include "contact/particle_law.hpp"
 
 namespace brunt {
 
@@ -11,6 +11,7 @@ namespace {
 template <int Dim>
 struct Present {
   const ContactParticle& particle;
+  LocalIndex place;  // of the particle
   Vec<Dim> x, v;
   Real mass;
   Real breadth;
@@ -83,7 +84,7 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
   const Vec<Dim> relative = now.v - entities.face_velocity[f];
   const Real r = now.particle.radius;
   Real closing = -relative.dot(plane.normal);
-  if (entities.faces[f].open) {
+  if (entities.any_open && entities.faces[f].open) {
     if (std::fabs(before) <= r) closing = std::fabs(closing);
     if (before < -r) closing = -closing;
     before = std::fabs(before);
@@ -98,74 +99,71 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
-/// Faces that may hold the particle of a row, to part.near. Where it is before all of them, those
-/// out of touch are left out: none is a contact, nor nearer than one. Behind some, they tell where
-/// the surface is nearest.
+/// Faces that may hold the particle of a row, to the front of part.near; returns how many. Where it
+/// is before all of them, those out of touch are left out: none is a contact, nor nearer than one.
+/// Behind some, they tell where the surface is nearest.
 template <int Dim>
-void find_near(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
-               const Present<Dim>& now, const EvaluationStep& step,
-               typename Records<Dim>::Part& part) {
-  auto& near = part.near;
-  near.clear();
+std::size_t find_near(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
+                      const Present<Dim>& now, const EvaluationStep& step,
+                      typename Records<Dim>::Part& part) {
+  const auto [first, last] = rows.range(row);
+  if (part.near.size() < last - first + kLanes) part.near.resize(last - first + kLanes);
+  LocalIndex* near = part.near.data();
+  const std::size_t listed = rows.clearances.find_near(first, last, rows.loss, near);
   bool before_all = true;
   const Real r = now.particle.radius;
-  for (std::size_t i = rows.starts[row]; i < rows.starts[row + 1]; ++i) {
-    if (rows.loss.leaves(rows.clearances[i])) continue;
-    const auto f = static_cast<std::size_t>(rows.clearances[i].entity);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < listed; ++i) {
+    const auto f = static_cast<std::size_t>(near[i]);
     const auto& plane = entities.planes[f];
-    const auto& face = entities.faces[f];
     const Real before = plane.normal.dot(now.x - plane.center);
     take_speed_vote(entities, f, now, before, step.longest, part.vote);
     const auto& box = entities.boxes[f];
-    const Reach reach = face.open ? reach_of_open<Dim>(plane, box, now.x, r, before,
-                                                       side_of(step.touches, now.particle, face))
-                                  : reach_of<Dim>(plane, box, now.x, r, before);
+    const bool open = entities.any_open && entities.faces[f].open;
+    const Reach reach =
+        open ? reach_of_open<Dim>(plane, box, now.x, r, before,
+                                  side_of(step.touches, now.particle, entities.faces[f]))
+             : reach_of<Dim>(plane, box, now.x, r, before);
     if (reach == Reach::none) continue;
     before_all = before_all && reach == Reach::before;
-    near.push_back(i);
-    // One in twenty is read, a thousand bytes after the last: it would be waited for.
-    __builtin_prefetch(&rows.candidates[i]);
+    near[n++] = near[i];
   }
-  if (!before_all) return;
-  std::erase_if(near, [&](std::size_t i) {
-    const auto f = static_cast<std::size_t>(rows.clearances[i].entity);
-    return out_of_touch<Dim>(entities.boxes[f], now.x, r);
+  if (!before_all) return n;
+  LocalIndex* const end = std::remove_if(near, near + n, [&](LocalIndex f) {
+    return out_of_touch<Dim>(entities.boxes[static_cast<std::size_t>(f)], now.x, r);
   });
+  return static_cast<std::size_t>(end - near);
 }
 
-/// Adds what of the face of a candidate is nearest to the particle to part.hits.
+/// Adds what of a face is nearest to the particle to part.hits.
 template <int Dim>
-void add_hit(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t candidate,
-             const Present<Dim>& now, const EvaluationStep& step,
-             typename Records<Dim>::Part& part) {
-  const auto f = static_cast<std::size_t>(rows.clearances[candidate].entity);
+void add_hit(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
+             const EvaluationStep& step, typename Records<Dim>::Part& part) {
   const auto& face = entities.faces[f];
-  auto& hit = part.hits.emplace_back();
-  hit.plane = &entities.planes[f];
+  auto& hit = part.hits.emplace_back(entities.planes[f], now.x);
   hit.node = face.node;
   hit.body = face.body, hit.piece = face.piece;
   hit.open = face.open;
   if (face.open) hit.side = side_of(step.touches, now.particle, face);
-  hit.candidate = static_cast<LocalIndex>(candidate);
-  hit.nearest = nearest_point<Dim>(entities.planes[f], now.x);
-  hit.limit = rows.candidates[candidate].limit;
+  hit.face = static_cast<LocalIndex>(f);
+  hit.limit = held_behind(now.particle, face);
 }
 
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
-void fill_record(const Entities<Dim>& entities, const Present<Dim>& now,
-                 const ParticleCandidate& candidate, Real dt, ParticleHit<Dim>& hit,
-                 Real& squared_frequency, ContactRecord<Dim>& record) {
+void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
+                 Real dt, ParticleHit<Dim>& hit, Real& squared_frequency,
+                 ContactRecord<Dim>& record) {
   const auto& nodes = entities.nodes;
-  const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
+  const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
   record.of_particle = true;
   record.first = now.particle.id, record.second = face.id;
-  record.first_place = candidate.particle, record.second_place = candidate.face;
+  record.first_place = now.place, record.second_place = hit.face;
   record.lower_body = face.body, record.upper_body = now.particle.body;
   record.normal = hit.direction;
   record.point = hit.nearest.point;
   record.penetration = hit.overlap;
-  record.area = std::pow(2 * now.particle.radius, Dim - 1) * now.breadth;
+  record.area = section_of<Dim>(now.particle) * now.breadth;
   record.add(now.particle.node, 1);
 
   Real compliance = 0;  // of the face's mass, [1/kg]
@@ -181,9 +179,9 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now,
   if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
-  const ParticleSpring spring{candidate.stiffness * now.breadth,
-                              kBarrier * candidate.own * now.breadth, now.particle.radius};
-  hit.damping = damping_coefficient(candidate.zeta, spring.linear, mass);
+  const ParticleSpring spring{law.stiffness * now.breadth, kBarrier * law.own * now.breadth,
+                              now.particle.radius};
+  hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
   record.damping = std::max(hit.share * hit.damping * closing, -record.spring);
   if (mass > 0) {
@@ -193,24 +191,23 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now,
 }
 
 template <int Dim>
-void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
-                  const ParticleCandidate& candidate, const ParticleHit<Dim>& hit,
-                  const Section& section, Real dt, FrictionHistory<Dim>& history,
-                  typename Records<Dim>::Part& part) {
-  const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
+void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
+                  const ParticleHit<Dim>& hit, const Section& section, Real dt,
+                  FrictionHistory<Dim>& history, typename Records<Dim>::Part& part) {
+  const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
   auto& record = part.particle_on_face.back();
   FrictionStep<Dim> step;
-  step.options = candidate.rubs;
+  step.options = law.rubs;
   step.upper = {0, 1, false};
   step.lower = {1, record.n_nodes, section.geometry != Geometry::axisymmetric && !face.rigid()};
   step.point = now.x;
   for (std::size_t i = 0; i < step.weight.size(); ++i) step.weight[i] = std::fabs(record.weight[i]);
   step.area = hit.share;
   step.pressed = hit.share * record.area;
-  step.stiffness = candidate.stiffness * now.breadth;
+  step.stiffness = law.stiffness * now.breadth;
   step.damping = hit.damping;
   step.dt = dt;
-  ask_particle(entities, now.particle, candidate.face, record, step);
+  ask_particle(entities, now.particle, hit.face, record, step);
   step.before =
       history.of_particle(key_of(record), face.body, face.piece, record.normal, part.past);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
@@ -248,14 +245,14 @@ void remember_sides(const ContactParticle& particle, std::size_t first,
 /// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
 /// at time 0 begins with it.
 template <int Dim>
-void track_overlaps(const ContactParticle& particle, std::span<const ParticleCandidate> candidates,
-                    const TouchStep& step, typename Records<Dim>::Part& part) {
+void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
+                    typename Records<Dim>::Part& part) {
   if (!step.time_zero && step.before->empty()) return;
   auto& touches = part.particle_touches;
   const std::size_t first = touches.size();
   for (const auto& hit : part.hits) {
     if (!hit.kept) continue;
-    const bool presses = candidates[static_cast<std::size_t>(hit.candidate)].presses;
+    const bool presses = pairs.of(particle.body, hit.body).initial_overlap == InitialOverlap::press;
     // A smaller overlap is rounding.
     const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
     if (presses || hit.overlap <= least) continue;
@@ -280,25 +277,25 @@ void track_overlaps(const ContactParticle& particle, std::span<const ParticleCan
 }
 
 template <int Dim>
-void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
-                 std::span<const ParticleCandidate> candidates, const Section& section,
-                 const EvaluationStep& step, FrictionHistory<Dim>* history, ParticleLoad& load,
-                 typename Records<Dim>::Part& part) {
+void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFinder& pairs,
+                 const Section& section, const EvaluationStep& step, FrictionHistory<Dim>* history,
+                 ParticleLoad& load, typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   const std::size_t first_touch = part.particle_touches.size();
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
-  track_overlaps<Dim>(now.particle, candidates, step.touches, part);
+  track_overlaps<Dim>(now.particle, pairs, step.touches, part);
   if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
-    const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
-    fill_record(entities, now, candidate, dt, hit, squared_frequency,
+    const auto law = law_of(now.particle, entities.faces[static_cast<std::size_t>(hit.face)],
+                            pairs.of(now.particle.body, hit.body));
+    fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
-    if (candidate.rubs != nullptr && history != nullptr) {
-      add_friction(entities, now, candidate, hit, section, dt, *history, part);
+    if (law.rubs != nullptr && history != nullptr) {
+      add_friction(entities, now, law, hit, section, dt, *history, part);
     }
-    load.zeta = std::max(load.zeta, candidate.zeta);
+    load.zeta = std::max(load.zeta, law.zeta);
   }
   if (squared_frequency > 0 && !now.particle.held) {
     const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(load.zeta);
@@ -312,29 +309,33 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                         const Section& section, const EvaluationStep& step,
                         FrictionHistory<Dim>* history, std::span<ParticleLoad> loads,
                         typename Records<Dim>::Part& part) {
-  const auto& candidates = rows.candidates;
+  PairFinder pairs(rows.pairs);
   for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
     const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
     if (out_of_touch && !entities.nodes.warm) continue;
-    const std::size_t first = rows.starts[row], last = rows.starts[row + 1];
     const LocalIndex place = rows.row_clearances[row].entity;
     const auto& particle = entities.particles[static_cast<std::size_t>(place)];
     const auto node = static_cast<std::size_t>(particle.node);
     const Vec<Dim> x = entities.nodes.x[node];
-    const Present<Dim> now{particle, x, entities.nodes.v[node], entities.nodes.mass[node],
+    const Present<Dim> now{particle,
+                           place,
+                           x,
+                           entities.nodes.v[node],
+                           entities.nodes.mass[node],
                            section.breadth(x[0])};
     part.hits.clear();
     const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    find_near<Dim>(entities, rows, row, now, step, part);
-    for (const std::size_t i : part.near) add_hit(entities, rows, i, now, step, part);
+    const std::size_t near = find_near<Dim>(entities, rows, row, now, step, part);
+    for (std::size_t i = 0; i < near; ++i) {
+      add_hit(entities, static_cast<std::size_t>(part.near[i]), now, step, part);
+    }
     ParticleLoad load;
     if (!part.hits.empty()) {
-      record_hits(entities, now, candidates, section, step, history, load, part);
+      record_hits(entities, now, pairs, section, step, history, load, part);
     }
     if (entities.nodes.warm) {
-      load.on_faces = load.heat_contacts =
-          add_particle_heat<Dim>(entities, candidates, {first, last},
-                                 std::pow(2 * particle.radius, Dim - 1) * now.breadth, ends, part);
+      load.on_faces = load.heat_contacts = add_particle_heat<Dim>(
+          entities, rows, row, pairs, section_of<Dim>(particle) * now.breadth, ends, part);
     }
     if (!loads.empty()) loads[static_cast<std::size_t>(place)] = load;
   }
