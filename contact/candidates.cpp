@@ -289,7 +289,7 @@ template <int Dim>
 ParticleRows Candidates<Dim>::particle_rows(const PairTable& pairs, Real longest) const {
   const ClearanceLoss loss{moved_ + speed_ * longest, std::sqrt(Real{Dim}) * moved_ + warped_,
                            turned_};
-  return {pairs, clearances_, starts_, row_clearances_, loss};
+  return {pairs, clearances_, starts_, row_clearances_, loss, speed_};
 }
 
 template <int Dim>

@@ -38,11 +38,16 @@ struct ParticleRows {
   std::span<const std::size_t> starts;        ///< where each row begins, and their end
   std::span<const Clearance> row_clearances;  ///< of each row as a whole, with its particle
   ClearanceLoss loss;
+  Real fastest = kInfinity;  ///< [m/s] no two nodes move faster relative to each other
 
   /// Rows first .. last of them.
   ParticleRows part(std::size_t first, std::size_t last) const {
-    return {pairs, clearances, starts.subspan(first, last - first + 1),
-            row_clearances.subspan(first, last - first), loss};
+    return {pairs,
+            clearances,
+            starts.subspan(first, last - first + 1),
+            row_clearances.subspan(first, last - first),
+            loss,
+            fastest};
   }
   /// Where its candidates begin and end.
   std::pair<std::size_t, std::size_t> range(std::size_t row) const {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/box_query.hpp"
 #include "contact/evaluate.hpp"
 #include "contact/particle_law.hpp"
 
@@ -13,42 +14,36 @@ struct Present {
   const ContactParticle& particle;
   LocalIndex place;  // of the particle
   Vec<Dim> x, v;
+  BoxQuery<Dim> about;
   Real mass;
   Real breadth;
 };
 
-template <int Dim>
-bool in_box(const SearchBox<Dim>& box, const Vec<Dim>& x, Real reach) {
-  for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
-    if (x[c] < box.lo[k] - reach || x[c] > box.hi[k] + reach) return false;
-  }
-  return true;
-}
+/// Whether a particle may overlap a face, and whether it does so from before it.
+struct Reach {
+  bool any, before;
+};
 
-/// Where a particle may overlap a face from.
-enum class Reach { none, before, behind };
-
-/// Whether the particle, `before` [m] its mean plane, may overlap the face: its centre at most r
-/// before it or a few r behind.
+/// Of the particle, `before` [m] the mean plane: its centre is at most r before the face or a few r
+/// behind. Without branches: which faces are near changes from one to the next.
 template <int Dim>
-Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r,
+Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
                Real before) {
-  if (plane.area == 0) return Reach::none;
-  if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return Reach::none;
+  const Real r = now.particle.radius;
   const bool clear = before > plane.warp;
-  if (!in_box<Dim>(box, x, clear ? r : kDepthRadii * r)) return Reach::none;
-  return clear ? Reach::before : Reach::behind;
+  const bool none =
+      (plane.area == 0) | (before > r + plane.warp) | (before < -kDepthRadii * r - plane.warp);
+  const bool any = !none & now.about.in(box, clear ? r : kDepthRadii * r);
+  return {any, clear};
 }
 
 /// The same of an open surface, which holds what belongs to one of its `side`s deep on the other.
 template <int Dim>
-Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x,
-                    Real r, Real before, int side) {
-  if (plane.area == 0) return Reach::none;
-  const Real reach = side != 0 ? kOpenDepthRadii * r : r;
-  if (std::fabs(before) > reach + plane.warp || !in_box<Dim>(box, x, reach)) return Reach::none;
-  return side == 0 || side * before > plane.warp ? Reach::before : Reach::behind;
+Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
+                    Real before, int side) {
+  const Real reach = (side != 0 ? kOpenDepthRadii : 1) * now.particle.radius;
+  const bool none = plane.area == 0 || std::fabs(before) > reach + plane.warp;
+  return {!none && now.about.in(box, reach), side == 0 || side * before > plane.warp};
 }
 
 /// Where the particle belongs at an open surface, as it was at the last evaluation; 0: not known.
@@ -58,21 +53,8 @@ int side_of(const TouchStep& step, const ContactParticle& particle, const Contac
   return before == nullptr ? 0 : before->side;
 }
 
-/// True if the box, and so the face in it, is farther than r by more than what still touches.
-template <int Dim>
-bool out_of_touch(const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
-  Real square = 0;
-  for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
-    const Real out = std::max({box.lo[k] - x[c], x[c] - box.hi[k], 0.0});
-    square += out * out;
-  }
-  const Real touching = (1 + 10 * kTouchingGap) * r;
-  return square > touching * touching;
-}
-
 /// A product that is larger by this factor is larger however it was rounded.
-constexpr Real kSurelyMore = 1 + 1e-12;
+constexpr Real kSurelyMore = 1 + 1e-9;
 
 /// The bound of a particle, `before` [m] the mean plane of face f, that closes on it: to half a
 /// radius of overlap, or half a radius more. What would vote more than `longest` need not be near,
@@ -81,7 +63,7 @@ template <int Dim>
 void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
                      Real before, Real longest, StepVote& vote) {
   const auto& plane = entities.planes[f];
-  const Vec<Dim> relative = now.v - entities.face_velocity[f];
+  const Vec<Dim> relative = now.v - entities.face_velocity(f);
   const Real r = now.particle.radius;
   Real closing = -relative.dot(plane.normal);
   if (entities.any_open && entities.faces[f].open) {
@@ -89,50 +71,56 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
     if (before < -r) closing = -closing;
     before = std::fabs(before);
   }
-  if (!(closing > 0) || before < -kDepthRadii * r) return;
   const Real way = std::max(before - r - plane.warp, 0.0) + 0.5 * r;
   const Real least = std::min(longest, vote.step);
-  if (way > closing * least * kSurelyMore) return;  // most are: spares the division
+  // Most take longer, which spares the division; one branch for all that has no vote.
+  const bool none =
+      !(closing > 0) | (before < -kDepthRadii * r) | (way > closing * least * kSurelyMore);
+  if (none) return;
   const Real step = way / closing;
   if (step > least) return;
-  if (!in_box<Dim>(entities.boxes[f], now.x, r + relative.norm() * longest)) return;
+  if (!now.about.in(entities.boxes[f], r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
-/// Faces that may hold the particle of a row, to the front of part.near; returns how many. Where it
-/// is before all of them, those out of touch are left out: none is a contact, nor nearer than one.
-/// Behind some, they tell where the surface is nearest.
+/// Faces that may hold the particle of a row. Where it is before all of them, those farther from it
+/// than what still touches are left out: none is a contact, nor nearer than one. Behind some, they
+/// tell where the surface is nearest.
 template <int Dim>
-std::size_t find_near(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
-                      const Present<Dim>& now, const EvaluationStep& step,
-                      typename Records<Dim>::Part& part) {
+std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const ParticleRows& rows,
+                                      std::size_t row, const Present<Dim>& now,
+                                      const EvaluationStep& step,
+                                      typename Records<Dim>::Part& part) {
   const auto [first, last] = rows.range(row);
-  if (part.near.size() < last - first + kLanes) part.near.resize(last - first + kLanes);
-  LocalIndex* near = part.near.data();
+  const std::size_t room = last - first + kLanes;
+  if (part.near.size() < 2 * room) part.near.resize(2 * room);
+  LocalIndex *near = part.near.data(), *touching = near + room;
   const std::size_t listed = rows.clearances.find_near(first, last, rows.loss, near);
+  const Real farthest = (1 + 10 * kTouchingGap) * now.particle.radius;
+  // Half a radius is the least way: where nothing is fast enough for it no face has a vote.
+  const bool votes = !(0.5 * now.particle.radius > rows.fastest * step.longest * kSurelyMore);
   bool before_all = true;
-  const Real r = now.particle.radius;
-  std::size_t n = 0;
+  std::size_t n = 0, n_touching = 0;
   for (std::size_t i = 0; i < listed; ++i) {
-    const auto f = static_cast<std::size_t>(near[i]);
+    const LocalIndex face = near[i];
+    const auto f = static_cast<std::size_t>(face);
     const auto& plane = entities.planes[f];
     const Real before = plane.normal.dot(now.x - plane.center);
-    take_speed_vote(entities, f, now, before, step.longest, part.vote);
+    if (votes) take_speed_vote(entities, f, now, before, step.longest, part.vote);
     const auto& box = entities.boxes[f];
     const bool open = entities.any_open && entities.faces[f].open;
     const Reach reach =
-        open ? reach_of_open<Dim>(plane, box, now.x, r, before,
+        open ? reach_of_open<Dim>(plane, box, now, before,
                                   side_of(step.touches, now.particle, entities.faces[f]))
-             : reach_of<Dim>(plane, box, now.x, r, before);
-    if (reach == Reach::none) continue;
-    before_all = before_all && reach == Reach::before;
-    near[n++] = near[i];
+             : reach_of<Dim>(plane, box, now, before);
+    before_all &= !reach.any | reach.before;
+    near[n] = touching[n_touching] = face;
+    n += reach.any;
+    const bool touches = !(now.about.squared_distance(box) > farthest * farthest);
+    n_touching += reach.any & touches;
   }
-  if (!before_all) return n;
-  LocalIndex* const end = std::remove_if(near, near + n, [&](LocalIndex f) {
-    return out_of_touch<Dim>(entities.boxes[static_cast<std::size_t>(f)], now.x, r);
-  });
-  return static_cast<std::size_t>(end - near);
+  if (before_all) return {touching, n_touching};
+  return {near, n};
 }
 
 /// Adds what of a face is nearest to the particle to part.hits.
@@ -168,13 +156,14 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
 
   Real compliance = 0;  // of the face's mass, [1/kg]
   Vec<Dim> velocity = Vec<Dim>::Zero();
+  const bool deforms = face.deforms();
   for (int c = 0; c < face.n_nodes; ++c) {
     const auto k = static_cast<std::size_t>(c);
     const auto node = static_cast<std::size_t>(face.node[k]);
     const Real w = hit.nearest.weight[k];
     record.add(face.node[k], -w);
     velocity += w * nodes.v[node];
-    if (face.deforms()) compliance += w * w / nodes.mass[node];
+    if (deforms) compliance += w * w / nodes.mass[node];
   }
   if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
@@ -297,8 +286,11 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
     }
     load.zeta = std::max(load.zeta, law.zeta);
   }
-  if (squared_frequency > 0 && !now.particle.held) {
-    const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(load.zeta);
+  const Real lag = lag_factor(load.zeta), least = part.vote.step;
+  // Most steps are longer than one that is known, which spares a root and a division.
+  const bool longer = 4 * lag * lag > least * least * squared_frequency * kSurelyMore;
+  if (squared_frequency > 0 && !longer && !now.particle.held) {
+    const Real step = 2 / std::sqrt(squared_frequency) * lag;
     part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
 }
@@ -321,13 +313,13 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                            place,
                            x,
                            entities.nodes.v[node],
+                           BoxQuery<Dim>(x),
                            entities.nodes.mass[node],
                            section.breadth(x[0])};
     part.hits.clear();
     const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    const std::size_t near = find_near<Dim>(entities, rows, row, now, step, part);
-    for (std::size_t i = 0; i < near; ++i) {
-      add_hit(entities, static_cast<std::size_t>(part.near[i]), now, step, part);
+    for (const LocalIndex f : find_near<Dim>(entities, rows, row, now, step, part)) {
+      add_hit(entities, static_cast<std::size_t>(f), now, step, part);
     }
     ParticleLoad load;
     if (!part.hits.empty()) {

@@ -49,11 +49,14 @@ void set_vertex(NearestPoint<3>& nearest, int corner) {
   nearest.corner = {corner, corner};
 }
 
-/// What of the face the weights of a triangle name, which is fresh from inside of it. Corner 2 is
-/// the quad's centre if is_quad.
+BRUNT_INLINE bool inside(const Place<Real>& weight) {
+  return (weight.x != 0) & (weight.y != 0) & (weight.z != 0);
+}
+
+/// What of the face the weights of a triangle name that are not inside it. Corner 2 is the quad's
+/// centre if is_quad. nearest  fresh: of the inside
 void name_feature(const Place<Real>& weight, const std::array<int, 3>& corner, bool is_quad,
                   NearestPoint<3>& nearest) {
-  if (weight.x != 0 && weight.y != 0 && weight.z != 0) return;
   nearest.smooth = false;
   const std::array<Real, 3> w = {weight.x, weight.y, weight.z};
   const int zeros = (w[0] == 0) + (w[1] == 0) + (w[2] == 0);
@@ -105,7 +108,7 @@ void find_on_triangle(const FacePlane<3>& face, const Vec3& x, NearestPoint<3>& 
   nearest.point = vector(found.point);
   nearest.normal = vector(found.normal).normalized();
   nearest.weight = {found.weight.x, found.weight.y, found.weight.z, 0};
-  name_feature(found.weight, {0, 1, 2}, false, nearest);
+  if (!inside(found.weight)) name_feature(found.weight, {0, 1, 2}, false, nearest);
 }
 
 /// The first lane of the smallest of four numbers; one that is none is not smaller than any.
@@ -135,7 +138,7 @@ void find_on_quad(const FacePlane<3>& face, const Vec3& x, NearestPoint<3>& near
   nearest.weight.fill(of_center);
   nearest.weight[static_cast<std::size_t>(k)] = of_center + weight.x;
   nearest.weight[static_cast<std::size_t>(j)] = of_center + weight.y;
-  name_feature(weight, {k, j, -1}, true, nearest);
+  if (!inside(weight)) name_feature(weight, {k, j, -1}, true, nearest);
 }
 
 void find_on_edge(const FacePlane<2>& face, const Vec<2>& x, NearestPoint<2>& nearest) {

@@ -54,12 +54,15 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
   };
   std::vector<Motion> of;
   for (const auto* from : surfaces) of.push_back({from->points->x.data(), from->points->v.data()});
-#pragma omp parallel for schedule(static) if (size() > kWorthThreads)
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (point[i] < 0) continue;
-    const Motion& from = of[static_cast<std::size_t>(surface[i])];
-    x[i] = from.x[point[i]];
-    v[i] = from.v[point[i]];
+  const LocalIndex *const place = point.data(), *const whose = surface.data();
+  Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
+  const std::size_t n = size();
+#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+  for (std::size_t i = 0; i < n; ++i) {
+    if (place[i] < 0) continue;
+    const Motion& from = of[static_cast<std::size_t>(whose[i])];
+    to_x[i] = from.x[place[i]];
+    to_v[i] = from.v[place[i]];
   }
   if (turns || asks_material || warm) read_matter(surfaces);
 }

@@ -20,17 +20,21 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
     }
     ++next;
   };
+  Vec<Dim>*const springs = nodes.spring.data(), *const dampings = nodes.damping.data();
+  char* const pressed = nodes.pressed.data();
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     while (next != elsewhere.end() && next->key < key_of(record)) add_next();
-    for (int i = 0; i < record.n_nodes; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+    const Vec<Dim> normal = record.normal;
+    const Real spring = record.spring, damping = record.damping;
+    const auto n = static_cast<std::size_t>(record.n_nodes);
+    for (std::size_t k = 0; k < n; ++k) {
       const LocalIndex node = record.node[k];
       if (node < first || node >= last) continue;
       const auto at = static_cast<std::size_t>(node);
-      nodes.spring[at] += record.weight[k] * record.spring * record.normal;
-      nodes.damping[at] += record.weight[k] * record.damping * record.normal;
+      springs[at] += record.weight[k] * spring * normal;
+      dampings[at] += record.weight[k] * damping * normal;
       if (friction != nullptr) nodes.friction[at] += friction->force[k];
-      nodes.pressed[at] = 1;
+      pressed[at] = 1;
     }
   });
   while (next != elsewhere.end()) add_next();
@@ -112,17 +116,20 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     const auto count = static_cast<std::size_t>(omp_get_num_threads());
     const auto k = static_cast<std::size_t>(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
+    char* const pressed = nodes.pressed.data();
+    const char* const pressed_last = nodes.pressed_last.data();
+    const bool rubs = nodes.rubs;
     for (std::size_t i = first; i < last; ++i) {
-      if (nodes.rubs && nodes.pressed_last[i]) nodes.friction[i].setZero();
-      if (!nodes.pressed[i]) continue;  // most touch nothing, and are not even read
+      if (rubs && pressed_last[i]) nodes.friction[i].setZero();
+      if (!pressed[i]) continue;  // most touch nothing, and are not even read
       nodes.spring[i].setZero();
       nodes.damping[i].setZero();
-      nodes.pressed[i] = 0;
+      pressed[i] = 0;
     }
     gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
            nodes);
     for (std::size_t i = first; i < last; ++i) {
-      if (nodes.pressed[i] || nodes.pressed_last[i]) book(i, dt, surfaces, nodes);
+      if (pressed[i] || pressed_last[i]) book(i, dt, surfaces, nodes);
     }
   }
 }
