@@ -159,12 +159,13 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
     imports.renew(boxes, entities);
   }
   find_faces(entities, pairs);
-  find_particles(entities, pairs);
+  std::vector<LocalIndex> row_particles, row_faces;
+  find_particles(entities, pairs, row_particles, row_faces);
   find_pairs(entities, pairs);
   x_built_ = nodes.x;
   warp_built_.resize(entities.faces.size());
   for (std::size_t f = 0; f < warp_built_.size(); ++f) warp_built_[f] = entities.planes[f].warp;
-  find_clearances(entities);
+  find_clearances(entities, row_particles, row_faces);
   moved_ = warped_ = turned_ = 0;
   steps_ = 0;
   ++builds_;
@@ -220,11 +221,13 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
   }
 }
 
+/// Beginnings of rows; the particle of each, and the faces of all.
 template <int Dim>
-void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTable& pairs) {
+void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTable& pairs,
+                                     std::vector<LocalIndex>& row_particles,
+                                     std::vector<LocalIndex>& row_faces) {
   const auto& faces = entities.faces;
   const auto& particles = entities.particles;
-  particles_.clear();
   starts_.clear();
   if (particles.empty() || faces.empty()) return;
   std::vector<SearchBox<Dim>> face_boxes(faces.size()), boxes;
@@ -249,52 +252,44 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
   };
   for (const auto& [k, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
     const LocalIndex i = near[static_cast<std::size_t>(k)];
-    const auto& particle = particles[static_cast<std::size_t>(i)];
-    const auto f = static_cast<std::size_t>(j) - n;
-    const auto& face = faces[f];
-    const PairOptions& options = pairs.of(particle.body, face.body);
-    const Real diameter = 2 * particle.radius;
-    const Real own = particle.modulus * (Dim == 3 ? diameter : 1.0);
-    const Real of_face = face.stiffness * (Dim == 3 ? diameter * diameter : diameter);
-    if (particles_.empty() || particles_.back().particle != i) starts_.push_back(particles_.size());
-    const Real held = (face.open ? kOpenDepthRadii : kDepthRadii) * particle.radius;
-    particles_.push_back(
-        {i, static_cast<LocalIndex>(f), options.stiffness * in_series(own, of_face),
-         options.stiffness * own, options.damping, face.rigid() ? held : std::min(held, face.depth),
-         options.rubs() ? &options : nullptr,
-         particle.conductivity > 0 && face.capacity > 0 && options.passes_heat() ? &options.heat
-                                                                                 : nullptr,
-         options.initial_overlap == InitialOverlap::press});
+    if (row_particles.empty() || row_particles.back() != i) {
+      starts_.push_back(row_faces.size());
+      row_particles.push_back(i);
+    }
+    row_faces.push_back(static_cast<LocalIndex>(static_cast<std::size_t>(j) - n));
   }
-  starts_.push_back(particles_.size());
+  starts_.push_back(row_faces.size());
 }
 
 template <int Dim>
-void Candidates<Dim>::find_clearances(const Entities<Dim>& entities) {
-  clearances_.resize(particles_.size());
-  row_clearances_.resize(starts_.empty() ? 0 : starts_.size() - 1);
+void Candidates<Dim>::find_clearances(const Entities<Dim>& entities,
+                                      const std::vector<LocalIndex>& row_particles,
+                                      const std::vector<LocalIndex>& row_faces) {
+  clearances_.resize(row_faces.size());
+  row_clearances_.resize(row_particles.size());
   normal_built_.resize(row_clearances_.empty() ? 0 : entities.planes.size());
   for (std::size_t f = 0; f < normal_built_.size(); ++f) {
     normal_built_[f] = entities.planes[f].normal;
   }
 #pragma omp parallel for schedule(static) if (row_clearances_.size() > kWorthThreads)
   for (std::size_t row = 0; row < row_clearances_.size(); ++row) {
+    const auto& particle = entities.particles[static_cast<std::size_t>(row_particles[row])];
     for (std::size_t i = starts_[row]; i < starts_[row + 1]; ++i) {
-      const auto& particle = entities.particles[static_cast<std::size_t>(particles_[i].particle)];
-      clearances_[i] =
-          clearance_of(entities, particle, static_cast<std::size_t>(particles_[i].face));
-      if (i == starts_[row]) row_clearances_[row] = clearances_[i];
-      row_clearances_[row].take(clearances_[i]);
+      const Clearance one =
+          clearance_of(entities, particle, static_cast<std::size_t>(row_faces[i]));
+      clearances_.set(i, one);
+      if (i == starts_[row]) row_clearances_[row] = one;
+      row_clearances_[row].take(one);
     }
-    row_clearances_[row].entity = particles_[starts_[row]].particle;
+    row_clearances_[row].entity = row_particles[row];
   }
 }
 
 template <int Dim>
-ParticleRows Candidates<Dim>::particle_rows(Real longest) const {
+ParticleRows Candidates<Dim>::particle_rows(const PairTable& pairs, Real longest) const {
   const ClearanceLoss loss{moved_ + speed_ * longest, std::sqrt(Real{Dim}) * moved_ + warped_,
                            turned_};
-  return {particles_, starts_, clearances_, row_clearances_, loss};
+  return {pairs, clearances_, starts_, row_clearances_, loss, speed_};
 }
 
 template <int Dim>
@@ -338,7 +333,7 @@ void Candidates<Dim>::choose_skin(const Entities<Dim>& entities) {
     skin_ = kFirst * entities.size;
     return;
   }
-  const auto listed = static_cast<Real>(faces_.size() + particles_.size() + pairs_.size());
+  const auto listed = static_cast<Real>(faces_.size() + n_particles() + pairs_.size());
   if (steps_ == 0) return;
   const auto boxes = static_cast<Real>(entities.faces.size() + entities.particles.size());
   const Real build = kWorkPerEntity * boxes + kWorkPerListed * listed;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/clearance.hpp"
@@ -30,29 +31,27 @@ struct FaceCandidate {
   bool presses = false;               ///< an overlap at time 0 is felt at once
 };
 
-struct ParticleCandidate {
-  LocalIndex particle = 0, face = 0;
-  Real stiffness = 0;  ///< [N/m] per breadth
-  Real own = 0;        ///< [N/m] phi times the particle's own spring, per breadth
-  Real zeta = 0;
-  Real limit = 0;                     ///< [m] how far behind the face the particle is held
-  const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
-  const ContactHeat* heat = nullptr;  ///< how heat passes, where both sides take any
-  bool presses = false;               ///< an overlap at time 0 is felt at once
-};
-
 /// Rows of particles beside faces.
 struct ParticleRows {
-  std::span<const ParticleCandidate> candidates;
+  const PairTable& pairs;
+  const Clearances& clearances;               ///< of each candidate, with its face
   std::span<const std::size_t> starts;        ///< where each row begins, and their end
-  std::span<const Clearance> clearances;      ///< of each candidate
-  std::span<const Clearance> row_clearances;  ///< of each row as a whole
+  std::span<const Clearance> row_clearances;  ///< of each row as a whole, with its particle
   ClearanceLoss loss;
+  Real fastest = kInfinity;  ///< [m/s] no two nodes move faster relative to each other
 
   /// Rows first .. last of them.
   ParticleRows part(std::size_t first, std::size_t last) const {
-    return {candidates, starts.subspan(first, last - first + 1), clearances,
-            row_clearances.subspan(first, last - first), loss};
+    return {pairs,
+            clearances,
+            starts.subspan(first, last - first + 1),
+            row_clearances.subspan(first, last - first),
+            loss,
+            fastest};
+  }
+  /// Where its candidates begin and end.
+  std::pair<std::size_t, std::size_t> range(std::size_t row) const {
+    return {starts[row], starts[row + 1]};
   }
 };
 
@@ -73,10 +72,11 @@ class Candidates {
   bool complete(const Entities<Dim>& entities, Real longest, const Communicator& ranks);
 
   std::span<const FaceCandidate> faces() const { return faces_; }
-  std::span<const ParticleCandidate> particles() const { return particles_; }
-  /// Those of particles() by particle, as far as motion has brought them since the lists were
-  /// built; longest [s] is the step that speed votes look ahead.
-  ParticleRows particle_rows(Real longest) const;
+  /// Particles beside faces, as far as motion has brought them since the lists were built;
+  /// longest [s] is the step that speed votes look ahead.
+  ParticleRows particle_rows(const PairTable& pairs, Real longest) const;
+  /// How many faces stand beside particles in all rows.
+  std::size_t n_particles() const { return starts_.empty() ? 0 : starts_.back(); }
   /// Rows of owned particles beside particles of other bodies, in the order of ids.
   std::span<const PairCandidate> pairs() const { return pairs_; }
   /// Where each row begins in pairs(), and their end; empty where there are none.
@@ -92,17 +92,19 @@ class Candidates {
 
  private:
   void find_faces(const Entities<Dim>& entities, const PairTable& pairs);
-  void find_particles(const Entities<Dim>& entities, const PairTable& pairs);
+  void find_particles(const Entities<Dim>& entities, const PairTable& pairs,
+                      std::vector<LocalIndex>& particles, std::vector<LocalIndex>& faces);
   void find_pairs(const Entities<Dim>& entities, const PairTable& pairs);
   void choose_skin(const Entities<Dim>& entities);
-  void find_clearances(const Entities<Dim>& entities);
+  void find_clearances(const Entities<Dim>& entities, const std::vector<LocalIndex>& particles,
+                       const std::vector<LocalIndex>& faces);
 
   SearchMode mode_;
   std::optional<Real> given_skin_;
   std::vector<FaceCandidate> faces_;
-  std::vector<ParticleCandidate> particles_;
-  std::vector<std::size_t> starts_;
-  std::vector<Clearance> clearances_, row_clearances_;
+  std::vector<std::size_t> starts_;  // of rows of particles beside faces
+  Clearances clearances_;
+  std::vector<Clearance> row_clearances_;
   std::vector<PairCandidate> pairs_;
   std::vector<std::size_t> pair_starts_;
   std::vector<Vec<Dim>> x_built_;       // [m]

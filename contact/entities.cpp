@@ -197,8 +197,10 @@ template <int Dim>
 void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   faces.insert(faces.end(), imported.begin(), imported.end());
   if (!imported.empty()) sort_by_id(faces);
+  for (auto& face : faces) {
+    if (face.deforms()) face.element_step = std::sqrt(2 * face.areal_mass / face.stiffness);
+  }
   planes.resize(faces.size());
-  face_velocity.resize(faces.size());
   boxes.resize(faces.size());
   reaches.resize(faces.size());
   if (nodes.rubs) tractions.assign(faces.size(), {});
@@ -262,20 +264,23 @@ void Entities<Dim>::refresh_planes() {
     const auto& face = faces[f];
     auto& plane = planes[f];
     plane.n_corners = face.n_nodes;
-    Vec<Dim> sum = Vec<Dim>::Zero();
     for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
       const auto k = static_cast<std::size_t>(c);
       const bool there = c < face.n_nodes;
-      plane.corner[k] = Vec<Dim>::Zero();
-      if (!there) continue;
-      const auto node = static_cast<std::size_t>(face.node[k]);
-      plane.corner[k] = nodes.x[node];
-      sum += nodes.v[node];
+      plane.corner[k] = there ? nodes.x[static_cast<std::size_t>(face.node[k])] : Vec<Dim>::Zero();
     }
-    face_velocity[f] = sum / face.n_nodes;
     refresh(plane);
     boxes[f] = box_of(plane, 0.0);
-    reaches[f] = grown(plane, face.rigid() ? deepest : face.depth, gap(face.body), boxes[f]);
+  }
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_reaches() {
+#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& face = faces[f];
+    const Real depth = face.rigid() ? deepest : face.depth;
+    reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
   }
 }
 
@@ -290,9 +295,8 @@ StepVote Entities<Dim>::stiffness_vote() const {
       const auto& face = faces[f];
       if (!face.deforms() || face.held || !(face.area_start > 0)) continue;
       const Real area = std::max(planes[f].area, face.footprint);
-      const Real elements = std::sqrt(2 * face.areal_mass / face.stiffness);
       const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);
-      part.take({elements * ratio, "contact stiffness", face.body, face.id});
+      part.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
     }
 #pragma omp critical(brunt_contact_vote)
     vote.take(part);

@@ -20,15 +20,16 @@ struct ContactFace {
   GlobalId id = 0;
   Label body = 0;
   Label piece = 0;
-  bool owned = true;    ///< pairs in which it is the lower face are evaluated here
-  Real stiffness = 0;   ///< [Pa/m] M/h
-  Real areal_mass = 0;  ///< [kg/m^2]
-  Real depth = 0;       ///< [m]
-  Real area_start = 0;  ///< [m^2] at time 0
-  Real phi = 0;         ///< largest stiffness option with which anything may touch it
-  Real zeta = 0;        ///< largest damping option
-  Real footprint = 0;   ///< [m^2] of the largest particle that may touch it
-  Real capacity = 0;    ///< [J/m^2/K] or [kg/m^2] behind it, as of Facet; 0: takes no heat
+  bool owned = true;      ///< pairs in which it is the lower face are evaluated here
+  Real stiffness = 0;     ///< [Pa/m] M/h
+  Real areal_mass = 0;    ///< [kg/m^2]
+  Real depth = 0;         ///< [m]
+  Real element_step = 0;  ///< [s] h/c of what is behind
+  Real area_start = 0;    ///< [m^2] at time 0
+  Real phi = 0;           ///< largest stiffness option with which anything may touch it
+  Real zeta = 0;          ///< largest damping option
+  Real footprint = 0;     ///< [m^2] of the largest particle that may touch it
+  Real capacity = 0;      ///< [J/m^2/K] or [kg/m^2] behind it, as of Facet; 0: takes no heat
   std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
   Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
   Real compliance = 0;  ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
@@ -76,7 +77,6 @@ struct Entities {
   std::vector<ContactFace<Dim>> faces;
   std::vector<ContactParticle> particles;
   std::vector<FacePlane<Dim>> planes;        ///< of each face, at nodes.x
-  std::vector<Vec<Dim>> face_velocity;       ///< [m/s] mean over the corners
   std::vector<SearchBox<Dim>> boxes;         ///< of planes
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
@@ -104,12 +104,23 @@ struct Entities {
   void read_materials(const std::vector<Surface<Dim>*>& surfaces);
   /// Takes over what the same faces remember in an older table.
   void inherit_tractions(const Entities& old);
-  /// Planes, velocities and boxes of all faces at nodes.x, nodes.v.
+  /// Planes and boxes of all faces at nodes.x.
   void refresh_planes();
+  /// `reaches` of all faces, once their planes are there.
+  void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
-  /// Bound from the faces' own springs, before anything touches (physics.md A5).
+  /// Bound from the springs of faces and particles, before anything touches (physics.md A5).
   StepVote stiffness_vote() const;
+  /// [m/s] mean over the corners of a face.
+  Vec<Dim> face_velocity(std::size_t face) const {
+    const auto& one = faces[face];
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (std::size_t c = 0; c < static_cast<std::size_t>(one.n_nodes); ++c) {
+      sum += nodes.v[static_cast<std::size_t>(one.node[c])];
+    }
+    return sum / one.n_nodes;
+  }
 };
 
 }  // namespace brunt

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/evaluate.hpp"
+#include "contact/particle_law.hpp"
 
 namespace brunt {
 
@@ -39,29 +40,32 @@ namespace {
 /// Faces that are near enough to the particle for heat, by the gaps of their pairs, and what of
 /// them it is nearest to: a function of the state, whatever else the lists hold.
 template <int Dim>
-void find_near_faces(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
-                     const std::pair<std::size_t, std::size_t>& range, Real widest,
-                     std::vector<ParticleHit<Dim>>& hits) {
+void find_near_faces(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
+                     PairFinder& pairs, std::vector<ParticleHit<Dim>>& hits) {
   hits.clear();
   const auto& particle =
-      entities.particles[static_cast<std::size_t>(candidates[range.first].particle)];
+      entities.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)];
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
   const Real meets = kMeets * particle.radius;
-  for (std::size_t i = range.first; i < range.second; ++i) {
-    const auto& candidate = candidates[i];
-    const auto f = static_cast<std::size_t>(candidate.face);
-    if (candidate.heat == nullptr || entities.planes[f].area == 0) continue;
-    const Real reach = particle.radius + std::max(gap_of(*candidate.heat), meets);
-    const Real farthest = std::max(reach, candidate.limit);
+  Real widest = 0;
+  const auto [first, last] = rows.range(row);
+  for (std::size_t i = first; i < last; ++i) {
+    const std::size_t f = rows.clearances.entity(i);
+    const auto& face = entities.faces[f];
+    const auto* heat = heat_between(particle, face, pairs.of(particle.body, face.body));
+    if (heat == nullptr) continue;
+    widest = std::max(widest, gap_of(*heat));
+    if (entities.planes[f].area == 0) continue;
+    const Real reach = particle.radius + std::max(gap_of(*heat), meets);
+    const Real limit = held_behind(particle, face);
+    const Real farthest = std::max(reach, limit);
     if (!entities.boxes[f].meets(SearchBox<Dim>::about(x, farthest))) continue;
-    ParticleHit<Dim> hit;
-    hit.plane = &entities.planes[f];
-    hit.node = entities.faces[f].node;
-    hit.body = entities.faces[f].body, hit.piece = entities.faces[f].piece;
-    hit.open = entities.faces[f].open;
-    hit.limit = candidate.limit;
-    hit.candidate = static_cast<LocalIndex>(i);
-    hit.nearest = nearest_point<Dim>(entities.planes[f], x);
+    ParticleHit<Dim> hit(entities.planes[f], x);
+    hit.node = face.node;
+    hit.body = face.body, hit.piece = face.piece;
+    hit.open = face.open;
+    hit.limit = limit;
+    hit.face = static_cast<LocalIndex>(f);
     const bool behind = hit.nearest.normal.dot(x - hit.nearest.point) < 0;
     if (hit.nearest.distance <= (behind ? farthest : reach)) hits.push_back(hit);
   }
@@ -70,34 +74,28 @@ void find_near_faces(const Entities<Dim>& entities, std::span<const ParticleCand
 }  // namespace
 
 template <int Dim>
-int add_particle_heat(const Entities<Dim>& entities, std::span<const ParticleCandidate> candidates,
-                      const std::pair<std::size_t, std::size_t>& range, Real area,
-                      const PartEnds& ends, typename Records<Dim>::Part& part) {
-  bool any = false;
-  Real widest = 0;
-  for (std::size_t i = range.first; i < range.second; ++i) {
-    if (candidates[i].heat == nullptr) continue;
-    any = true;
-    widest = std::max(widest, gap_of(*candidates[i].heat));
-  }
-  if (!any) return 0;
+int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
+                      PairFinder& pairs, Real area, const PartEnds& ends,
+                      typename Records<Dim>::Part& part) {
   const auto& particle =
-      entities.particles[static_cast<std::size_t>(candidates[range.first].particle)];
+      entities.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)];
   const auto& hits = part.near_hits;
-  find_near_faces<Dim>(entities, candidates, range, widest, part.near_hits);
+  if (!(particle.conductivity > 0)) return 0;
+  find_near_faces<Dim>(entities, rows, row, pairs, part.near_hits);
+  if (hits.empty()) return 0;
   const auto contacts =
       std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.kept; });
   for (const auto& hit : hits) {
     if (!hit.kept) continue;
-    const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
-    const auto f = static_cast<std::size_t>(candidate.face);
-    ParticleTouch<Dim> touch{particle, entities.faces[f], hit, area, 0, static_cast<int>(contacts)};
+    const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
+    const auto& heat = pairs.of(particle.body, face.body).heat;
+    ParticleTouch<Dim> touch{particle, face, hit, area, 0, static_cast<int>(contacts)};
     for (std::size_t r = ends.record; r < part.particle_on_face.size(); ++r) {
       const auto& record = part.particle_on_face[r];
-      if (record.second != touch.face.id) continue;
+      if (record.second != face.id) continue;
       touch.pressure = (record.spring + record.damping) / (hit.share * area);
     }
-    part.particle_heat.push_back(heat_path<Dim>(entities.nodes, touch, *candidate.heat));
+    part.particle_heat.push_back(heat_path<Dim>(entities.nodes, touch, heat));
   }
   std::sort(part.particle_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
             part.particle_heat.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
@@ -156,18 +154,16 @@ template void warm_pair<3>(const ContactParticle&, const ContactParticle&, const
                            Records<3>::Part&);
 template void add_face_heat<2>(const Entities<2>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<2>::Part&);
-template int add_particle_heat<2>(const Entities<2>&, std::span<const ParticleCandidate>,
-                                  const std::pair<std::size_t, std::size_t>&, Real, const PartEnds&,
-                                  Records<2>::Part&);
+template int add_particle_heat<2>(const Entities<2>&, const ParticleRows&, std::size_t, PairFinder&,
+                                  Real, const PartEnds&, Records<2>::Part&);
 template void warm_faces<2>(const Entities<2>&, const FaceCandidate&, const FrictionStep<2>&,
                             Records<2>::Part&);
 template void warm_particle<2>(const ContactParticle&, const ContactFace<2>&,
                                const FrictionStep<2>&, Records<2>::Part&);
 template void add_face_heat<3>(const Entities<3>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<3>::Part&);
-template int add_particle_heat<3>(const Entities<3>&, std::span<const ParticleCandidate>,
-                                  const std::pair<std::size_t, std::size_t>&, Real, const PartEnds&,
-                                  Records<3>::Part&);
+template int add_particle_heat<3>(const Entities<3>&, const ParticleRows&, std::size_t, PairFinder&,
+                                  Real, const PartEnds&, Records<3>::Part&);
 template void warm_faces<3>(const Entities<3>&, const FaceCandidate&, const FrictionStep<3>&,
                             Records<3>::Part&);
 template void warm_particle<3>(const ContactParticle&, const ContactFace<3>&,

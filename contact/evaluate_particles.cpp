@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/box_query.hpp"
 #include "contact/evaluate.hpp"
-#include "contact/law.hpp"
+#include "contact/particle_law.hpp"
 
 namespace brunt {
 
@@ -11,43 +12,38 @@ namespace {
 template <int Dim>
 struct Present {
   const ContactParticle& particle;
+  LocalIndex place;  // of the particle
   Vec<Dim> x, v;
+  BoxQuery<Dim> about;
   Real mass;
   Real breadth;
 };
 
-template <int Dim>
-bool in_box(const SearchBox<Dim>& box, const Vec<Dim>& x, Real reach) {
-  for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
-    if (x[c] < box.lo[k] - reach || x[c] > box.hi[k] + reach) return false;
-  }
-  return true;
-}
+/// Whether a particle may overlap a face, and whether it does so from before it.
+struct Reach {
+  bool any, before;
+};
 
-/// Where a particle may overlap a face from.
-enum class Reach { none, before, behind };
-
-/// Whether the particle, `before` [m] its mean plane, may overlap the face: its centre at most r
-/// before it or a few r behind.
+/// Of the particle, `before` [m] the mean plane: its centre is at most r before the face or a few r
+/// behind. Without branches: which faces are near changes from one to the next.
 template <int Dim>
-Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x, Real r,
+Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
                Real before) {
-  if (plane.area == 0) return Reach::none;
-  if (before > r + plane.warp || before < -kDepthRadii * r - plane.warp) return Reach::none;
+  const Real r = now.particle.radius;
   const bool clear = before > plane.warp;
-  if (!in_box<Dim>(box, x, clear ? r : kDepthRadii * r)) return Reach::none;
-  return clear ? Reach::before : Reach::behind;
+  const bool none =
+      (plane.area == 0) | (before > r + plane.warp) | (before < -kDepthRadii * r - plane.warp);
+  const bool any = !none & now.about.in(box, clear ? r : kDepthRadii * r);
+  return {any, clear};
 }
 
 /// The same of an open surface, which holds what belongs to one of its `side`s deep on the other.
 template <int Dim>
-Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Vec<Dim>& x,
-                    Real r, Real before, int side) {
-  if (plane.area == 0) return Reach::none;
-  const Real reach = side != 0 ? kOpenDepthRadii * r : r;
-  if (std::fabs(before) > reach + plane.warp || !in_box<Dim>(box, x, reach)) return Reach::none;
-  return side == 0 || side * before > plane.warp ? Reach::before : Reach::behind;
+Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
+                    Real before, int side) {
+  const Real reach = (side != 0 ? kOpenDepthRadii : 1) * now.particle.radius;
+  const bool none = plane.area == 0 || std::fabs(before) > reach + plane.warp;
+  return {!none && now.about.in(box, reach), side == 0 || side * before > plane.warp};
 }
 
 /// Where the particle belongs at an open surface, as it was at the last evaluation; 0: not known.
@@ -57,21 +53,8 @@ int side_of(const TouchStep& step, const ContactParticle& particle, const Contac
   return before == nullptr ? 0 : before->side;
 }
 
-/// True if the box, and so the face in it, is farther than r by more than what still touches.
-template <int Dim>
-bool out_of_touch(const SearchBox<Dim>& box, const Vec<Dim>& x, Real r) {
-  Real square = 0;
-  for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
-    const Real out = std::max({box.lo[k] - x[c], x[c] - box.hi[k], 0.0});
-    square += out * out;
-  }
-  const Real touching = (1 + 10 * kTouchingGap) * r;
-  return square > touching * touching;
-}
-
 /// A product that is larger by this factor is larger however it was rounded.
-constexpr Real kSurelyMore = 1 + 1e-12;
+constexpr Real kSurelyMore = 1 + 1e-9;
 
 /// The bound of a particle, `before` [m] the mean plane of face f, that closes on it: to half a
 /// radius of overlap, or half a radius more. What would vote more than `longest` need not be near,
@@ -80,110 +63,114 @@ template <int Dim>
 void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
                      Real before, Real longest, StepVote& vote) {
   const auto& plane = entities.planes[f];
-  const Vec<Dim> relative = now.v - entities.face_velocity[f];
+  const Vec<Dim> relative = now.v - entities.face_velocity(f);
   const Real r = now.particle.radius;
   Real closing = -relative.dot(plane.normal);
-  if (entities.faces[f].open) {
+  if (entities.any_open && entities.faces[f].open) {
     if (std::fabs(before) <= r) closing = std::fabs(closing);
     if (before < -r) closing = -closing;
     before = std::fabs(before);
   }
-  if (!(closing > 0) || before < -kDepthRadii * r) return;
   const Real way = std::max(before - r - plane.warp, 0.0) + 0.5 * r;
   const Real least = std::min(longest, vote.step);
-  if (way > closing * least * kSurelyMore) return;  // most are: spares the division
+  // Most take longer, which spares the division; one branch for all that has no vote.
+  const bool none =
+      !(closing > 0) | (before < -kDepthRadii * r) | (way > closing * least * kSurelyMore);
+  if (none) return;
   const Real step = way / closing;
   if (step > least) return;
-  if (!in_box<Dim>(entities.boxes[f], now.x, r + relative.norm() * longest)) return;
+  if (!now.about.in(entities.boxes[f], r + relative.norm() * longest)) return;
   vote.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
-/// Faces that may hold the particle of a row, to part.near. Where it is before all of them, those
-/// out of touch are left out: none is a contact, nor nearer than one. Behind some, they tell where
-/// the surface is nearest.
+/// Faces that may hold the particle of a row. Where it is before all of them, those farther from it
+/// than what still touches are left out: none is a contact, nor nearer than one. Behind some, they
+/// tell where the surface is nearest.
 template <int Dim>
-void find_near(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
-               const Present<Dim>& now, const EvaluationStep& step,
-               typename Records<Dim>::Part& part) {
-  auto& near = part.near;
-  near.clear();
+std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const ParticleRows& rows,
+                                      std::size_t row, const Present<Dim>& now,
+                                      const EvaluationStep& step,
+                                      typename Records<Dim>::Part& part) {
+  const auto [first, last] = rows.range(row);
+  const std::size_t room = last - first + kLanes;
+  if (part.near.size() < 2 * room) part.near.resize(2 * room);
+  LocalIndex *near = part.near.data(), *touching = near + room;
+  const std::size_t listed = rows.clearances.find_near(first, last, rows.loss, near);
+  const Real farthest = (1 + 10 * kTouchingGap) * now.particle.radius;
+  // Half a radius is the least way: where nothing is fast enough for it no face has a vote.
+  const bool votes = !(0.5 * now.particle.radius > rows.fastest * step.longest * kSurelyMore);
   bool before_all = true;
-  const Real r = now.particle.radius;
-  for (std::size_t i = rows.starts[row]; i < rows.starts[row + 1]; ++i) {
-    if (rows.loss.leaves(rows.clearances[i])) continue;
-    const auto f = static_cast<std::size_t>(rows.clearances[i].entity);
+  std::size_t n = 0, n_touching = 0;
+  for (std::size_t i = 0; i < listed; ++i) {
+    const LocalIndex face = near[i];
+    const auto f = static_cast<std::size_t>(face);
     const auto& plane = entities.planes[f];
-    const auto& face = entities.faces[f];
     const Real before = plane.normal.dot(now.x - plane.center);
-    take_speed_vote(entities, f, now, before, step.longest, part.vote);
+    if (votes) take_speed_vote(entities, f, now, before, step.longest, part.vote);
     const auto& box = entities.boxes[f];
-    const Reach reach = face.open ? reach_of_open<Dim>(plane, box, now.x, r, before,
-                                                       side_of(step.touches, now.particle, face))
-                                  : reach_of<Dim>(plane, box, now.x, r, before);
-    if (reach == Reach::none) continue;
-    before_all = before_all && reach == Reach::before;
-    near.push_back(i);
-    // One in twenty is read, a thousand bytes after the last: it would be waited for.
-    __builtin_prefetch(&rows.candidates[i]);
+    const bool open = entities.any_open && entities.faces[f].open;
+    const Reach reach =
+        open ? reach_of_open<Dim>(plane, box, now, before,
+                                  side_of(step.touches, now.particle, entities.faces[f]))
+             : reach_of<Dim>(plane, box, now, before);
+    before_all &= !reach.any | reach.before;
+    near[n] = touching[n_touching] = face;
+    n += reach.any;
+    const bool touches = !(now.about.squared_distance(box) > farthest * farthest);
+    n_touching += reach.any & touches;
   }
-  if (!before_all) return;
-  std::erase_if(near, [&](std::size_t i) {
-    const auto f = static_cast<std::size_t>(rows.clearances[i].entity);
-    return out_of_touch<Dim>(entities.boxes[f], now.x, r);
-  });
+  if (before_all) return {touching, n_touching};
+  return {near, n};
 }
 
-/// Adds what of the face of a candidate is nearest to the particle to part.hits.
+/// Adds what of a face is nearest to the particle to part.hits.
 template <int Dim>
-void add_hit(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t candidate,
-             const Present<Dim>& now, const EvaluationStep& step,
-             typename Records<Dim>::Part& part) {
-  const auto f = static_cast<std::size_t>(rows.clearances[candidate].entity);
+void add_hit(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
+             const EvaluationStep& step, typename Records<Dim>::Part& part) {
   const auto& face = entities.faces[f];
-  auto& hit = part.hits.emplace_back();
-  hit.plane = &entities.planes[f];
+  auto& hit = part.hits.emplace_back(entities.planes[f], now.x);
   hit.node = face.node;
   hit.body = face.body, hit.piece = face.piece;
   hit.open = face.open;
   if (face.open) hit.side = side_of(step.touches, now.particle, face);
-  hit.candidate = static_cast<LocalIndex>(candidate);
-  hit.nearest = nearest_point<Dim>(entities.planes[f], now.x);
-  hit.limit = rows.candidates[candidate].limit;
+  hit.face = static_cast<LocalIndex>(f);
+  hit.limit = held_behind(now.particle, face);
 }
 
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
-void fill_record(const Entities<Dim>& entities, const Present<Dim>& now,
-                 const ParticleCandidate& candidate, Real dt, ParticleHit<Dim>& hit,
-                 Real& squared_frequency, ContactRecord<Dim>& record) {
+void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
+                 Real dt, ParticleHit<Dim>& hit, Real& squared_frequency,
+                 ContactRecord<Dim>& record) {
   const auto& nodes = entities.nodes;
-  const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
+  const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
   record.of_particle = true;
   record.first = now.particle.id, record.second = face.id;
-  record.first_place = candidate.particle, record.second_place = candidate.face;
+  record.first_place = now.place, record.second_place = hit.face;
   record.lower_body = face.body, record.upper_body = now.particle.body;
   record.normal = hit.direction;
   record.point = hit.nearest.point;
   record.penetration = hit.overlap;
-  record.area = std::pow(2 * now.particle.radius, Dim - 1) * now.breadth;
+  record.area = section_of<Dim>(now.particle) * now.breadth;
   record.add(now.particle.node, 1);
 
   Real compliance = 0;  // of the face's mass, [1/kg]
   Vec<Dim> velocity = Vec<Dim>::Zero();
+  const bool deforms = face.deforms();
   for (int c = 0; c < face.n_nodes; ++c) {
     const auto k = static_cast<std::size_t>(c);
     const auto node = static_cast<std::size_t>(face.node[k]);
     const Real w = hit.nearest.weight[k];
     record.add(face.node[k], -w);
     velocity += w * nodes.v[node];
-    if (face.deforms()) compliance += w * w / nodes.mass[node];
+    if (deforms) compliance += w * w / nodes.mass[node];
   }
   if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
-  const ParticleSpring spring{candidate.stiffness * now.breadth,
-                              kBarrier * candidate.own * now.breadth, now.particle.radius};
-  hit.damping = damping_coefficient(candidate.zeta, spring.linear, mass);
+  const ParticleSpring spring{law.stiffness * now.breadth, kBarrier * law.own * now.breadth,
+                              now.particle.radius};
+  hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
   record.damping = std::max(hit.share * hit.damping * closing, -record.spring);
   if (mass > 0) {
@@ -193,24 +180,23 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now,
 }
 
 template <int Dim>
-void add_friction(const Entities<Dim>& entities, const Present<Dim>& now,
-                  const ParticleCandidate& candidate, const ParticleHit<Dim>& hit,
-                  const Section& section, Real dt, FrictionHistory<Dim>& history,
-                  typename Records<Dim>::Part& part) {
-  const auto& face = entities.faces[static_cast<std::size_t>(candidate.face)];
+void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
+                  const ParticleHit<Dim>& hit, const Section& section, Real dt,
+                  FrictionHistory<Dim>& history, typename Records<Dim>::Part& part) {
+  const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
   auto& record = part.particle_on_face.back();
   FrictionStep<Dim> step;
-  step.options = candidate.rubs;
+  step.options = law.rubs;
   step.upper = {0, 1, false};
   step.lower = {1, record.n_nodes, section.geometry != Geometry::axisymmetric && !face.rigid()};
   step.point = now.x;
   for (std::size_t i = 0; i < step.weight.size(); ++i) step.weight[i] = std::fabs(record.weight[i]);
   step.area = hit.share;
   step.pressed = hit.share * record.area;
-  step.stiffness = candidate.stiffness * now.breadth;
+  step.stiffness = law.stiffness * now.breadth;
   step.damping = hit.damping;
   step.dt = dt;
-  ask_particle(entities, now.particle, candidate.face, record, step);
+  ask_particle(entities, now.particle, hit.face, record, step);
   step.before =
       history.of_particle(key_of(record), face.body, face.piece, record.normal, part.past);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
@@ -248,14 +234,14 @@ void remember_sides(const ContactParticle& particle, std::size_t first,
 /// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
 /// at time 0 begins with it.
 template <int Dim>
-void track_overlaps(const ContactParticle& particle, std::span<const ParticleCandidate> candidates,
-                    const TouchStep& step, typename Records<Dim>::Part& part) {
+void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
+                    typename Records<Dim>::Part& part) {
   if (!step.time_zero && step.before->empty()) return;
   auto& touches = part.particle_touches;
   const std::size_t first = touches.size();
   for (const auto& hit : part.hits) {
     if (!hit.kept) continue;
-    const bool presses = candidates[static_cast<std::size_t>(hit.candidate)].presses;
+    const bool presses = pairs.of(particle.body, hit.body).initial_overlap == InitialOverlap::press;
     // A smaller overlap is rounding.
     const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
     if (presses || hit.overlap <= least) continue;
@@ -280,28 +266,31 @@ void track_overlaps(const ContactParticle& particle, std::span<const ParticleCan
 }
 
 template <int Dim>
-void record_hits(const Entities<Dim>& entities, const Present<Dim>& now,
-                 std::span<const ParticleCandidate> candidates, const Section& section,
-                 const EvaluationStep& step, FrictionHistory<Dim>* history, ParticleLoad& load,
-                 typename Records<Dim>::Part& part) {
+void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFinder& pairs,
+                 const Section& section, const EvaluationStep& step, FrictionHistory<Dim>* history,
+                 ParticleLoad& load, typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   const std::size_t first_touch = part.particle_touches.size();
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
-  track_overlaps<Dim>(now.particle, candidates, step.touches, part);
+  track_overlaps<Dim>(now.particle, pairs, step.touches, part);
   if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
-    const auto& candidate = candidates[static_cast<std::size_t>(hit.candidate)];
-    fill_record(entities, now, candidate, dt, hit, squared_frequency,
+    const auto law = law_of(now.particle, entities.faces[static_cast<std::size_t>(hit.face)],
+                            pairs.of(now.particle.body, hit.body));
+    fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
-    if (candidate.rubs != nullptr && history != nullptr) {
-      add_friction(entities, now, candidate, hit, section, dt, *history, part);
+    if (law.rubs != nullptr && history != nullptr) {
+      add_friction(entities, now, law, hit, section, dt, *history, part);
     }
-    load.zeta = std::max(load.zeta, candidate.zeta);
+    load.zeta = std::max(load.zeta, law.zeta);
   }
-  if (squared_frequency > 0 && !now.particle.held) {
-    const Real step = 2 / std::sqrt(squared_frequency) * lag_factor(load.zeta);
+  const Real lag = lag_factor(load.zeta), least = part.vote.step;
+  // Most steps are longer than one that is known, which spares a root and a division.
+  const bool longer = 4 * lag * lag > least * least * squared_frequency * kSurelyMore;
+  if (squared_frequency > 0 && !longer && !now.particle.held) {
+    const Real step = 2 / std::sqrt(squared_frequency) * lag;
     part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
 }
@@ -312,29 +301,33 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                         const Section& section, const EvaluationStep& step,
                         FrictionHistory<Dim>* history, std::span<ParticleLoad> loads,
                         typename Records<Dim>::Part& part) {
-  const auto& candidates = rows.candidates;
+  PairFinder pairs(rows.pairs);
   for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
     const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
     if (out_of_touch && !entities.nodes.warm) continue;
-    const std::size_t first = rows.starts[row], last = rows.starts[row + 1];
     const LocalIndex place = rows.row_clearances[row].entity;
     const auto& particle = entities.particles[static_cast<std::size_t>(place)];
     const auto node = static_cast<std::size_t>(particle.node);
     const Vec<Dim> x = entities.nodes.x[node];
-    const Present<Dim> now{particle, x, entities.nodes.v[node], entities.nodes.mass[node],
+    const Present<Dim> now{particle,
+                           place,
+                           x,
+                           entities.nodes.v[node],
+                           BoxQuery<Dim>(x),
+                           entities.nodes.mass[node],
                            section.breadth(x[0])};
     part.hits.clear();
     const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    find_near<Dim>(entities, rows, row, now, step, part);
-    for (const std::size_t i : part.near) add_hit(entities, rows, i, now, step, part);
+    for (const LocalIndex f : find_near<Dim>(entities, rows, row, now, step, part)) {
+      add_hit(entities, static_cast<std::size_t>(f), now, step, part);
+    }
     ParticleLoad load;
     if (!part.hits.empty()) {
-      record_hits(entities, now, candidates, section, step, history, load, part);
+      record_hits(entities, now, pairs, section, step, history, load, part);
     }
     if (entities.nodes.warm) {
-      load.on_faces = load.heat_contacts =
-          add_particle_heat<Dim>(entities, candidates, {first, last},
-                                 std::pow(2 * particle.radius, Dim - 1) * now.breadth, ends, part);
+      load.on_faces = load.heat_contacts = add_particle_heat<Dim>(
+          entities, rows, row, pairs, section_of<Dim>(particle) * now.breadth, ends, part);
     }
     if (!loads.empty()) loads[static_cast<std::size_t>(place)] = load;
   }

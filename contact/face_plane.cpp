@@ -63,8 +63,29 @@ void refresh(FacePlane<Dim>& face) {
   }
 }
 
+namespace {
+/// All components of a quad at once, from four numbers at each corner; what is read or written
+/// beyond the third is not used.
+SearchBox<3> box_of_quad(const FacePlane<3>& face, Real reach) {
+  static_assert(sizeof(SearchBox<3>) == 6 * sizeof(Real));
+  const Real* x = face.corner[0].data();
+  const Pack last = load(x + 8);
+  Pack lo = load(x), hi = lo;
+  for (const Pack corner : {load(x + 3), load(x + 6), Pack{last[1], last[2], last[3], last[0]}}) {
+    lo = vmin(corner, lo);
+    hi = vmax(corner, hi);
+  }
+  lo = lo - broadcast<Pack>(reach);
+  hi = hi + broadcast<Pack>(reach);
+  return {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
+}
+}  // namespace
+
 template <int Dim>
 SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
+  if constexpr (Dim == 3) {
+    if (face.n_corners == 4) return box_of_quad(face, reach);
+  }
   SearchBox<Dim> box;
   for (int c = 0; c < Dim; ++c) {
     Real lo = face.corner[0][c], hi = lo;

@@ -47,6 +47,10 @@ struct FrictionMemory {
 template <int Dim>
 struct Friction : FrictionMemory<Dim> {
   static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
+  /// Written out: else emplace_back sets all bytes to 0 first, one by one.
+  Friction() {
+    for (auto& one : force) one.setZero();
+  }
   Real heat = 0;                      ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
   Real damped = 0;                    ///< [J] by the drag in the last step
   Real stored = 0;                    ///< [J] gained by the spring in the last step

@@ -57,6 +57,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
   const bool repeated = past == nullptr;
   const EvaluationStep step{dt, ahead, {&touches, repeated && !started, repeated && started}};
   const auto on_faces = candidates.faces();
+  if (!on_faces.empty()) entities.refresh_reaches();
   records.for_parts(on_faces.size(), kWorthThreads,
                     [&](std::size_t first, std::size_t last, auto& part) {
                       evaluate_faces<Dim>(entities, on_faces.subspan(first, last - first), section,
@@ -65,7 +66,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
   const auto rows = candidates.pair_starts();
   loads.assign(rows.empty() ? 0 : entities.particles.size(), {});
   sides.assign(entities.nodes.warm ? candidates.pairs().size() : 0, {});
-  const ParticleRows beside_faces = candidates.particle_rows(ahead);
+  const ParticleRows beside_faces = candidates.particle_rows(pairs, ahead);
   if (!beside_faces.row_clearances.empty()) {
     records.for_parts(beside_faces.row_clearances.size(), kWorthThreads,
                       [&](std::size_t first, std::size_t last, auto& part) {
@@ -235,10 +236,10 @@ std::size_t ContactManager<Dim>::n_facets() const {
 template <int Dim>
 ContactWork ContactManager<Dim>::work() const {
   const auto& own = *implementation_;
-  return {own.candidates.builds(),
-          own.candidates.faces().size() + own.candidates.particles().size() +
-              own.candidates.pairs().size(),
-          own.records.size(), own.candidates.skin()};
+  return {
+      own.candidates.builds(),
+      own.candidates.faces().size() + own.candidates.n_particles() + own.candidates.pairs().size(),
+      own.records.size(), own.candidates.skin()};
 }
 
 template <int Dim>
@@ -264,8 +265,11 @@ std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
       add(face.node[static_cast<std::size_t>(c)], kFacePair / face.n_nodes);
     }
   }
-  for (const auto& pair : own.candidates.particles()) {
-    add(own.entities.particles[static_cast<std::size_t>(pair.particle)].node, kParticleOnFace);
+  const ParticleRows rows = own.candidates.particle_rows(own.pairs, own.ahead_last);
+  for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
+    const auto [first, last] = rows.range(row);
+    const auto particle = static_cast<std::size_t>(rows.row_clearances[row].entity);
+    add(own.entities.particles[particle].node, kParticleOnFace * static_cast<Real>(last - first));
   }
   for (const auto& pair : own.candidates.pairs()) {
     add(own.entities.particles[static_cast<std::size_t>(pair.particle)].node, kParticlePair);

@@ -1,5 +1,6 @@
 #include "contact/particle_face.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "contact/place.hpp"
@@ -16,21 +17,28 @@ BRUNT_INLINE Place<V> nearest_weights(const Place<V>& x, const Place<V>& a, cons
   const V d1 = dot(ab, ax), d2 = dot(ac, ax), d3 = dot(ab, bx), d4 = dot(ac, bx);
   const V d5 = dot(ab, cx), d6 = dot(ac, cx);
   const V vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  const V all = va + vb + vc, of_b = vb / all, of_c = vc / all;
-  Place<V> weight{one - of_b - of_c, of_b, of_c};
+  const V to_b = d5 - d6, to_c = d4 - d3, all = va + vb + vc;
+  const auto on_bc = (va <= zero) & (to_c >= zero) & (to_b >= zero);
+  const auto on_ac = (vb <= zero) & (d2 >= zero) & (d6 <= zero);
+  const auto on_ab = (vc <= zero) & (d1 >= zero) & (d3 <= zero);
+  // One division for the inside and all edges: divisions are what takes longest here.
+  const auto choose = [&](V inside, V bc, V ac, V ab) {
+    return select(on_ab, ab, select(on_ac, ac, select(on_bc, bc, inside)));
+  };
+  const V along = choose(vb, to_c, d2, d1) / choose(all, to_c + to_b, d2 - d6, d1 - d3);
+  const V of_c = vc / all;
+  Place<V> weight{one - along - of_c, along, of_c};
   // The first that holds counts: it is asked last.
   const auto set = [&](auto where, V on_a, V on_b, V on_c) {
     weight.x = select(where, on_a, weight.x);
     weight.y = select(where, on_b, weight.y);
     weight.z = select(where, on_c, weight.z);
   };
-  const V along_bc = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-  set((va <= zero) & (d4 - d3 >= zero) & (d5 - d6 >= zero), zero, one - along_bc, along_bc);
-  const V along_ac = d2 / (d2 - d6);
-  set((vb <= zero) & (d2 >= zero) & (d6 <= zero), one - along_ac, zero, along_ac);
+  const V rest = one - along;
+  set(on_bc, zero, rest, along);
+  set(on_ac, rest, zero, along);
   set((d6 >= zero) & (d5 <= d6), zero, zero, one);
-  const V along_ab = d1 / (d1 - d3);
-  set((vc <= zero) & (d1 >= zero) & (d3 <= zero), one - along_ab, along_ab, zero);
+  set(on_ab, rest, along, zero);
   set((d3 >= zero) & (d4 <= d3), zero, one, zero);
   set((d1 <= zero) & (d2 <= zero), one, zero, zero);
   return weight;
@@ -41,12 +49,17 @@ void set_vertex(NearestPoint<3>& nearest, int corner) {
   nearest.corner = {corner, corner};
 }
 
-/// What of the face the weights of a triangle name. Corner 2 is the quad's centre if is_quad.
-void name_feature(const std::array<Real, 3>& w, const std::array<int, 3>& corner, bool is_quad,
+BRUNT_INLINE bool inside(const Place<Real>& weight) {
+  return (weight.x != 0) & (weight.y != 0) & (weight.z != 0);
+}
+
+/// What of the face the weights of a triangle name that are not inside it. Corner 2 is the quad's
+/// centre if is_quad. nearest  fresh: of the inside
+void name_feature(const Place<Real>& weight, const std::array<int, 3>& corner, bool is_quad,
                   NearestPoint<3>& nearest) {
+  nearest.smooth = false;
+  const std::array<Real, 3> w = {weight.x, weight.y, weight.z};
   const int zeros = (w[0] == 0) + (w[1] == 0) + (w[2] == 0);
-  nearest.smooth = zeros == 0;
-  nearest.feature = Feature::face;
   if (zeros == 2) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (w[i] != 0 && corner[i] >= 0) set_vertex(nearest, corner[i]);
@@ -78,58 +91,57 @@ BRUNT_INLINE OfTriangles<V> nearest_on(const Place<V> (&t)[3], const Place<V>& x
 }
 
 /// Of a face without area: infinitely far.
-NearestPoint<3> nowhere() {
-  NearestPoint<3> nearest;
+void set_nowhere(NearestPoint<3>& nearest) {
   nearest.point.setZero(), nearest.normal.setZero();
   nearest.smooth = false;
-  return nearest;
 }
 
 Vec3 vector(const Place<Real>& p) { return {p.x, p.y, p.z}; }
 
-NearestPoint<3> nearest_on_triangle(const FacePlane<3>& face, const Vec3& x) {
+/// nearest  out; fresh, as with all below
+void find_on_triangle(const FacePlane<3>& face, const Vec3& x, NearestPoint<3>& nearest) {
   const auto& at = face.corner;
   const Place<Real> t[3] = {place(at[0]), place(at[1]), place(at[2])};
   const auto found = nearest_on(t, place(x));
-  if (!(found.squared_distance < kInfinity)) return nowhere();
-  NearestPoint<3> nearest;
+  if (!(found.squared_distance < kInfinity)) return set_nowhere(nearest);
   nearest.distance = std::sqrt(found.squared_distance);
   nearest.point = vector(found.point);
   nearest.normal = vector(found.normal).normalized();
   nearest.weight = {found.weight.x, found.weight.y, found.weight.z, 0};
-  name_feature({found.weight.x, found.weight.y, found.weight.z}, {0, 1, 2}, false, nearest);
-  return nearest;
+  if (!inside(found.weight)) name_feature(found.weight, {0, 1, 2}, false, nearest);
+}
+
+/// The first lane of the smallest of four numbers; one that is none is not smaller than any.
+BRUNT_INLINE int least_lane(Pack v) {
+  const Pack infinite = broadcast<Pack>(kInfinity);
+  v = select(v < infinite, v, infinite);
+  const Pack pairs = vmin(v, Pack{v[1], v[0], v[3], v[2]});
+  const Pack least = vmin(pairs, Pack{pairs[2], pairs[3], pairs[0], pairs[1]});
+  return std::countr_zero(mask_bits(v == least));
 }
 
 /// The four triangles of a quad about its centre side by side; of equals the first.
-NearestPoint<3> nearest_on_quad(const FacePlane<3>& face, const Vec3& x) {
+void find_on_quad(const FacePlane<3>& face, const Vec3& x, NearestPoint<3>& nearest) {
   const Place<Pack> from = corners(face.corner);
   const Place<Pack> t[3] = {from, next(from), everywhere(face.center)};
   const auto found = nearest_on(t, everywhere(x));
-  Real least = kInfinity;
-  int k = -1;
-  for (int i = 0; i < kLanes; ++i) {
-    if (!(found.squared_distance[i] < least)) continue;
-    least = found.squared_distance[i];
-    k = i;
-  }
-  if (k < 0) return nowhere();
-  NearestPoint<3> nearest;
+  const int k = least_lane(found.squared_distance);
+  const Real least = found.squared_distance[k];
+  if (!(least < kInfinity)) return set_nowhere(nearest);
   const auto lane = [k](const Place<Pack>& p) { return Place<Real>{p.x[k], p.y[k], p.z[k]}; };
   const Place<Real> weight = lane(found.weight);
   const int j = (k + 1) % kLanes;
   nearest.distance = std::sqrt(least);
   nearest.point = vector(lane(found.point));
   nearest.normal = vector(lane(found.normal)).normalized();
-  nearest.weight.fill(0.25 * weight.z);
-  nearest.weight[static_cast<std::size_t>(k)] += weight.x;
-  nearest.weight[static_cast<std::size_t>(j)] += weight.y;
-  name_feature({weight.x, weight.y, weight.z}, {k, j, -1}, true, nearest);
-  return nearest;
+  const Real of_center = 0.25 * weight.z;
+  nearest.weight.fill(of_center);
+  nearest.weight[static_cast<std::size_t>(k)] = of_center + weight.x;
+  nearest.weight[static_cast<std::size_t>(j)] = of_center + weight.y;
+  if (!inside(weight)) name_feature(weight, {k, j, -1}, true, nearest);
 }
 
-NearestPoint<2> nearest_on_edge(const FacePlane<2>& face, const Vec<2>& x) {
-  NearestPoint<2> nearest;
+void find_on_edge(const FacePlane<2>& face, const Vec<2>& x, NearestPoint<2>& nearest) {
   const Vec<2> edge = face.corner[1] - face.corner[0];
   const Real along = edge.dot(x - face.corner[0]) / edge.squaredNorm();
   const Real w = along <= 0 ? 0.0 : (along >= 1 ? 1.0 : along);
@@ -142,17 +154,20 @@ NearestPoint<2> nearest_on_edge(const FacePlane<2>& face, const Vec<2>& x) {
     nearest.feature = Feature::vertex;
     nearest.corner = {w == 0 ? 0 : 1, w == 0 ? 0 : 1};
   }
-  return nearest;
 }
 }  // namespace
 
 template <int Dim>
 NearestPoint<Dim> nearest_point(const FacePlane<Dim>& face, const Vec<Dim>& x) {
+  NearestPoint<Dim> nearest;  // filled where the caller wants it
   if constexpr (Dim == 2) {
-    return nearest_on_edge(face, x);
+    find_on_edge(face, x, nearest);
+  } else if (face.n_corners == 3) {
+    find_on_triangle(face, x, nearest);
   } else {
-    return face.n_corners == 3 ? nearest_on_triangle(face, x) : nearest_on_quad(face, x);
+    find_on_quad(face, x, nearest);
   }
+  return nearest;
 }
 
 template NearestPoint<2> nearest_point<2>(const FacePlane<2>&, const Vec<2>&);

@@ -30,6 +30,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   for (auto* field : {&spring, &damping, &spring_last, &damping_last}) {
     field->push_back(Vec<Dim>::Zero());
   }
+  pressed.push_back(0), pressed_last.push_back(0);
   if (turns) spin.push_back(Vec3::Zero());
   if (asks_material) material.emplace_back();
   spring_energy.push_back(0);
@@ -48,17 +49,34 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
 
 template <int Dim>
 void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) {
+  struct Motion {
+    const Vec<Dim>*x, *v;
+  };
+  std::vector<Motion> of;
+  for (const auto* from : surfaces) of.push_back({from->points->x.data(), from->points->v.data()});
+  const LocalIndex *const place = point.data(), *const whose = surface.data();
+  Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
+  const std::size_t n = size();
+#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+  for (std::size_t i = 0; i < n; ++i) {
+    if (place[i] < 0) continue;
+    const Motion& from = of[static_cast<std::size_t>(whose[i])];
+    to_x[i] = from.x[place[i]];
+    to_v[i] = from.v[place[i]];
+  }
+  if (turns || asks_material || warm) read_matter(surfaces);
+}
+
+template <int Dim>
+void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) {
 #pragma omp parallel for schedule(static) if (size() > kWorthThreads)
   for (std::size_t i = 0; i < size(); ++i) {
     if (point[i] < 0) continue;
-    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
-    x[i] = points.x[static_cast<std::size_t>(point[i])];
-    v[i] = points.v[static_cast<std::size_t>(point[i])];
-    const auto& known = surfaces[static_cast<std::size_t>(surface[i])]->spin;
+    const auto& from = *surfaces[static_cast<std::size_t>(surface[i])];
     const auto p = static_cast<std::size_t>(point[i]);
-    if (turns && p < known.size()) spin[i] = known[p];
-    const auto& shown = surfaces[static_cast<std::size_t>(surface[i])]->particle_material;
-    if (asks_material && p < shown.size()) material[i] = shown[p];
+    if (turns && p < from.spin.size()) spin[i] = from.spin[p];
+    if (asks_material && p < from.particle_material.size()) material[i] = from.particle_material[p];
+    const auto& points = *from.points;
     if (!warm || !points.conducts) continue;
     capacity[i] = points.capacity_varies(p) ? points.heated_mass[p] : points.capacity[p];
   }
@@ -112,6 +130,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     v[i] = old.v[*it];
     spring[i] = old.spring[*it], damping[i] = old.damping[*it];
     spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
+    pressed[i] = old.pressed[*it], pressed_last[i] = old.pressed_last[*it];
     spring_energy[i] = old.spring_energy[*it], damping_energy[i] = old.damping_energy[*it];
     if (warm) friction_given[i] = old.friction_given[*it];
     if (!rubs) continue;

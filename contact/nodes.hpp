@@ -21,6 +21,9 @@ struct ContactNodes {
   std::vector<Vec<Dim>> v;                          ///< [m/s] at the last evaluation
   std::vector<Vec<Dim>> spring, damping;            ///< [N] forces of this evaluation
   std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
+  /// Whether anything gave them a force in this evaluation, and in the one before: where nothing
+  /// did it is 0, friction too.
+  std::vector<char> pressed, pressed_last;
   std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
   bool rubs = false;               ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
@@ -52,6 +55,9 @@ struct ContactNodes {
   void foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
   /// Takes over what outlives a step from the same points in an older table.
   void inherit(const ContactNodes& old);
+
+ private:
+  void read_matter(const std::vector<Surface<Dim>*>& surfaces);
 };
 
 }  // namespace brunt

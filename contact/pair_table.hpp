@@ -60,4 +60,22 @@ class PairTable {
   bool particles_rub_ = false;
 };
 
+/// Looks up the options of pairs one after another, mostly of the same two bodies.
+class PairFinder {
+ public:
+  explicit PairFinder(const PairTable& pairs) : pairs_(pairs) {}
+  const PairOptions& of(Label a, Label b) {
+    if (options_ == nullptr || a != a_ || b != b_) {
+      options_ = &pairs_.of(a, b);
+      a_ = a, b_ = b;
+    }
+    return *options_;
+  }
+
+ private:
+  const PairTable& pairs_;
+  Label a_ = 0, b_ = 0;
+  const PairOptions* options_ = nullptr;
+};
+
 }  // namespace brunt

@@ -30,13 +30,17 @@ NearestPoint<Dim> nearest_point(const FacePlane<Dim>& face, const Vec<Dim>& x);
 template <int Dim>
 struct ParticleHit {
   static constexpr int kCorners = Facet<Dim>::kNodes;
+  ParticleHit() {}
+  /// Of a particle at x, its nearest point where it stands: it is not copied.
+  ParticleHit(const FacePlane<Dim>& of_plane, const Vec<Dim>& x)
+      : plane(&of_plane), nearest(nearest_point<Dim>(of_plane, x)) {}
   const FacePlane<Dim>* plane = nullptr;
   std::array<LocalIndex, kCorners> node{};  ///< names of the corners: faces that share them touch
   Label body = 0;
   Label piece = 0;
-  Real limit = 0;            ///< [m] how far behind the face the particle is still held
-  LocalIndex candidate = 0;  ///< the caller's
-  bool open = false;         ///< the surface has a rim, and two sides
+  Real limit = 0;       ///< [m] how far behind the face the particle is still held
+  LocalIndex face = 0;  ///< the caller's
+  bool open = false;    ///< the surface has a rim, and two sides
   /// Of an open surface: 1 before it, -1 behind it, where the particle belongs; 0: not known yet,
   /// or the particle is beside the rim. Given as it was, it goes out as it is.
   int side = 0;

@@ -45,8 +45,11 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
   for (const auto& pair : own.candidates.faces()) {
     ++all.faces[static_cast<std::size_t>(pair.lower)].candidates;
   }
-  for (const auto& pair : own.candidates.particles()) {
-    ++all.particles[static_cast<std::size_t>(pair.particle)].candidates;
+  const ParticleRows rows = own.candidates.particle_rows(own.pairs, own.ahead_last);
+  for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
+    const auto [first, last] = rows.range(row);
+    all.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)].candidates +=
+        last - first;
   }
   for (const auto& pair : own.candidates.pairs()) {
     ++all.particles[static_cast<std::size_t>(pair.particle)].candidates;

@@ -16,19 +16,25 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
         nodes.damping[at][c] += next->damping[c];
         if (nodes.rubs) nodes.friction[at][c] += next->friction[c];
       }
+      nodes.pressed[at] = 1;
     }
     ++next;
   };
+  Vec<Dim>*const springs = nodes.spring.data(), *const dampings = nodes.damping.data();
+  char* const pressed = nodes.pressed.data();
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     while (next != elsewhere.end() && next->key < key_of(record)) add_next();
-    for (int i = 0; i < record.n_nodes; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+    const Vec<Dim> normal = record.normal;
+    const Real spring = record.spring, damping = record.damping;
+    const auto n = static_cast<std::size_t>(record.n_nodes);
+    for (std::size_t k = 0; k < n; ++k) {
       const LocalIndex node = record.node[k];
       if (node < first || node >= last) continue;
       const auto at = static_cast<std::size_t>(node);
-      nodes.spring[at] += record.weight[k] * record.spring * record.normal;
-      nodes.damping[at] += record.weight[k] * record.damping * record.normal;
+      springs[at] += record.weight[k] * spring * normal;
+      dampings[at] += record.weight[k] * damping * normal;
       if (friction != nullptr) nodes.friction[at] += friction->force[k];
+      pressed[at] = 1;
     }
   });
   while (next != elsewhere.end()) add_next();
@@ -41,6 +47,7 @@ void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
   const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
   nodes.spring_energy[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
   nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
+  if (!nodes.pressed[i]) return;
   auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
   auto& f = points.f[static_cast<std::size_t>(nodes.point[i])];
   f += nodes.spring[i] + nodes.damping[i];
@@ -101,6 +108,7 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
   std::swap(nodes.spring, nodes.spring_last);
   std::swap(nodes.damping, nodes.damping_last);
+  std::swap(nodes.pressed, nodes.pressed_last);
   const std::size_t n = nodes.size();
 #pragma omp parallel if (n > kWorthThreads)
   {
@@ -108,14 +116,21 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     const auto count = static_cast<std::size_t>(omp_get_num_threads());
     const auto k = static_cast<std::size_t>(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
+    char* const pressed = nodes.pressed.data();
+    const char* const pressed_last = nodes.pressed_last.data();
+    const bool rubs = nodes.rubs;
     for (std::size_t i = first; i < last; ++i) {
+      if (rubs && pressed_last[i]) nodes.friction[i].setZero();
+      if (!pressed[i]) continue;  // most touch nothing, and are not even read
       nodes.spring[i].setZero();
       nodes.damping[i].setZero();
-      if (nodes.rubs) nodes.friction[i].setZero();
+      pressed[i] = 0;
     }
     gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
            nodes);
-    for (std::size_t i = first; i < last; ++i) book(i, dt, surfaces, nodes);
+    for (std::size_t i = first; i < last; ++i) {
+      if (pressed[i] || pressed_last[i]) book(i, dt, surfaces, nodes);
+    }
   }
 }
 

@@ -16,6 +16,8 @@ namespace brunt {
 template <int Dim>
 struct ContactRecord {
   static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
+  /// Written out: else emplace_back sets all bytes to 0 first, which costs more than the rest.
+  ContactRecord() {}
   GlobalId first = 0, second = 0;  ///< key: lower and upper face or particle, or particle and face
   LocalIndex first_place = 0, second_place = 0;  ///< among the faces or particles of the tables
   bool of_particle = false;                      ///< the first is a particle
@@ -53,7 +55,7 @@ class Records {
     std::vector<FirstTouch> face_touches, particle_touches, pair_touches;
     std::vector<PairHeatPath<Dim>> pair_heat;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
-    std::vector<std::size_t> near;                  ///< room to work: candidates
+    std::vector<LocalIndex> near;                   ///< room to work: faces
     std::vector<ParticleMeeting<Dim>> meetings;     ///< room to work
     std::size_t past = 0;                           ///< where its frictions look for theirs
     StepVote vote;

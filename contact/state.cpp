@@ -1,4 +1,6 @@
 /// What contact carries from step to step, as tables: one a surface, by the ids of its points.
+#include <algorithm>
+
 #include "contact/implementation.hpp"
 
 namespace brunt {
@@ -78,6 +80,7 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
         table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
+  std::fill(nodes.pressed.begin(), nodes.pressed.end(), char{1});  // it may be: forces are known
   own.dt_last = common.dt_last;
   own.started = common.started != 0;
   if (!own.started) return rearrange();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/simd_float.hpp"
+
 namespace brunt {
 
 template <int Dim>
@@ -28,22 +30,6 @@ BRUNT_INLINE PackMask inside_support(const MotionRecord<Dim>* records, const Rea
   set_arms(records, own, j, pairs);
   return pairs.q2 < 4.0;
 }
-
-/// For each set of lanes: its lanes moved to the front, in their order, and how many they are.
-struct Compression {
-  alignas(16) std::int32_t lane[16][4];
-  int count[16];
-};
-constexpr Compression compression() {
-  Compression table{};
-  for (int set = 0; set < 16; ++set) {
-    for (int lane = 0; lane < 4; ++lane) {
-      if ((set >> lane & 1) != 0) table.lane[set][table.count[set]++] = lane;
-    }
-  }
-  return table;
-}
-constexpr Compression kCompression = compression();
 
 template <int Dim>
 void NeighbourRows<Dim>::merge_copies(std::span<const GlobalId> id, LocalIndex n_owned) {

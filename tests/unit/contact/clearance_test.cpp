@@ -128,5 +128,57 @@ TEST(Clearance, KeepsWhatIsNoNumber) {
   EXPECT_FALSE((ClearanceLoss{0, 0, none}).leaves(clearance));
 }
 
+// Four side by side, in single precision, any part of a list keeps what one by one is kept, in the
+// order of the list; what more it keeps is left out by less than a millionth.
+TEST(Clearances, KeepAllThatEachOneKeeps) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<Real> number(0, 1);
+  Clearances all;
+  std::vector<Clearance> one(103);
+  all.resize(one.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    one[i] = {static_cast<LocalIndex>(2 * i), static_cast<float>(number(random)),
+              static_cast<float>(number(random)), static_cast<float>(number(random))};
+    all.set(i, one[i]);
+    EXPECT_EQ(all.entity(i), 2 * i);
+  }
+  for (int k = 0; k < 2000; ++k) {
+    const auto first = static_cast<std::size_t>(number(random) * 103);
+    const auto last = first + static_cast<std::size_t>(number(random) * (104.0 - Real(first)));
+    const auto& on = one[static_cast<std::size_t>(number(random) * 103)];
+    // Each second time just what one of them has: it is not left out.
+    const Real turn = number(random);
+    const ClearanceLoss loss =
+        k % 2 == 0 ? ClearanceLoss{number(random), 0.5 * number(random), turn}
+                   : ClearanceLoss{on.apart, std::max(0.0, on.before - turn * on.arm), turn};
+    const ClearanceLoss more{loss.apart * (1 + 3e-6), loss.before * (1 + 3e-6),
+                             loss.turn * (1 + 3e-6)};
+    std::vector<LocalIndex> near(last - first + 4);
+    near.resize(all.find_near(first, last, loss, near.data()));
+    auto next = near.begin();
+    for (std::size_t i = first; i < last; ++i) {
+      const bool found = next != near.end() && *next == one[i].entity;
+      if (found) ++next;
+      EXPECT_TRUE(found || loss.leaves(one[i]));
+      EXPECT_TRUE(!found || !more.leaves(one[i]));
+    }
+    EXPECT_EQ(next, near.end());
+  }
+}
+
+// No bound at all, or one that is no number, leaves nothing out.
+TEST(Clearances, KeepAllWhereNothingIsProved) {
+  Clearances all;
+  all.resize(7);
+  for (std::size_t i = 0; i < 7; ++i) all.set(i, {static_cast<LocalIndex>(i), 1, 1, 1});
+  const Real none = std::numeric_limits<Real>::quiet_NaN();
+  LocalIndex near[11];
+  EXPECT_EQ(all.find_near(0, 7, ClearanceLoss{}, near), 7u);
+  EXPECT_EQ(all.find_near(0, 7, ClearanceLoss{none, 0, 0}, near), 7u);
+  EXPECT_EQ(all.find_near(0, 7, ClearanceLoss{0, 0, none}, near), 7u);
+  EXPECT_EQ(all.find_near(2, 5, ClearanceLoss{0, 0, 0}, near), 0u);
+  EXPECT_EQ(all.find_near(3, 3, ClearanceLoss{}, near), 0u);
+}
+
 }  // namespace
 }  // namespace brunt

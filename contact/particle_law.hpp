@@ -1,0 +1,48 @@
+#pragma once
+/// By what law a particle and a face touch: found anew for each contact, as most of what is listed
+/// never touches, and reading what was kept of it would be waited for.
+#include "contact/entities.hpp"
+#include "contact/law.hpp"
+#include "contact/particle_face.hpp"
+
+namespace brunt {
+
+struct ParticleLaw {
+  Real stiffness = 0;  ///< [N/m] per breadth
+  Real own = 0;        ///< [N/m] phi times the particle's own spring, per breadth
+  Real zeta = 0;
+  const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
+};
+
+/// (2 r)^(Dim - 1): the section of a particle per breadth.
+template <int Dim>
+Real section_of(const ContactParticle& particle) {
+  const Real diameter = 2 * particle.radius;
+  return Dim == 3 ? diameter * diameter : diameter;
+}
+
+template <int Dim>
+ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face,
+                   const PairOptions& options) {
+  const Real own = particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
+  const Real of_face = face.stiffness * section_of<Dim>(particle);
+  return {options.stiffness * in_series(own, of_face), options.stiffness * own, options.damping,
+          options.rubs() ? &options : nullptr};
+}
+
+/// How far behind the face the particle is held [m].
+template <int Dim>
+Real held_behind(const ContactParticle& particle, const ContactFace<Dim>& face) {
+  const Real held = (face.open ? kOpenDepthRadii : kDepthRadii) * particle.radius;
+  return face.rigid() ? held : std::min(held, face.depth);
+}
+
+/// How heat passes between them; null where a side takes none.
+template <int Dim>
+const ContactHeat* heat_between(const ContactParticle& particle, const ContactFace<Dim>& face,
+                                const PairOptions& options) {
+  const bool passes = particle.conductivity > 0 && face.capacity > 0 && options.passes_heat();
+  return passes ? &options.heat : nullptr;
+}
+
+}  // namespace brunt

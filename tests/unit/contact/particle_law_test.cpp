@@ -1,0 +1,65 @@
+// A particle of radius r and modulus M on a face of stiffness s = M/h (contact.md 2.8): its own
+// spring is M 2r, that of the face s (2r)^2, both in series; on a rigid face its own alone. It is
+// held three radii behind a rigid face, six behind an open one, and no deeper than the body is.
+#include "contact/particle_law.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brunt {
+namespace {
+
+ContactParticle particle() {
+  ContactParticle one;
+  one.radius = 0.5, one.modulus = 2e9, one.conductivity = 40;
+  return one;
+}
+
+ContactFace<3> face() {
+  ContactFace<3> one;
+  one.stiffness = 3e9, one.depth = 10, one.capacity = 1;
+  return one;
+}
+
+TEST(ParticleLaw, SpringsOfBothSidesAreInSeries) {
+  PairOptions options;
+  options.stiffness = 0.25, options.damping = 0.1;
+  const ParticleLaw law = law_of(particle(), face(), options);
+  EXPECT_DOUBLE_EQ(law.stiffness, 0.25 * (2e9 * 3e9) / (2e9 + 3e9));
+  EXPECT_DOUBLE_EQ(law.own, 0.25 * 2e9);
+  EXPECT_EQ(law.zeta, 0.1);
+  EXPECT_EQ(law.rubs, nullptr);
+  ContactFace<3> rigid = face();
+  rigid.stiffness = 0;
+  EXPECT_DOUBLE_EQ(law_of(particle(), rigid, options).stiffness, 0.25 * 2e9);
+}
+
+TEST(ParticleLaw, SectionIsASquareOrAnEdge) {
+  ContactParticle one = particle();
+  one.radius = 0.75;
+  EXPECT_EQ(section_of<3>(one), 2.25);
+  EXPECT_EQ(section_of<2>(one), 1.5);
+}
+
+TEST(ParticleLaw, HoldsNoDeeperThanTheBody) {
+  ContactFace<3> one = face();
+  EXPECT_EQ(held_behind(particle(), one), 1.5);
+  one.open = true;
+  EXPECT_EQ(held_behind(particle(), one), 3);
+  one.depth = 1;
+  EXPECT_EQ(held_behind(particle(), one), 1);
+  one.stiffness = 0;
+  EXPECT_EQ(held_behind(particle(), one), 3);
+}
+
+TEST(ParticleLaw, HeatPassesWhereBothSidesTakeIt) {
+  PairOptions options;
+  EXPECT_EQ(heat_between(particle(), face(), options), nullptr);
+  options.heat.emplace<1>();
+  EXPECT_EQ(heat_between(particle(), face(), options), &options.heat);
+  ContactFace<3> cold = face();
+  cold.capacity = 0;
+  EXPECT_EQ(heat_between(particle(), cold, options), nullptr);
+}
+
+}  // namespace
+}  // namespace brunt
