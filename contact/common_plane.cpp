@@ -18,6 +18,7 @@ template <int Dim>
 bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, CommonPlane<Dim>& plane) {
   const Real facing = -lower.normal.dot(upper.normal);
   if (!(facing > kFacing)) return false;
+  plane.facing = facing;
   plane.ramp = std::min((facing - kFacing) / (kFullFacing - kFacing), 1.0);
   plane.normal = (lower.normal - upper.normal).normalized();
   plane.origin = 0.5 * (lower.center + upper.center);

@@ -26,6 +26,7 @@ struct CommonPlane {
   static constexpr int kCorners = Facet<Dim>::kNodes;
   Vec<Dim> normal;            ///< unit, from the lower to the upper face
   Vec<Dim> point;             ///< [m] centre of pressure, on the common plane
+  Real facing = 0;            ///< cosine of the angle between the faces, 1 where they are parallel
   Real ramp = 0;              ///< 0 .. 1: fades where the faces stop opposing each other
   Real area = 0;              ///< [m^2] under pressure
   Real volume = 0;            ///< [m^3] integral of the penetration, times ramp

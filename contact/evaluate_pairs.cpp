@@ -66,6 +66,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const PresentPair<Di
   record.add(second.node, 1);
   damper = damping_coefficient(candidate.zeta, spring.linear, mass);
   record.spring = spring.force(meeting.overlap);
+  record.stored = spring.energy(meeting.overlap);
   record.damping = std::max(damper * meeting.closing, -record.spring);
   return record;
 }
@@ -139,7 +140,7 @@ Real overlap_kept(const TouchStep& step, const PresentPair<Dim>& pair,
   } else if (const auto* before = step.before->of_particles(first, second)) {
     kept = std::min(before->overlap, overlap);
   }
-  if (kept > 0) touches.push_back({{2, 0, first, second}, kept, false, false, 0, 0});
+  if (kept > 0) touches.push_back({{2, 0, first, second}, kept, false, false, 0});
   return kept;
 }
 

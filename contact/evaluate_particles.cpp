@@ -172,6 +172,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
                               now.particle.radius};
   hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
+  record.stored = hit.share * spring.energy(hit.overlap);
   record.damping = std::max(hit.share * hit.damping * closing, -record.spring);
   if (mass > 0) {
     const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
@@ -214,7 +215,7 @@ FirstTouch& touch_of(GlobalId particle, GlobalId surface, std::size_t first,
   auto at = touches.begin() + static_cast<std::ptrdiff_t>(first);
   while (at != touches.end() && at->key < key) ++at;
   if (at == touches.end() || !(at->key == key)) {
-    at = touches.insert(at, {key, 0, false, false, 0, 0});
+    at = touches.insert(at, {key, 0, false, false, 0});
   }
   return *at;
 }

@@ -14,11 +14,10 @@ struct FirstTouch {
   Real overlap = 0;     ///< [m]
   bool bonded = false;  ///< in the last evaluation
   bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
-  Real torn = 0;        ///< [J] that the bond held when it broke, in this evaluation
   int side = 0;         ///< of an open surface: 1 before it, -1 behind it; 0: none
 
   /// False once nothing is left that would make the contact unlike any other.
-  bool matters() const { return overlap > 0 || bonded || torn > 0 || side != 0; }
+  bool matters() const { return overlap > 0 || bonded || side != 0; }
 };
 
 /// Names the surface that the pieces of a body show to particles.

@@ -205,11 +205,11 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
   const auto add = [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
     for (std::size_t i = first; i < last; ++i) {
       if (!nodes.owned[i]) continue;
-      part.add(Column::contact_spring, nodes.spring_energy[i]);
+      part.add(Column::contact_pairs, nodes.spring_work[i]);
       part.add(Column::contact_damping, nodes.damping_energy[i]);
       EntityHash hash(nodes.id[i]);
       hash.add(static_cast<std::uint64_t>(nodes.surface[i]));
-      hash.add(nodes.spring_energy[i]);
+      hash.add(nodes.spring_work[i]);
       hash.add(nodes.damping_energy[i]);
       for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
       part.state_hash += hash.value();
@@ -222,6 +222,12 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
     }
   };
   add_in_shares(nodes.size(), totals, add);
+  // Springs hold what their overlaps say. What their forces have taken from motion beyond that went
+  // with contacts that began or ended in the middle of it, or changed in place, area or direction.
+  implementation_->records.visit([&](const ContactRecord<Dim>& record) {
+    totals.add(Column::contact_spring, record.stored);
+    totals.add(Column::contact_pairs, -record.stored);
+  });
   if (nodes.rubs) totals.state_hash += implementation_->friction_hash();
   totals.state_hash += implementation_->touch_hash();
 }

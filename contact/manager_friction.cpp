@@ -198,12 +198,6 @@ void ContactManager<Dim>::Implementation::end_friction() {
     tractions.add(record, *friction);
   });
   tractions.finish();
-  for (const auto& touch : touches.all()) {
-    if (!(touch.torn > 0)) continue;
-    const std::size_t at = book_of(entities, touch.key);
-    nodes.spring_energy[at] -= touch.torn;
-    nodes.pair_energy[at] += touch.torn;
-  }
   // What ended gives its spring's energy away. Its forces acted for the first half of the step:
   // heat where it was slipping, for the node that holds its books.
   std::fill(nodes.ended_heat.begin(), nodes.ended_heat.end(), 0.0);

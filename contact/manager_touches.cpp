@@ -21,13 +21,12 @@ void visit_touch(Row& row, AnyTouch& touch) {
 }
 }  // namespace
 
-/// A spring k g over an area A holds k/2 of the integral of g^2, which is half its force times the
-/// penetration where it acts.
+/// What springs hold that press at time 0 is there from the start: nobody has done work on them.
 template <int Dim>
 void ContactManager<Dim>::Implementation::press_at_start() {
   auto& nodes = entities.nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    nodes.spring_energy[i] = 0;
+    nodes.spring_work[i] = 0;
     if (!nodes.owned[i]) continue;
     surfaces[static_cast<std::size_t>(nodes.surface[i])]
         ->points->f[static_cast<std::size_t>(nodes.point[i])]
@@ -45,8 +44,7 @@ void ContactManager<Dim>::Implementation::press_at_start() {
     if (ring && points.x_start[p][0] == 0) points.a[p][0] = 0;
   }
   records.visit([&](const ContactRecord<Dim>& record) {
-    nodes.spring_energy[book_of(entities, key_of(record))] +=
-        0.5 * record.spring * record.penetration;
+    nodes.spring_work[book_of(entities, key_of(record))] += record.stored;
   });
 }
 

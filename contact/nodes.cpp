@@ -33,7 +33,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   pressed.push_back(0), pressed_last.push_back(0);
   if (turns) spin.push_back(Vec3::Zero());
   if (asks_material) material.emplace_back();
-  spring_energy.push_back(0);
+  spring_work.push_back(0);
   damping_energy.push_back(0);
   if (warm) {
     for (auto* field : {&temperature, &capacity, &heat_rate, &ended_heat, &friction_given})
@@ -131,7 +131,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     spring[i] = old.spring[*it], damping[i] = old.damping[*it];
     spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
     pressed[i] = old.pressed[*it], pressed_last[i] = old.pressed_last[*it];
-    spring_energy[i] = old.spring_energy[*it], damping_energy[i] = old.damping_energy[*it];
+    spring_work[i] = old.spring_work[*it], damping_energy[i] = old.damping_energy[*it];
     if (warm) friction_given[i] = old.friction_given[*it];
     if (!rubs) continue;
     friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];

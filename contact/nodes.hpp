@@ -24,7 +24,7 @@ struct ContactNodes {
   /// Whether anything gave them a force in this evaluation, and in the one before: where nothing
   /// did it is 0, friction too.
   std::vector<char> pressed, pressed_last;
-  std::vector<Real> spring_energy, damping_energy;  ///< [J] booked since time 0
+  std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
   bool rubs = false;               ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
   bool turns = false;              ///< particles rub on particles; else `spin` is empty

@@ -77,6 +77,11 @@ struct ParticleSpring {
     const Real deep = d > radius ? d - radius : 0.0;
     return linear * d + barrier * deep * (deep / radius) * (deep / radius);
   }
+  Real energy(Real d) const {
+    const Real deep = d > radius ? d - radius : 0.0;
+    return 0.5 * linear * d * d +
+           0.25 * barrier * (deep * deep) * (deep / radius) * (deep / radius);
+  }
   Real tangent(Real d) const {
     const Real deep = d > radius ? d - radius : 0.0;
     return linear + 3 * barrier * (deep / radius) * (deep / radius);

@@ -45,7 +45,7 @@ void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
           ContactNodes<Dim>& nodes) {
   if (!nodes.owned[i]) return;
   const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
-  nodes.spring_energy[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
+  nodes.spring_work[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
   nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
   if (!nodes.pressed[i]) return;
   auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;

@@ -27,6 +27,7 @@ struct ContactRecord {
   Vec<Dim> normal;
   Vec<Dim> point;              ///< [m]
   Real spring = 0;             ///< [N] along normal on the upper side
+  Real stored = 0;             ///< [J] that this spring holds
   Real damping = 0;            ///< [N]
   Real area = 0;               ///< [m^2]
   Real penetration = 0;        ///< [m]

@@ -11,7 +11,7 @@ void visit_node(Row& row, Nodes& nodes, std::size_t i) {
   row(nodes.v[i]);
   row(nodes.spring[i]);
   row(nodes.damping[i]);
-  row(nodes.spring_energy[i]);
+  row(nodes.spring_work[i]);
   row(nodes.damping_energy[i]);
   if (nodes.warm) row(nodes.friction_given[i]);
   if (!nodes.rubs) return;
