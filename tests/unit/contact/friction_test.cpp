@@ -218,7 +218,8 @@ void check_cycle() {
   add_sheet(scene, 5, -0.5, 2, 0.01, true, kSide, 1);
   add_sheet(scene, 3, 0, 1, 0, false, kSide, 1);
   scene.start();
-  Real lost = 0, place = 0;
+  // pressed: what the spring along the normal holds from the first step on, nobody's work.
+  Real lost = 0, place = 0, pressed = 0;
   std::vector<Real> heat;
   const int steps = 4000;
   Vec<Dim> last = Vec<Dim>::Zero();
@@ -230,12 +231,13 @@ void check_cycle() {
     lost -= 0.5 * (last + scene.force(1))[0] * (next - place);
     last = scene.force(1);
     place = next;
+    if (i == 1) pressed = scene.totals().value(Column::contact_pairs);
     if (i % steps == 0) heat.push_back(scene.totals().value(Column::contact_friction));
   }
   const Real cycle = heat[1] - heat[0], du = 2 * kPi * a / steps;
   EXPECT_NEAR(cycle, 4 * mu * normal * (a - mu * normal / kSpring), 2 * kSpring * du * du);
   const auto totals = scene.totals();
-  const Real pairs = totals.value(Column::contact_pairs);
+  const Real pairs = totals.value(Column::contact_pairs) - pressed;
   const Real stored = last.squaredNorm() > 0 ? 0.5 * last[0] * last[0] / kSpring : 0.0;
   EXPECT_LT(std::fabs(pairs), 1e-10 * cycle);
   EXPECT_NEAR(lost, heat[1] + stored, 1e-10 * cycle);
