@@ -135,6 +135,58 @@ TEST(FrictionHeat, GoesWhereThePairSays) {
   EXPECT_LT(run.worst_drift, 1e-10);
 }
 
+// Aluminium rubs on steel; both conduct and no heat passes. Without a `split` the heat of friction
+// goes by effusivities (physics.md A11), e1/(e1 + e2), e = sqrt(k rho cp): 23,998 and 12,881
+// J/m^2/K/s^(1/2), 0.651 to aluminium. The block is pulled by 0.1 mm and pressed all the while: no
+// contact ends, neither at the edges, which meet no edge of the plate's, nor of particles, which
+// lie on particles (one that ends gives its last half step to the side that keeps its books). The
+// page's 1e-10 is above rounding.
+TEST(FrictionHeat, GoesByEffusivityOtherwise) {
+  const Real e1 = std::sqrt(237.0 * 2700 * 900), e2 = std::sqrt(44.5 * 7850 * 475);
+  const Real of_aluminium = e1 / (e1 + e2);
+  EXPECT_NEAR(of_aluminium, 0.651, 5e-4);
+  const auto expect_split = [&](const char* block, const char* plate, const char* names,
+                                const char* at) {
+    const auto run = simulate_text(
+        std::string(R"yaml(
+geometry: 3d
+time: {end: 20 us}
+heat: conduct
+ambient: 300 K
+bodies:
+  block:
+    material: aluminium
+    shape: {box: {min: [0, 0, 0], max: [4 mm, 4 mm, 4 mm]}}
+    size: 1 mm
+    velocity: [5 m/s, 0, -2 m/s]
+  plate:
+    material: steel
+    shape: {box: {min: [-2 mm, -2 mm, -3 mm], max: [8 mm, 6 mm, 0]}}
+    size: 1 mm
+boundaries:
+  floor: {body: plate, where: {side: min-z}, fix: [x, y, z]}
+  press: {body: block, where: {side: max-z}, velocity: [5 m/s, free, -2 m/s]}
+contact: {default: {friction: 0.3}, pairs: {rub: {between: )yaml") +
+            names + "}}}\n" + kMaterials,
+        {std::string("bodies.block.method=") + block, std::string("bodies.plate.method=") + plate,
+         std::string("bodies.block.shape.translate=") + at});
+    SCOPED_TRACE(std::string(block) + " on " + plate);
+    ASSERT_EQ(run.failure, "");
+    const Real heat = run.last("energy.contact.friction");
+    EXPECT_GT(heat, 0.01);
+    EXPECT_NEAR(run.last("heat.friction"), heat, 1e-10 * heat);
+    EXPECT_NEAR(run.last("body.block.heat"), of_aluminium * heat, 1e-10 * heat);
+    EXPECT_NEAR(run.last("body.plate.heat"), (1 - of_aluminium) * heat, 1e-10 * heat);
+    EXPECT_LT(run.worst_drift, 1e-10);
+  };
+  const char* aside = "[0.05 mm, 0.3 mm, 0]";
+  expect_split("fe", "fe", "[block, plate]", aside);
+  expect_split("fe", "fe", "[plate, block]", aside);
+  expect_split("sph", "fe", "[block, plate]", aside);
+  expect_split("fe", "sph", "[block, plate]", aside);
+  expect_split("sph", "sph", "[block, plate]", "[0.05 mm, 0, 0]");
+}
+
 // Half-spaces in perfect contact are at (e1 T1 + e2 T2)/(e1 + e2) = 332.34 degC there from the
 // second step on (physics.md B1.8), on both sides: 0.5 % of 480 K.
 TEST(ContactTemperature, IsThatBetweenHalfSpaces) {
