@@ -11,7 +11,7 @@ set -euo pipefail
 brunt=$1
 decks=$2/decks own=$2/tests/parallel
 compare=$3
-first_difference=("$2/tests/parallel/first_difference.sh" "$1" "$4")
+state_difference=$4
 random_deal=$5
 shift 5
 work=$(mktemp -d)
@@ -79,8 +79,8 @@ same() {  # same DECK A B
   "$compare" "$2" "$3" >frames.txt || { echo "FAILED: $1: frames differ"; cat frames.txt; status=1; }
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
-  diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4
-  "${first_difference[@]}" "$2.args" "$3.args" || true
+  diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4 || true
+  "$own/first_difference.sh" "$program" "$state_difference" "$2.args" "$3.args" || true
   status=1
 }
 touches() {  # touches WHAT HISTORY: pairs that touch in the last row
