@@ -1,21 +1,25 @@
 #!/usr/bin/env bash
 # The same history, byte for byte, state hashes and all, and the same frames, bit for bit, on any
 # number of ranks and threads: every shipped deck, shortened; with another skin; dealt out again
-# every few steps; and split in two by a restart on other ranks.
-#   ranks.sh PROGRAM SOURCE COMPARE STATE_DIFFERENCE RANKS...
+# every few steps; and split in two by a restart on other ranks. Decks of contact alone besides, which
+# stand beside this file: all that a contact remembers moves with its points.
+#   ranks.sh PROGRAM SOURCE COMPARE STATE_DIFFERENCE RANDOM_DEAL RANKS...
 # COMPARE: the program of tests/support/compare_frames.cpp, or true where there are no frames.
+# RANDOM_DEAL: the program with points dealt by a hash, so that nearly every contact is shared by
+# ranks: for decks of contact, and for all on four ranks and more.
 set -euo pipefail
 brunt=$1
-decks=$2/decks
+decks=$2/decks own=$2/tests/parallel
 compare=$3
-first_difference=("$2/tests/parallel/first_difference.sh" "$1" "$4")
-shift 4
+state_difference=$4
+random_deal=$5
+shift 5
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# deck, or folder/deck where they differ, when it is split by a restart, then what makes it a matter of seconds; a blank is written
-# _, and _ itself __
+# deck, or folder/deck where they differ (decks/deck: beside this file), when it is split by a
+# restart, then what makes it a matter of seconds; a blank is written _, and _ itself __
 cases=(
   "bars 8_us time.end=20_us"
   "hot-rod 0.4_s time.end=0.8_s"
@@ -45,9 +49,18 @@ cases=(
   "tumbling-blocks 3.4_ms parameters.end=4_ms bodies.plate.cells=[10,_10,_2]"
   "tumbling-blocks 3.4_ms parameters.end=4_ms bodies.plate.cells=[10,_10,_2] materials.nylon.thermal={cp:_1700,_k:_10} materials.hot={density:_700,_elastic:_{E:_1.5_GPa,_nu:_0.3},_thermal:_{cp:_1200,_k:_20}} bodies.die.material=hot bodies.die.cells=[3,_3,_3] bodies.die.temperature=900_K bodies.brick.material=hot bodies.brick.cells=[4,_2,_1] contact.default.heat=perfect time.heat__every=3"
   "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"
+  "decks/fold 0.8_ms"
+  "decks/overlaps 0.18_ms"
+  "decks/joints 0.2_ms"
+  "decks/bonded 6.3_us"
+  "decks/shaft 10_us"
+  "decks/bricks 1.2_ms"
+  "decks/sheet 15_us"
+  "decks/solids 0.5_ms"
 )
 status=0
 path_of() { case $1 in */*) echo "$1.yaml" ;; *) echo "$1/$1.yaml" ;; esac; }
+program=$brunt
 run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
   local deck=$1 out=$2 options=() overrides=()
   shift 2
@@ -57,18 +70,23 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
     each=${each//__/$'\1'} each=${each//_/ }
     overrides+=(--set "${each//$'\1'/_}")
   done
-  deck=$decks/$(path_of "$deck")
+  case $deck in decks/*) deck=$own/$(path_of "$deck") ;; *) deck=$decks/$(path_of "$deck") ;; esac
   printf '%q ' "$deck" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
-  "$brunt" run "$deck" --quiet --out "$out" --oversubscribe \
+  "$program" run "$deck" --quiet --out "$out" --oversubscribe \
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
 }
 same() {  # same DECK A B
   "$compare" "$2" "$3" >frames.txt || { echo "FAILED: $1: frames differ"; cat frames.txt; status=1; }
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
-  diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4
-  "${first_difference[@]}" "$2.args" "$3.args" || true
+  diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4 || true
+  "$own/first_difference.sh" "$program" "$state_difference" "$2.args" "$3.args" || true
   status=1
+}
+touches() {  # touches WHAT HISTORY: pairs that touch in the last row
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^contact\..*\.planes$/) column[i] = 1 }
+    NR > 1 { n = 0; for (i in column) if ($i > 0) n += $i } END { exit !(n >= 5) }' "$2" ||
+    { echo "FAILED: $1: fewer than five contacts at the restart"; status=1; }
 }
 for each in "${cases[@]}"; do
   read -r deck until shorten <<<"$each"
@@ -92,5 +110,12 @@ for each in "${cases[@]}"; do
   same "$deck" "$name-1" "$name-rest"
   run "$deck" "$name-alone" --threads 1 --restart "$name-half" -- $shorten
   same "$deck" "$name-1" "$name-alone"
+  case $deck in decks/*) touches "$deck" "$name-half/history.csv" ;; *) [ "$1" -ge 4 ] || continue ;; esac
+  program=$random_deal
+  run "$deck" "$name-random" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
+  same "$deck" "$name-1" "$name-random"
+  run "$deck" "$name-random-rest" --ranks 2 --threads 1 --restart "$name-half" -- $shorten
+  same "$deck" "$name-1" "$name-random-rest"
+  program=$brunt
 done
 exit $status

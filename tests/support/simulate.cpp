@@ -147,7 +147,8 @@ Simulation simulate_text(const std::string& text, const std::vector<std::string>
 
 Simulation simulate_shipped(const std::string& name, const std::vector<std::string>& overrides,
                             const RunVariation& variation) {
-  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/decks/" + name + "/" + name + ".yaml";
+  const std::string file = name.find('/') == std::string::npos ? name + "/" + name : name;
+  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/decks/" + file + ".yaml";
   return simulate(load_deck(path, overrides), variation);
 }
 

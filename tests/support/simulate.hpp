@@ -48,7 +48,7 @@ Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation = {}
                     const SceneHooks& hooks = {});
 Simulation simulate_text(const std::string& text, const std::vector<std::string>& overrides = {},
                          const RunVariation& variation = {}, const SceneHooks& hooks = {});
-/// A deck that ships, by its folder's name.
+/// A deck that ships, by its folder's name, or as folder/deck where its own name is another.
 Simulation simulate_shipped(const std::string& name, const std::vector<std::string>& overrides = {},
                             const RunVariation& variation = {});
 
