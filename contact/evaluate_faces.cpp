@@ -38,8 +38,8 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   const Real closing = (v_lower - v_upper).dot(plane.normal);
   record.spring = candidate.stiffness * plane.volume;
   // k/2 of the integral of g^2: g where the force acts is its mean over the pressure k g. Between
-  // faces at an angle it is what a motion along the plane's normal stores; a corner that goes into a
-  // face along that face's normal, half the angle away, does cos^2 of it (test 8: k d^3/(6 sin)).
+  // faces at an angle it is what a motion along the plane's normal stores; a corner that goes into
+  // a face along that face's normal, half the angle away, does cos^2 of it (test 8: k d^3/(6 sin)).
   record.stored = 0.25 * (1 + plane.facing) * record.spring * plane.penetration;
   record.damping = candidate.damping * plane.ramp * plane.area * closing;
   record.opening = -touch.overlap;
