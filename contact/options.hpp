@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -135,6 +136,7 @@ struct ContactOptions {
   PairOptions fallback;                                  ///< `default`
   std::map<std::pair<Label, Label>, PairOptions> pairs;  ///< keys with first <= second
   std::map<std::pair<Label, Label>, std::string> pair_names;
+  std::set<std::pair<Label, Label>> turned;  ///< those whose name puts the second body first
   SearchMode search = SearchMode::grid;
   std::optional<Real> skin;  ///< [m]; none: tuned on counted work
 };

@@ -56,6 +56,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       const PairOptions& pair = of(a, b);
       if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
       pairs_.emplace_back(a, b);
+      told_.push_back(options.turned.count({a, b}) != 0 ? b : a);
       rubs_ = rubs_ || pair.rubs();
       asks_material_ = asks_material_ || pair.asks_material();
       presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;

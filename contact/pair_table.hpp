@@ -44,6 +44,8 @@ class PairTable {
   /// Pairs of bodies that may touch, first <= second, with the names that history.csv uses.
   const std::vector<std::pair<Label, Label>>& pairs() const { return pairs_; }
   const std::vector<std::string>& names() const { return names_; }
+  /// The body of each on which history.csv tells the force: the first that the deck names.
+  const std::vector<Label>& told() const { return told_; }
 
  private:
   PairOptions fallback_;
@@ -51,6 +53,7 @@ class PairTable {
   std::map<Label, PairOptions> strongest_;
   std::vector<std::pair<Label, Label>> pairs_;
   std::vector<std::string> names_;
+  std::vector<Label> told_;
   bool rubs_ = false;
   bool presses_ = false;
   bool asks_material_ = false;

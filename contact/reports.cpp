@@ -139,7 +139,8 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
         if (known == place.end()) return;
         auto& sum = sums[known->second];
         // A body exerts no force on itself as a whole.
-        const Real sign = first == second ? 0.0 : (record.upper_body == first ? 1.0 : -1.0);
+        const Label told = own.pairs.told()[known->second];
+        const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
         const Vec<Dim> force = force_of(record, friction);
         for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
         if (own.section.geometry != Geometry::axisymmetric) {
@@ -161,7 +162,8 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
     if (first == second) return;
-    sums[known->second].through.add(flow.upper_body == first ? flow.through : -flow.through);
+    const Label told = own.pairs.told()[known->second];
+    sums[known->second].through.add(flow.upper_body == told ? flow.through : -flow.through);
   });
   own.ranks.all->reduce_all(std::span(sums), merge);
   std::vector<PairReport> reports;

@@ -28,7 +28,9 @@ ContactOptions named_options(const Deck& deck) {
       // Contact counts the share of the body with the lower label.
       auto& split = options.pairs[key].friction_heat.split;
       if (split && first > other) split = 1 - *split;
-      if (!any) options.pair_names[key] = name;
+      if (any) continue;
+      options.pair_names[key] = name;
+      if (first > other) options.turned.insert(key);
     }
   }
   return options;

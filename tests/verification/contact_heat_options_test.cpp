@@ -187,6 +187,32 @@ contact: {default: {friction: 0.3}, pairs: {rub: {between: )yaml") +
   expect_split("sph", "sph", "[block, plate]", "[0.05 mm, 0, 0]");
 }
 
+// A pair's force, torque and heat rate are those of the body that `between` names first: the hot
+// block is thrown up and cools, whichever the deck's bodies begin with.
+TEST(PairColumns, AreOfTheBodyNamedFirst) {
+  const auto run = [](const char* between) {
+    return simulate_shipped(
+        "hot-block",
+        {"time.end=5 us", "measures=null",
+         std::string("contact={pairs: {hit: {friction: $mu, heat: perfect, between: ") + between +
+             "}}}"});
+  };
+  const auto block = run("[block, plate]"), plate = run("[plate, block]");
+  ASSERT_EQ(block.failure + plate.failure, "");
+  EXPECT_GT(block.last("contact.hit.force.z"), 0);
+  EXPECT_LT(block.last("contact.hit.force.x"), 0);
+  EXPECT_LT(block.last("contact.hit.heat_rate"), 0);
+  for (const char* column : {"force.x", "force.z", "torque.x", "torque.y", "heat_rate"}) {
+    const std::string name = std::string("contact.hit.") + column;
+    EXPECT_NE(block.last(name), 0) << column;
+    EXPECT_EQ(plate.last(name), -block.last(name)) << column;
+  }
+  for (const char* column : {"area", "friction_heat", "temperature.max"}) {
+    const std::string name = std::string("contact.hit.") + column;
+    EXPECT_EQ(plate.last(name), block.last(name)) << column;
+  }
+}
+
 // Half-spaces in perfect contact are at (e1 T1 + e2 T2)/(e1 + e2) = 332.34 degC there from the
 // second step on (physics.md B1.8), on both sides: 0.5 % of 480 K.
 TEST(ContactTemperature, IsThatBetweenHalfSpaces) {

@@ -166,7 +166,7 @@ TEST(SlidingBlock, SlidesAsCoulombSays) {
 // it then stays to rounding. At 16.8 deg it slides: mu g cos a is 157 times the difference that
 // moves it, and faces that lean take or add up to 4e-5 of that; 1 %. (With the springs' default
 // damping an elastic block flutters at slips this slow; where its corners stick and lift, it is
-// held back by 2 % less, at any time step.)
+// held back by 2 % less, with a fifth of the time step too.)
 TEST(SlidingBlock, SlipsIfAndOnlyIfItsInclineIsSteeper) {
   for (const int dim : {2, 3}) {
     for (const bool meshed : {false, true}) {
