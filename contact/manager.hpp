@@ -15,7 +15,8 @@
 
 namespace brunt {
 
-/// What history.csv prints of one pair of bodies; sums are exact.
+/// What history.csv prints of one pair of bodies; sums are exact. "The first body" is the one that
+/// the pair's `between` names first, without a name of its own the first of the deck.
 struct PairReport {
   std::string name;             ///< the deck's, or "a-b"
   std::array<Real, 3> force{};  ///< [N] on the first body
