@@ -53,6 +53,7 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
     const Vec<Dim>*x, *v;
   };
   std::vector<Motion> of;
+  of.reserve(surfaces.size());
   for (const auto* from : surfaces) of.push_back({from->points->x.data(), from->points->v.data()});
   const LocalIndex *const place = point.data(), *const whose = surface.data();
   Vec<Dim>*const to_x = x.data(), *const to_v = v.data();

@@ -30,7 +30,7 @@ NearestPoint<Dim> nearest_point(const FacePlane<Dim>& face, const Vec<Dim>& x);
 template <int Dim>
 struct ParticleHit {
   static constexpr int kCorners = Facet<Dim>::kNodes;
-  ParticleHit() {}
+  ParticleHit() {}  // NOLINT(modernize-use-equals-default)
   /// Of a particle at x, its nearest point where it stands: it is not copied.
   ParticleHit(const FacePlane<Dim>& of_plane, const Vec<Dim>& x)
       : plane(&of_plane), nearest(nearest_point<Dim>(of_plane, x)) {}

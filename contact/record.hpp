@@ -17,7 +17,7 @@ template <int Dim>
 struct ContactRecord {
   static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
   /// Written out: else emplace_back sets all bytes to 0 first, which costs more than the rest.
-  ContactRecord() {}
+  ContactRecord() {}               // NOLINT(modernize-use-equals-default)
   GlobalId first = 0, second = 0;  ///< key: lower and upper face or particle, or particle and face
   LocalIndex first_place = 0, second_place = 0;  ///< among the faces or particles of the tables
   bool of_particle = false;                      ///< the first is a particle
