@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "contact/bilinear_weights.hpp"
+#include "contact/overlap_push.hpp"
 
 namespace brunt {
 
 namespace {
-constexpr Real kFacing = 0.09;      // -n1.n2 where the ramp starts
-constexpr Real kFullFacing = 0.17;  // and where it ends
-constexpr Real kTouching = 1e-12;   // of the face's size: a mean penetration below it is none
-constexpr Real kSliver = 1e-12;     // of the smaller face's area: an overlap below it is none
+constexpr Real kTouching = 1e-12;  // of the face's size: a mean penetration below it is none
+constexpr Real kSliver = 1e-12;    // of the smaller face's area: an overlap below it is none
 
 /// The normal, origin and ramp; false if the faces do not oppose each other.
 template <int Dim>
@@ -19,6 +18,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, CommonPlan
   const Real facing = -lower.normal.dot(upper.normal);
   if (!(facing > kFacing)) return false;
   plane.facing = facing;
+  plane.leans = false;
   plane.ramp = std::min((facing - kFacing) / (kFullFacing - kFacing), 1.0);
   plane.normal = (lower.normal - upper.normal).normalized();
   plane.origin = 0.5 * (lower.center + upper.center);
@@ -65,7 +65,7 @@ Polygon project(const FacePlane<3>& face, const CommonPlane<3>& plane, bool reve
   for (int i = 0; i < face.n_corners; ++i) {
     const int k = reverse ? face.n_corners - 1 - i : i;
     const Vec3 arm = face.corner[static_cast<std::size_t>(k)] - plane.origin;
-    polygon.push(Vec<2>(arm.dot(plane.axis_1), arm.dot(plane.axis_2)));
+    polygon.push(Vec<2>(arm.dot(plane.axis_1), arm.dot(plane.axis_2)), static_cast<std::int8_t>(i));
   }
   return polygon;
 }
@@ -134,6 +134,9 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (needs.middle) {
     plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
   }
+  if (!needs.whole && lean_share(plane.facing) > 0) {
+    push_leaning(lower, upper, {below, above, penetration, needs.opening, sum.total}, plane);
+  }
   return true;
 }
 
@@ -161,26 +164,26 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   const auto penetration = [&](Real s) {
     return below.height(s) - above.height(s) + needs.opening;
   };
-  const Real at_from = penetration(from), at_to = penetration(to);
-  plane.deepest = std::max(at_from, at_to);
+  std::array<Real, 2> depth = {penetration(from), penetration(to)};
+  plane.deepest = std::max(depth[0], depth[1]);
   if (!needs.whole) {
     if (plane.deepest <= 0) return false;
-    const Real crossing = from + (to - from) * at_from / (at_from - at_to);
-    if (at_from < 0) from = crossing;
-    if (at_to < 0) to = crossing;
+    const Real crossing = from + (to - from) * depth[0] / (depth[0] - depth[1]);
+    if (depth[0] < 0) from = crossing, depth[0] = 0;
+    if (depth[1] < 0) to = crossing, depth[1] = 0;
   }
 
   const Real middle = 0.5 * (from + to);
   const auto breadth = [&](Real s) { return section.breadth(plane.origin[0] + s * t[0]); };
   const std::array<Real, 3> s = {from, middle, to}, share = {1.0 / 6, 4.0 / 6, 1.0 / 6};
+  const std::array<Real, 3> g = {depth[0], 0.5 * (depth[0] + depth[1]), depth[1]};
   Real total = 0, moment = 0, area = 0, first = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Real strip = (to - from) * share[i] * breadth(s[i]);
-    const Real depth = needs.whole ? penetration(s[i]) : std::max(penetration(s[i]), 0.0);
     area += strip;
     first += strip * (s[i] - middle);
-    total += strip * depth;
-    moment += strip * depth * (s[i] - middle);
+    total += strip * g[i];
+    moment += strip * g[i] * (s[i] - middle);
   }
   if (!needs.whole && !(total > kTouching * smaller * area)) return false;
 
@@ -202,6 +205,11 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
     plane.lower_at_middle = {1 - below.share(m), below.share(m)};
     plane.upper_at_middle = {1 - above.share(m), above.share(m)};
   }
+  if (!needs.whole && lean_share(plane.facing) > 0) {
+    const OverlapLine line{
+        {below.s0, below.s1}, {above.s0, above.s1}, {from, to}, depth, needs.opening, total};
+    push_leaning(lower, upper, line, section, plane);
+  }
   return true;
 }
 
@@ -216,10 +224,11 @@ struct Parts {
     return count == 1 ? whole : halves.part[i];
   }
   /// Puts the weights of part i where the corners of the whole face are.
-  void spread(std::size_t i, std::array<Real, 4>& weight) const {
+  template <class Value>
+  void spread(std::size_t i, const Value& none, std::array<Value, 4>& weight) const {
     if (count == 1) return;
-    const std::array<Real, 4> of_part = weight;
-    weight = {};
+    const std::array<Value, 4> of_part = weight;
+    weight.fill(none);
     for (std::size_t c = 0; c < 3; ++c) {
       weight[static_cast<std::size_t>(halves.corners[i][c])] = of_part[c];
     }
@@ -237,10 +246,14 @@ int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Sec
     for (std::size_t j = 0; j < above.count; ++j) {
       if (!one_plane(below[i], above[j], section, needs, plane[n])) continue;
       plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
-      below.spread(i, plane[n].lower_weight);
-      above.spread(j, plane[n].upper_weight);
-      below.spread(i, plane[n].lower_at_middle);
-      above.spread(j, plane[n].upper_at_middle);
+      below.spread(i, 0.0, plane[n].lower_weight);
+      above.spread(j, 0.0, plane[n].upper_weight);
+      below.spread(i, 0.0, plane[n].lower_at_middle);
+      above.spread(j, 0.0, plane[n].upper_at_middle);
+      if (plane[n].leans) {
+        below.spread(i, Vec3(Vec3::Zero()), plane[n].lower_push);
+        above.spread(j, Vec3(Vec3::Zero()), plane[n].upper_push);
+      }
       ++n;
     }
   }

@@ -18,6 +18,9 @@ struct Section {
   }
 };
 
+/// Cosines of the angle between faces from which their pressure fades in, up to the whole of it.
+inline constexpr Real kFacing = 0.09, kFullFacing = 0.17;
+
 /// One common plane between two faces (Vorobiev, simple common plane; contact.md 2.5).
 /// The pressure of a spring of k [Pa/m] has the resultant k volume along normal on the upper face,
 /// through `point`; weights share it among the corners, each set sums to one.
@@ -38,6 +41,10 @@ struct CommonPlane {
   /// since a place that followed the pressure would couple normal motion to friction, one way only.
   Vec<Dim> middle;  ///< [m]
   std::array<Real, kCorners> lower_at_middle{}, upper_at_middle{};
+  /// What faces at an angle get beside k volume along normal, per k (contact/overlap_push.hpp);
+  /// it is there where they lean.
+  bool leans = false;
+  std::array<Vec<Dim>, kCorners> lower_push, upper_push;  ///< [m^3]
   Polygon polygon;  ///< 3D: the area under pressure, about origin, along axis_1 and axis_2
   Vec<Dim> origin;  ///< [m]
   Vec<Dim> axis_1, axis_2;

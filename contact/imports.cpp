@@ -219,18 +219,19 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
   std::vector<Contribution<Dim>> received;
   if (ranks().alone()) return received;
   std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
-  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+  records.visit_whole([&](const WholeRecord<Dim>& whole) {
+    const auto& record = whole.record;
     for (int i = 0; i < record.n_nodes; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const auto at = static_cast<std::size_t>(record.node[k]);
       if (nodes.owned[at]) continue;
-      const Vec<Dim> spring = record.weight[k] * record.spring * record.normal;
+      const Vec<Dim> spring = whole.spring_on(k);
       const Vec<Dim> damping = record.weight[k] * record.damping * record.normal;
       Letter<Dim> letter{{key_of(record), 0, {}, {}, {}}, nodes.surface[at], nodes.id[at]};
       for (int c = 0; c < Dim; ++c) {
         letter.what.spring[c] = spring[c];
         letter.what.damping[c] = damping[c];
-        if (friction != nullptr) letter.what.friction[c] = friction->force[k][c];
+        if (whole.friction != nullptr) letter.what.friction[c] = whole.friction->force[k][c];
       }
       to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
     }

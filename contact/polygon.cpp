@@ -7,8 +7,9 @@ Real cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0];
 }  // namespace
 
 namespace {
-/// What clip() keeps, to `kept`; false where that is all of it, and nothing is written.
-bool clip_to(const Polygon& polygon, const LinearField& keep, Polygon& kept) {
+/// What clip() keeps, to `kept`; false where that is all of it, and nothing is written. The side
+/// along the cut gets the name.
+bool clip_to(const Polygon& polygon, const LinearField& keep, std::int8_t name, Polygon& kept) {
   Real at[Polygon::kRoom];
   bool all = true;
   for (int i = 0; i < polygon.size; ++i) {
@@ -22,9 +23,13 @@ bool clip_to(const Polygon& polygon, const LinearField& keep, Polygon& kept) {
     const Real at_p = at[last], at_q = at[i];
     if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
       const Vec<2>& p = polygon[last];
-      kept.push(p + (at_p / (at_p - at_q)) * (polygon[i] - p));
+      const std::int8_t entered = polygon.side[static_cast<std::size_t>(last)];
+      kept.push(p + (at_p / (at_p - at_q)) * (polygon[i] - p), at_p > 0 ? name : entered);
     }
-    if (at_q >= 0) kept.push(polygon[i]);
+    if (!(at_q >= 0)) continue;
+    const int next = i + 1 == polygon.size ? 0 : i + 1;
+    const bool leaves = at_q == 0 && at[next] < 0;
+    kept.push(polygon[i], leaves ? name : polygon.side[static_cast<std::size_t>(i)]);
   }
   return true;
 }
@@ -32,7 +37,7 @@ bool clip_to(const Polygon& polygon, const LinearField& keep, Polygon& kept) {
 
 Polygon clip(const Polygon& polygon, const LinearField& keep) {
   Polygon kept;
-  return clip_to(polygon, keep, kept) ? kept : polygon;
+  return clip_to(polygon, keep, Polygon::kCut, kept) ? kept : polygon;
 }
 
 Polygon intersect(const Polygon& a, const Polygon& b) {
@@ -45,7 +50,8 @@ Polygon intersect(const Polygon& a, const Polygon& b) {
     LinearField left;
     left.slope = Vec<2>(-edge[1], edge[0]);
     left.value = -left.slope.dot(p);
-    if (!clip_to(*overlap, left, room[next])) continue;
+    const auto name = static_cast<std::int8_t>(Polygon::kOfSecond + i);
+    if (!clip_to(*overlap, left, name, room[next])) continue;
     overlap = &room[next];
     next = 1 - next;
   }

@@ -9,10 +9,16 @@ namespace brunt {
 /// clipped by each other and by one line have at most nine corners.
 struct Polygon {
   static constexpr int kRoom = 12;
+  static constexpr std::int8_t kCut = -1;      ///< a side where a field is 0
+  static constexpr std::int8_t kOfSecond = 4;  ///< and more: sides of the second of two quads
   std::array<Vec<2>, kRoom> corner;
+  std::array<std::int8_t, kRoom> side;  ///< whose side begins at a corner; of a face: that corner
   int size = 0;
 
-  void push(const Vec<2>& p) { corner[static_cast<std::size_t>(size++)] = p; }
+  void push(const Vec<2>& p, std::int8_t of = kCut) {
+    side[static_cast<std::size_t>(size)] = of;
+    corner[static_cast<std::size_t>(size++)] = p;
+  }
   const Vec<2>& operator[](int i) const { return corner[static_cast<std::size_t>(i)]; }
 };
 
@@ -23,10 +29,12 @@ struct LinearField {
   Real at(const Vec<2>& p) const { return value + slope[0] * p[0] + slope[1] * p[1]; }
 };
 
-/// The part of a convex polygon where the field is not negative (Sutherland & Hodgman 1974).
+/// The part of a convex polygon where the field is not negative (Sutherland & Hodgman 1974). Its
+/// sides keep their names, and where the field cuts it begins one named kCut.
 Polygon clip(const Polygon& polygon, const LinearField& keep);
 
-/// The overlap of two convex counter-clockwise polygons.
+/// The overlap of two convex counter-clockwise polygons. Sides of b are named kOfSecond and more in
+/// it, those of a keep their names; where both coincide, a's name stays.
 Polygon intersect(const Polygon& a, const Polygon& b);
 
 /// Signed area [m^2]; positive if counter-clockwise.

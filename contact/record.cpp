@@ -22,18 +22,19 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
   };
   Vec<Dim>*const springs = nodes.spring.data(), *const dampings = nodes.damping.data();
   char* const pressed = nodes.pressed.data();
-  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+  records.visit_whole([&](const WholeRecord<Dim>& whole) {
+    const auto& record = whole.record;
     while (next != elsewhere.end() && next->key < key_of(record)) add_next();
     const Vec<Dim> normal = record.normal;
-    const Real spring = record.spring, damping = record.damping;
+    const Real damping = record.damping;
     const auto n = static_cast<std::size_t>(record.n_nodes);
     for (std::size_t k = 0; k < n; ++k) {
       const LocalIndex node = record.node[k];
       if (node < first || node >= last) continue;
       const auto at = static_cast<std::size_t>(node);
-      springs[at] += record.weight[k] * spring * normal;
+      springs[at] += whole.spring_on(k);
       dampings[at] += record.weight[k] * damping * normal;
-      if (friction != nullptr) nodes.friction[at] += friction->force[k];
+      if (whole.friction != nullptr) nodes.friction[at] += whole.friction->force[k];
       pressed[at] = 1;
     }
   });
@@ -63,6 +64,7 @@ void Records<Dim>::clear() {
     part.two_particles.clear();
     part.pair_heat.clear();
     part.frictions.clear();
+    part.leans.clear();
     part.face_heat.clear();
     part.particle_heat.clear();
     part.face_touches.clear();

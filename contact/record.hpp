@@ -34,6 +34,7 @@ struct ContactRecord {
   Real opening = 0;            ///< [m] of its plane's needs
   bool bonded = false;         ///< its plane is the whole overlap of both faces
   std::int32_t friction = -1;  ///< its place among those of the same part; -1: it slides freely
+  std::int32_t lean = -1;      ///< the same of what its spring gives beside the normal; -1: nothing
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
   std::array<Real, kNodes> weight{};
@@ -41,6 +42,28 @@ struct ContactRecord {
   void add(LocalIndex at, Real w) {
     node[static_cast<std::size_t>(n_nodes)] = at;
     weight[static_cast<std::size_t>(n_nodes++)] = w;
+  }
+};
+
+/// What the spring between two faces at an angle gives to the nodes of its record beside their
+/// share of the push along the normal. All sides together get no force and no moment.
+template <int Dim>
+struct LeaningPush {
+  std::array<Vec<Dim>, ContactRecord<Dim>::kNodes> force;  ///< [N]
+  int n_lower = 0;                                         ///< nodes of the lower side come first
+};
+
+/// A record with what its part keeps beside it, or null.
+template <int Dim>
+struct WholeRecord {
+  const ContactRecord<Dim>& record;
+  const Friction<Dim>* friction;
+  const LeaningPush<Dim>* lean;
+
+  /// What the spring gives to the node k of the record [N].
+  Vec<Dim> spring_on(std::size_t k) const {
+    const Vec<Dim> push = record.weight[k] * record.spring * record.normal;
+    return lean == nullptr ? push : Vec<Dim>(push + lean->force[k]);
   }
 };
 
@@ -52,6 +75,7 @@ class Records {
   struct Part {
     std::vector<ContactRecord<Dim>> face_on_face, particle_on_face, two_particles;
     std::vector<Friction<Dim>> frictions;
+    std::vector<LeaningPush<Dim>> leans;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
     std::vector<FirstTouch> face_touches, particle_touches, pair_touches;
     std::vector<PairHeatPath<Dim>> pair_heat;
@@ -67,17 +91,23 @@ class Records {
   void for_parts(std::size_t n, std::size_t worth_threads, const Work& work);
   template <class Visit>
   void visit(const Visit& visit) const {
-    visit_with_friction(
-        [&](const ContactRecord<Dim>& record, const Friction<Dim>*) { visit(record); });
+    visit_whole([&](const WholeRecord<Dim>& whole) { visit(whole.record); });
   }
   /// visit(record, friction): a contact that slides freely has none.
   template <class Visit>
   void visit_with_friction(const Visit& visit) const {
+    visit_whole([&](const WholeRecord<Dim>& whole) { visit(whole.record, whole.friction); });
+  }
+  /// visit(whole record).
+  template <class Visit>
+  void visit_whole(const Visit& visit) const {
     const auto show = [&](const Part& part, const std::vector<ContactRecord<Dim>>& records) {
       for (const auto& record : records) {
-        visit(record, record.friction < 0
-                          ? nullptr
-                          : &part.frictions[static_cast<std::size_t>(record.friction)]);
+        const auto in = [](const auto& all, std::int32_t at) {
+          return at < 0 ? nullptr : &all[static_cast<std::size_t>(at)];
+        };
+        visit(WholeRecord<Dim>{record, in(part.frictions, record.friction),
+                               in(part.leans, record.lean)});
       }
     };
     for (const auto& part : parts_) show(part, part.face_on_face);

@@ -54,27 +54,42 @@ void append(std::vector<Real>& values, const Vec<Dim>& v) {
   for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? v[c] : 0.0);
 }
 
-/// What a contact does to its upper side [N].
-template <int Dim>
-Vec<Dim> force_of(const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
-  Vec<Dim> force = (record.spring + record.damping) * record.normal;
-  if (friction != nullptr) force += friction->resultant();
-  return force;
-}
-
 Vec3 moment(const Vec3& arm, const Vec3& force) { return arm.cross(force); }
 Vec3 moment(const Vec<2>& arm, const Vec<2>& force) { return {0, 0, cross(arm, force)}; }
 
-/// Its moment about the origin of the coordinates [N m]: friction has a point of its own.
-template <int Dim>
-Vec3 torque_of(const ContactRecord<Dim>& record, const Friction<Dim>* friction,
-               const Vec<Dim>& origin) {
-  const Vec<Dim> push = (record.spring + record.damping) * record.normal;
-  Vec3 torque = moment(Vec<Dim>(origin + record.point), push);
-  if (friction != nullptr) {
-    torque += moment(Vec<Dim>(origin + friction->point), friction->resultant());
+/// visit(x, force) of all that a contact does to its upper side [m], [N]: friction has a point of
+/// its own, and so has each node of faces at an angle.
+template <int Dim, class Visit>
+void visit_forces(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
+                  const Visit& visit) {
+  const auto& record = whole.record;
+  visit(record.point, Vec<Dim>((record.spring + record.damping) * record.normal));
+  if (whole.lean != nullptr) {
+    for (auto k = whole.lean->n_lower; k < record.n_nodes; ++k) {
+      const auto at = static_cast<std::size_t>(record.node[static_cast<std::size_t>(k)]);
+      visit(nodes.x[at], whole.lean->force[static_cast<std::size_t>(k)]);
+    }
   }
-  return torque;
+  if (whole.friction != nullptr) visit(whole.friction->point, whole.friction->resultant());
+}
+
+/// What a contact does to its upper side [N].
+template <int Dim>
+Vec<Dim> force_of(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole) {
+  Vec<Dim> sum = Vec<Dim>::Zero();
+  visit_forces(nodes, whole, [&](const Vec<Dim>&, const Vec<Dim>& force) { sum += force; });
+  return sum;
+}
+
+/// Its moment about the origin of the coordinates [N m].
+template <int Dim>
+Vec3 torque_of(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
+               const Vec<Dim>& origin) {
+  Vec3 sum = Vec3::Zero();
+  visit_forces(nodes, whole, [&](const Vec<Dim>& x, const Vec<Dim>& force) {
+    sum += moment(Vec<Dim>(origin + x), force);
+  });
+  return sum;
 }
 
 /// Takes in the temperatures of both sides of a contact, a record or a flow of heat: weights of one
@@ -131,30 +146,33 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     temperature = own.entities.nodes.present_temperatures(own.surfaces);
     own.imports.refresh_temperatures(temperature);
   }
-  own.records.visit_with_friction(
-      [&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
-        const Label first = std::min(record.lower_body, record.upper_body);
-        const Label second = std::max(record.lower_body, record.upper_body);
-        const auto known = place.find({first, second});
-        if (known == place.end()) return;
-        auto& sum = sums[known->second];
-        // A body exerts no force on itself as a whole.
-        const Label told = own.pairs.told()[known->second];
-        const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
-        const Vec<Dim> force = force_of(record, friction);
-        for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
-        if (own.section.geometry != Geometry::axisymmetric) {
-          const Vec3 torque = torque_of(record, friction, origin);
-          for (int c = 0; c < 3; ++c) {
-            sum.torque[static_cast<std::size_t>(c)].add(sign * torque[c]);
-          }
-        }
-        if (friction != nullptr && own.dt_last > 0) sum.heat.add(friction->heat / own.dt_last);
-        sum.area.add(record.area);
-        sum.max_penetration = std::max(sum.max_penetration, record.penetration);
-        ++sum.planes;
-        if (!temperature.empty()) add_temperatures(record, temperature, sum.touching);
-      });
+  const auto& nodes = own.entities.nodes;
+  own.records.visit_whole([&](const WholeRecord<Dim>& whole) {
+    const auto& record = whole.record;
+    const Label first = std::min(record.lower_body, record.upper_body);
+    const Label second = std::max(record.lower_body, record.upper_body);
+    const auto known = place.find({first, second});
+    if (known == place.end()) return;
+    auto& sum = sums[known->second];
+    // A body exerts no force on itself as a whole.
+    const Label told = own.pairs.told()[known->second];
+    const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
+    const Vec<Dim> force = force_of(nodes, whole);
+    for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
+    if (own.section.geometry != Geometry::axisymmetric) {
+      const Vec3 torque = torque_of(nodes, whole, origin);
+      for (int c = 0; c < 3; ++c) {
+        sum.torque[static_cast<std::size_t>(c)].add(sign * torque[c]);
+      }
+    }
+    if (whole.friction != nullptr && own.dt_last > 0) {
+      sum.heat.add(whole.friction->heat / own.dt_last);
+    }
+    sum.area.add(record.area);
+    sum.max_penetration = std::max(sum.max_penetration, record.penetration);
+    ++sum.planes;
+    if (!temperature.empty()) add_temperatures(record, temperature, sum.touching);
+  });
   own.records.visit_heat([&](const HeatFlow<Dim>& flow) {
     const Label first = std::min(flow.lower_body, flow.upper_body);
     const Label second = std::max(flow.lower_body, flow.upper_body);
@@ -193,23 +211,23 @@ template <int Dim>
 ContactView ContactManager<Dim>::view() const {
   const auto& own = *implementation_;
   ContactView view;
-  own.records.visit_with_friction(
-      [&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
-        if (record.of_particle) {
-          append<Dim>(view.position, record.point);
-          view.polygon_size.push_back(1);
-        } else {
-          append_polygon(own.entities, own.section, record, view);
-        }
-        append<Dim>(view.normal, record.normal);
-        append<Dim>(view.force, force_of(record, friction));
-        view.pressure.push_back((record.spring + record.damping) / record.area);
-        view.penetration.push_back(record.penetration);
-        view.body_a.push_back(record.lower_body);
-        view.body_b.push_back(record.upper_body);
-        const auto key = key_of(record);
-        view.key.push_back({key.of_particle, key.first, key.second, key.ordinal});
-      });
+  own.records.visit_whole([&](const WholeRecord<Dim>& whole) {
+    const auto& record = whole.record;
+    if (record.of_particle) {
+      append<Dim>(view.position, record.point);
+      view.polygon_size.push_back(1);
+    } else {
+      append_polygon(own.entities, own.section, record, view);
+    }
+    append<Dim>(view.normal, record.normal);
+    append<Dim>(view.force, force_of(own.entities.nodes, whole));
+    view.pressure.push_back((record.spring + record.damping) / record.area);
+    view.penetration.push_back(record.penetration);
+    view.body_a.push_back(record.lower_body);
+    view.body_b.push_back(record.upper_body);
+    const auto key = key_of(record);
+    view.key.push_back({key.of_particle, key.first, key.second, key.ordinal});
+  });
   return view;
 }
 

@@ -1,0 +1,165 @@
+// Faces at an angle th push each other, as far as lean_share(cos th) says, by minus the gradient of
+//   U/k = ramp cos^2(th/2)/2 int g^2 dA,
+// which is ramp/4 (1 + cos th) volume * penetration of the common plane, since the penetration
+// where the push acts is int g^2 dA / int g dA. The gradient is found here by central differences
+// of that number, corner by corner: of second order in the difference d, whose rounding is 1e-16
+// U/d. In 2D the breadth of an axisymmetric deck is 2 pi r of the plane itself.
+#include "contact/overlap_push.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace brunt {
+namespace {
+
+template <int Dim>
+struct Pair {
+  FacePlane<Dim> lower, upper;
+  Section section;
+  Real opening = 0;
+
+  std::array<CommonPlane<Dim>, 4> planes;
+  int meet() {
+    refresh(lower), refresh(upper);
+    return common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{false, opening});
+  }
+  Real energy() {
+    const int n = meet();
+    Real sum = 0;
+    for (int i = 0; i < n; ++i) {
+      const auto& plane = planes[static_cast<std::size_t>(i)];
+      sum += 0.25 * (1 + plane.facing) * plane.volume * plane.penetration;
+    }
+    return sum;
+  }
+  Vec<Dim>& corner(std::size_t i) {
+    const auto n = static_cast<std::size_t>(lower.n_corners);
+    return i < n ? lower.corner[i] : upper.corner[i - n];
+  }
+  std::size_t n_corners() const {
+    return static_cast<std::size_t>(lower.n_corners + upper.n_corners);
+  }
+};
+
+/// Force per k by the potential on corner i of a pair with one plane, freed of the share.
+template <int Dim>
+Vec<Dim> by_potential(const Pair<Dim>& pair, std::size_t i) {
+  const auto& plane = pair.planes[0];
+  const auto n = static_cast<std::size_t>(pair.lower.n_corners);
+  const Real weight = i < n ? -plane.lower_weight[i] : plane.upper_weight[i - n];
+  const Vec<Dim> push = i < n ? plane.lower_push[i] : plane.upper_push[i - n];
+  return weight * plane.volume * plane.normal + push / lean_share(plane.facing);
+}
+
+template <int Dim>
+void expect_gradient(Pair<Dim> pair, const std::string& name) {
+  ASSERT_EQ(pair.meet(), 1) << name;
+  ASSERT_TRUE(pair.planes[0].leans) << name;
+  const Real d = 1e-6, scale = pair.planes[0].volume;
+  std::vector<Vec<Dim>> force;
+  for (std::size_t i = 0; i < pair.n_corners(); ++i) force.push_back(by_potential(pair, i));
+  for (std::size_t i = 0; i < pair.n_corners(); ++i) {
+    for (int c = 0; c < Dim; ++c) {
+      const Real at = pair.corner(i)[c];
+      pair.corner(i)[c] = at + d;
+      const Real more = pair.energy();
+      pair.corner(i)[c] = at - d;
+      const Real less = pair.energy();
+      pair.corner(i)[c] = at;
+      // 1e-6 of the push is 100 times what d^2 of faces of size 1 makes of it.
+      EXPECT_NEAR(-(more - less) / (2 * d), force[i][c], 1e-6 * scale) << name << i << c;
+    }
+  }
+}
+
+Vec3 moment_of(const Vec3& x, const Vec3& f) { return x.cross(f); }
+
+class Random {
+ public:
+  Real operator()(Real least, Real most) {
+    return std::uniform_real_distribution<Real>(least, most)(generator_);
+  }
+  Vec3 nearby(Real size) {
+    return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)};
+  }
+
+ private:
+  std::mt19937_64 generator_{20261122};
+};
+
+/// A square or a triangle of size 1, distorted and warped a little, and another that leans by up to
+/// 80 degrees and goes into it by up to 0.3.
+Pair<3> random_pair(Random& random, int n_lower, int n_upper) {
+  Pair<3> pair;
+  pair.section = {Geometry::three_d, 1};
+  pair.lower.n_corners = n_lower, pair.upper.n_corners = n_upper;
+  pair.lower.corner[3].setZero(), pair.upper.corner[3].setZero();
+  const Real lean = random(0.02, 1.4), turn = random(0, 2 * kPi);
+  const Eigen::AngleAxis<Real> tilt(lean, Vec3(std::cos(turn), std::sin(turn), 0));
+  const Vec3 at(random(-0.4, 0.4), random(-0.4, 0.4), random(-0.3, 0.2));
+  const std::array<Vec3, 4> square = {
+      {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}}};
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (static_cast<int>(c) < n_lower) pair.lower.corner[c] = square[c] + random.nearby(0.03);
+    if (static_cast<int>(c) >= n_upper) continue;
+    pair.upper.corner[c] = at + tilt * square[3 - c] + random.nearby(0.03);
+  }
+  return pair;
+}
+
+TEST(OverlapPush, IsTheGradientOfThePotentialInThreeDimensions) {
+  Random random;
+  int found = 0;
+  for (int k = 0; k < 400; ++k) {
+    auto pair = random_pair(random, k % 3 == 0 ? 3 : 4, k % 5 == 0 ? 3 : 4);
+    pair.opening = k % 4 == 0 ? -0.01 : 0.0;
+    if (pair.meet() != 1 || !pair.planes[0].leans || pair.planes[0].volume < 1e-3) continue;
+    ++found;
+    expect_gradient(pair, std::to_string(k) + " ");
+  }
+  EXPECT_GT(found, 100);
+}
+
+TEST(OverlapPush, IsTheGradientOfThePotentialInTwoDimensions) {
+  Random random;
+  int found = 0;
+  for (int k = 0; k < 400; ++k) {
+    Pair<2> pair;
+    pair.section = {k % 2 == 0 ? Geometry::axisymmetric : Geometry::plane_strain, 0.7};
+    pair.opening = k % 4 == 0 ? -0.01 : 0.0;
+    const Real lean = random(-1.4, 1.4);
+    const Vec<2> along(std::cos(lean), std::sin(lean));
+    const Vec<2> at(random(1.6, 2.4), random(-0.3, 0.2));
+    pair.lower.corner = {Vec<2>(2.5, random(-0.1, 0.1)), Vec<2>(1.5, random(-0.1, 0.1))};
+    pair.upper.corner = {at - 0.5 * along, at + 0.5 * along};
+    if (pair.meet() != 1 || !pair.planes[0].leans || pair.planes[0].volume < 1e-3) continue;
+    ++found;
+    expect_gradient(pair, std::to_string(k) + " ");
+  }
+  EXPECT_GT(found, 100);
+}
+
+TEST(OverlapPush, HasNoResultantAndNoMoment) {
+  // Sums of eight forces of size N about points of size 1 round to some 1e-15 N.
+  Random random;
+  int found = 0;
+  for (int k = 0; k < 2000; ++k) {
+    auto pair = random_pair(random, k % 3 == 0 ? 3 : 4, k % 5 == 0 ? 3 : 4);
+    if (pair.meet() != 1 || !pair.planes[0].leans || pair.planes[0].volume < 1e-4) continue;
+    ++found;
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    for (std::size_t i = 0; i < pair.n_corners(); ++i) {
+      const Vec3 f = by_potential(pair, i);
+      force += f;
+      moment += moment_of(pair.corner(i), f);
+    }
+    EXPECT_LT(force.norm(), 1e-14 * pair.planes[0].volume) << k;
+    EXPECT_LT(moment.norm(), 1e-14 * pair.planes[0].volume) << k;
+  }
+  EXPECT_GT(found, 500);
+}
+
+}  // namespace
+}  // namespace brunt
