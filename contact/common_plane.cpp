@@ -18,7 +18,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, CommonPlan
   const Real facing = -lower.normal.dot(upper.normal);
   if (!(facing > kFacing)) return false;
   plane.facing = facing;
-  plane.leans = false;
+  plane.share = 0;
   plane.ramp = std::min((facing - kFacing) / (kFullFacing - kFacing), 1.0);
   plane.normal = (lower.normal - upper.normal).normalized();
   plane.origin = 0.5 * (lower.center + upper.center);
@@ -125,6 +125,11 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   }
 
   const Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
+  const OverlapArea area{below, above, penetration, sum, needs.opening};
+  BorderFade<3> fade;
+  if (!needs.whole) fade = fade_of(lower, upper, area, plane);
+  if (fade.factor == 0) return false;
+  plane.ramp *= fade.factor;
   plane.area = sum.area;
   plane.volume = plane.ramp * sum.total;
   plane.penetration = penetration.at(p);
@@ -134,9 +139,9 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (needs.middle) {
     plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
   }
-  if (!needs.whole && lean_share(plane.facing) > 0) {
-    push_leaning(lower, upper, {below, above, penetration, needs.opening, sum.total}, plane);
-  }
+  const Real share =
+      needs.whole ? 0.0 : potential_share(plane.facing, area.change(plane.polygon), fade);
+  if (share > 0) add_potential(lower, upper, area, fade, share, plane);
   return true;
 }
 
@@ -187,6 +192,20 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   }
   if (!needs.whole && !(total > kTouching * smaller * area)) return false;
 
+  const OverlapLine line{{below.s0, below.s1},
+                         {above.s0, above.s1},
+                         {from, to},
+                         depth,
+                         area,
+                         first,
+                         total,
+                         moment,
+                         needs.opening,
+                         section};
+  BorderFade<2> fade;
+  if (!needs.whole) fade = fade_of(lower, upper, line, plane);
+  if (fade.factor == 0) return false;
+  plane.ramp *= fade.factor;
   const Real p = middle + (needs.whole ? first / area : moment / total);
   plane.area = area;
   plane.volume = plane.ramp * total;
@@ -205,11 +224,8 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
     plane.lower_at_middle = {1 - below.share(m), below.share(m)};
     plane.upper_at_middle = {1 - above.share(m), above.share(m)};
   }
-  if (!needs.whole && lean_share(plane.facing) > 0) {
-    const OverlapLine line{
-        {below.s0, below.s1}, {above.s0, above.s1}, {from, to}, depth, needs.opening, total};
-    push_leaning(lower, upper, line, section, plane);
-  }
+  const Real follows = needs.whole ? 0.0 : potential_share(plane.facing, line.change(), fade);
+  if (follows > 0) add_potential(lower, upper, line, fade, follows, plane);
   return true;
 }
 
@@ -250,7 +266,7 @@ int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Sec
       above.spread(j, 0.0, plane[n].upper_weight);
       below.spread(i, 0.0, plane[n].lower_at_middle);
       above.spread(j, 0.0, plane[n].upper_at_middle);
-      if (plane[n].leans) {
+      if (plane[n].share > 0) {
         below.spread(i, Vec3(Vec3::Zero()), plane[n].lower_push);
         above.spread(j, Vec3(Vec3::Zero()), plane[n].upper_push);
       }

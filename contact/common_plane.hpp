@@ -41,9 +41,9 @@ struct CommonPlane {
   /// since a place that followed the pressure would couple normal motion to friction, one way only.
   Vec<Dim> middle;  ///< [m]
   std::array<Real, kCorners> lower_at_middle{}, upper_at_middle{};
-  /// What faces at an angle get beside k volume along normal, per k (contact/overlap_push.hpp);
-  /// it is there where they lean.
-  bool leans = false;
+  /// What corners get beside k volume along normal, per k, where a share of the force follows the
+  /// potential of the overlap (contact/overlap_push.hpp).
+  Real share = 0;
   std::array<Vec<Dim>, kCorners> lower_push, upper_push;  ///< [m^3]
   Polygon polygon;  ///< 3D: the area under pressure, about origin, along axis_1 and axis_2
   Vec<Dim> origin;  ///< [m]

@@ -51,6 +51,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.specific_heat = facet.specific_heat;
   face.compliance = facet.compliance;
   face.open = facet.open;
+  face.borders = facet.borders;
   return face;
 }
 
@@ -264,6 +265,7 @@ void Entities<Dim>::refresh_planes() {
     const auto& face = faces[f];
     auto& plane = planes[f];
     plane.n_corners = face.n_nodes;
+    plane.borders = face.borders;
     for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
       const auto k = static_cast<std::size_t>(c);
       const bool there = c < face.n_nodes;

@@ -50,16 +50,16 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
 
 /// Keeps what the last record of the part gets beside its push along the normal.
 template <int Dim>
-void add_lean(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, int n_lower,
+void add_push(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, int n_lower,
               typename Records<Dim>::Part& part) {
   auto& record = part.face_on_face.back();
-  record.lean = static_cast<std::int32_t>(part.leans.size());
-  auto& lean = part.leans.emplace_back();
-  lean.n_lower = n_lower;
+  record.push = static_cast<std::int32_t>(part.pushes.size());
+  auto& pushes = part.pushes.emplace_back();
+  pushes.n_lower = n_lower;
   for (int i = 0; i < record.n_nodes; ++i) {
     const auto& push = i < n_lower ? plane.lower_push[static_cast<std::size_t>(i)]
                                    : plane.upper_push[static_cast<std::size_t>(i - n_lower)];
-    lean.force[static_cast<std::size_t>(i)] = candidate.stiffness * push;
+    pushes.force[static_cast<std::size_t>(i)] = candidate.stiffness * push;
   }
 }
 
@@ -219,7 +219,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       if (plane.penetration > candidate.limit) continue;
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch));
       part.face_on_face.back().ordinal = plane.ordinal;
-      if (plane.leans) add_lean(candidate, plane, entities.faces[l].n_nodes, part);
+      if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
       if (candidate.rubs == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
     }

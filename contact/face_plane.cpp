@@ -119,6 +119,12 @@ SplitFace split(const FacePlane<3>& face) {
       part.corner[c] = x[static_cast<std::size_t>(halves.corners[p][c])];
     }
     part.corner[3].setZero();
+    // Edges that are the face's keep their borders; the diagonal is none.
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int from = halves.corners[p][c], to = halves.corners[p][(c + 1) % 3];
+      const bool of_face = (from + 1) % 4 == to && (face.borders >> from & 1U) != 0;
+      part.borders = static_cast<std::uint8_t>(part.borders | (of_face ? 1U << c : 0U));
+    }
     refresh(part);
   }
   return halves;

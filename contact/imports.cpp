@@ -36,13 +36,14 @@ struct FaceData {
   Real compliance;
   std::int32_t specific_heat;
   bool held;
+  std::uint8_t borders;
 };
 
 template <int Dim>
 FaceData<Dim> data_of(const ContactFace<Dim>& f) {
   return {f.n_nodes,    f.surface,    f.id,         f.body,          f.piece, f.stiffness,
           f.areal_mass, f.depth,      f.area_start, f.phi,           f.zeta,  f.footprint,
-          f.capacity,   f.effusivity, f.compliance, f.specific_heat, f.held};
+          f.capacity,   f.effusivity, f.compliance, f.specific_heat, f.held,  f.borders};
 }
 
 template <int Dim>
@@ -54,7 +55,7 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
   f.stiffness = d.stiffness, f.areal_mass = d.areal_mass, f.depth = d.depth;
   f.area_start = d.area_start, f.phi = d.phi, f.zeta = d.zeta, f.footprint = d.footprint;
   f.capacity = d.capacity, f.effusivity = d.effusivity, f.compliance = d.compliance;
-  f.specific_heat = d.specific_heat, f.held = d.held;
+  f.specific_heat = d.specific_heat, f.held = d.held, f.borders = d.borders;
   return f;
 }
 }  // namespace

@@ -1,20 +1,58 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "contact/common_plane.hpp"
 
 namespace brunt {
 
+/// How the pressure of an overlap fades where it came in over the borders of its faces, not through
+/// them: sides of two bricks of which one rests on the other, seen by faces that are deep in each
+/// other over the height of a penetration. For a border at an edge of the lower face and one of the
+/// upper, between which the overlap lies,
+///   rho = int_P G dA / int_P (D_l + D_u) dA
+/// is the mean depth over the distance D_l + D_u of both, and kappa the cosine between their
+/// directions into the faces, 1 where they are opposite. omega is the product over all such pairs
+/// of 1 - kappa^2 (1 - v(rho)), where v is 1 up to rho = 1 and falls as 1/rho^2 beyond. Two boxes
+/// that overlap by p > a at their edges have p/a on the sides that are p deep, a/p on the others:
+/// these push. Borders on the same side, of faces that end flush, fade nothing.
+template <int Dim>
+struct BorderFade {
+  struct Borders {
+    int lower = 0, upper = 0;  ///< edges of both faces, as in their borders
+    Real by_room = 0;          ///< [1/m^Dim] derivative of ln omega by int (D_l + D_u)
+    Real by_facing = 0;        ///< [1] the same by kappa
+  };
+  static constexpr int kMost = Facet<Dim>::kNodes * Facet<Dim>::kNodes;
+  std::array<Borders, kMost> pair;
+  int n = 0;
+  Real factor = 1;     ///< omega
+  Real steepest = 0;   ///< the largest kappa^2 rho
+  Real by_volume = 0;  ///< [1/m^Dim] derivative of ln omega by int G
+
+  /// Takes in two borders by kappa and the integrals of G and of D_l + D_u [m^Dim].
+  void add(int lower, int upper, Real facing, Real volume, Real room);
+};
+
 /// How much of the force between two faces follows the potential of their overlap, 0 .. 1.
 ///
-/// The push k volume along the plane's normal leaves out what the rim of the overlap does. Beside
-/// parallel faces of one surface rims cancel; a rim that is left there would only squeeze the
+/// The push k volume along the plane's normal leaves out what the rim of the overlap does. In a
+/// layer between faces of two surfaces rims cancel; a rim that is left there only squeezes the
 /// border of the surface by k g^2/2, the more the less uniform the stress should be. Where edges
-/// and corners dig in, at an angle, energy is kept by nothing else (docs/decisions.md,
-/// contact.md 2.5). Half of it at 2 degrees, nothing below 0.1. facing  cosine of the angle between
-/// the faces
-inline Real lean_share(Real facing) {
+/// and corners dig in, energy is kept by nothing else: at an angle (half of it at 2 degrees,
+/// nothing below 0.1), in a wedge, whose depth changes by more than its mean (from 0.3 of it on,
+/// all of it from 1), or between opposite borders, where it is not shallow against their distance
+/// (from rho = 0.005 on, all of it from 0.05).
+/// facing  cosine of the angle between the faces
+/// change  of the depth over the overlap, of its mean
+template <int Dim>
+Real potential_share(Real facing, Real change, const BorderFade<Dim>& fade) {
   constexpr Real kNone = 1.523e-6, kHalf = 6.092e-4;  // 1 - cos of 0.1 and of 2 degrees
-  const Real lean = 1 - facing;
-  return lean > kNone ? (lean - kNone) / (lean + kHalf) : 0.0;
+  constexpr Real kLayer = 0.3, kWedge = 1, kShallow = 0.005, kSteep = 0.05;
+  const Real angle = (1 - facing - kNone) / (1 - facing + kHalf);
+  const Real wedge = (change - kLayer) / (kWedge - kLayer);
+  const Real deep = (fade.steepest - kShallow) / (kSteep - kShallow);
+  return std::clamp(std::max({angle, wedge, deep}), 0.0, 1.0);
 }
 
 /// The overlap under pressure of two faces in 3D, in the axes of their plane; plane.polygon is it.
@@ -22,31 +60,52 @@ struct OverlapArea {
   const Polygon& below;            ///< corners of the lower face
   const Polygon& above;            ///< of the upper, back
   const LinearField& penetration;  ///< [m]
+  const FieldIntegrals& sum;       ///< of it
   Real opening;                    ///< [m] of it, which is no distance of the faces
-  Real total;                      ///< [m^3] integral of the penetration
+
+  /// Largest less smallest penetration over the area, of the mean.
+  Real change(const Polygon& area) const {
+    Real least = kInfinity, most = 0;
+    for (int i = 0; i < area.size; ++i) {
+      const Real depth = penetration.at(area[i]);
+      least = std::min(least, depth), most = std::max(most, depth);
+    }
+    return (most - least) * sum.area / sum.total;
+  }
 };
 
-/// The same of two edges in 2D, by places s [m] along the line.
+/// The same of two edges in 2D, by places s [m] along the line; areas are lengths times breadth.
 struct OverlapLine {
   std::array<Real, 2> below, above;  ///< corners of both, in their order
   std::array<Real, 2> end;           ///< of the overlap, the smaller first
   std::array<Real, 2> penetration;   ///< [m] there
+  Real area, first;                  ///< [m^2], [m^3] of s - middle
+  Real total, moment;                ///< [m^3], [m^4] the same, weighted by the penetration
   Real opening;                      ///< [m]
-  Real total;                        ///< [m^3] integral of the penetration times breadth
+  const Section& section;
+
+  Real middle() const { return 0.5 * (end[0] + end[1]); }
+  Real change() const { return std::fabs(penetration[1] - penetration[0]) * area / total; }
 };
 
-/// Sets plane.leans and the pushes beside k volume along the normal, per k, that make the force of
-/// faces at an angle, as far as lean_share says, minus the gradient of
-///   U = ramp k/2 int_P G^2 dA,  G(p) = n_l.(c_l - p) + n_u.(c_u - p) = cos(th/2) g,
+BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
+                      const OverlapArea& overlap, const CommonPlane<3>& plane);
+BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
+                      const OverlapLine& overlap, const CommonPlane<2>& plane);
+
+/// Sets plane.share and the pushes beside k volume along the normal, per k, that make of a share of
+/// the force minus the gradient of
+///   U = ramp omega k/2 int_P G^2 dA,  G(p) = n_l.(c_l - p) + n_u.(c_u - p) = cos(th/2) g,
 /// with the faces' mean planes (centre c, normal n), the overlap P of their outlines along the
 /// plane's normal as far as G > 0, and th the angle between them. Moving both faces as one changes
-/// nothing, so that the forces have no resultant and no moment. It has four parts: the push
+/// nothing, so that the forces have no resultant and no moment. Its parts: the push
 /// N = ramp k int G dA along each face's own normal; what turns that normal; G^2/2 along the sides
 /// of P that are the faces' own, on the corners of that side; what turns the plane, which moves one
-/// outline over the other. Everything else of the plane is there already.
-void push_leaning(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
-                  CommonPlane<3>& plane);
-void push_leaning(const FacePlane<2>& lower, const FacePlane<2>& upper, const OverlapLine& overlap,
-                  const Section& section, CommonPlane<2>& plane);
+/// outline over the other; and the same of omega. plane.ramp holds omega; all but the pushes is
+/// set.
+void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
+                   const BorderFade<3>& fade, Real share, CommonPlane<3>& plane);
+void add_potential(const FacePlane<2>& lower, const FacePlane<2>& upper, const OverlapLine& overlap,
+                   const BorderFade<2>& fade, Real share, CommonPlane<2>& plane);
 
 }  // namespace brunt

@@ -64,7 +64,7 @@ void Records<Dim>::clear() {
     part.two_particles.clear();
     part.pair_heat.clear();
     part.frictions.clear();
-    part.leans.clear();
+    part.pushes.clear();
     part.face_heat.clear();
     part.particle_heat.clear();
     part.face_touches.clear();

@@ -34,7 +34,7 @@ struct ContactRecord {
   Real opening = 0;            ///< [m] of its plane's needs
   bool bonded = false;         ///< its plane is the whole overlap of both faces
   std::int32_t friction = -1;  ///< its place among those of the same part; -1: it slides freely
-  std::int32_t lean = -1;      ///< the same of what its spring gives beside the normal; -1: nothing
+  std::int32_t push = -1;      ///< the same of what its spring gives beside the normal; -1: nothing
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
   std::array<Real, kNodes> weight{};
@@ -48,7 +48,7 @@ struct ContactRecord {
 /// What the spring between two faces at an angle gives to the nodes of its record beside their
 /// share of the push along the normal. All sides together get no force and no moment.
 template <int Dim>
-struct LeaningPush {
+struct PotentialPush {
   std::array<Vec<Dim>, ContactRecord<Dim>::kNodes> force;  ///< [N]
   int n_lower = 0;                                         ///< nodes of the lower side come first
 };
@@ -58,12 +58,12 @@ template <int Dim>
 struct WholeRecord {
   const ContactRecord<Dim>& record;
   const Friction<Dim>* friction;
-  const LeaningPush<Dim>* lean;
+  const PotentialPush<Dim>* push;
 
   /// What the spring gives to the node k of the record [N].
   Vec<Dim> spring_on(std::size_t k) const {
-    const Vec<Dim> push = record.weight[k] * record.spring * record.normal;
-    return lean == nullptr ? push : Vec<Dim>(push + lean->force[k]);
+    const Vec<Dim> along = record.weight[k] * record.spring * record.normal;
+    return push == nullptr ? along : Vec<Dim>(along + push->force[k]);
   }
 };
 
@@ -75,7 +75,7 @@ class Records {
   struct Part {
     std::vector<ContactRecord<Dim>> face_on_face, particle_on_face, two_particles;
     std::vector<Friction<Dim>> frictions;
-    std::vector<LeaningPush<Dim>> leans;
+    std::vector<PotentialPush<Dim>> pushes;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
     std::vector<FirstTouch> face_touches, particle_touches, pair_touches;
     std::vector<PairHeatPath<Dim>> pair_heat;
@@ -107,7 +107,7 @@ class Records {
           return at < 0 ? nullptr : &all[static_cast<std::size_t>(at)];
         };
         visit(WholeRecord<Dim>{record, in(part.frictions, record.friction),
-                               in(part.leans, record.lean)});
+                               in(part.pushes, record.push)});
       }
     };
     for (const auto& part : parts_) show(part, part.face_on_face);

@@ -64,10 +64,10 @@ void visit_forces(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
                   const Visit& visit) {
   const auto& record = whole.record;
   visit(record.point, Vec<Dim>((record.spring + record.damping) * record.normal));
-  if (whole.lean != nullptr) {
-    for (auto k = whole.lean->n_lower; k < record.n_nodes; ++k) {
+  if (whole.push != nullptr) {
+    for (auto k = whole.push->n_lower; k < record.n_nodes; ++k) {
       const auto at = static_cast<std::size_t>(record.node[static_cast<std::size_t>(k)]);
-      visit(nodes.x[at], whole.lean->force[static_cast<std::size_t>(k)]);
+      visit(nodes.x[at], whole.push->force[static_cast<std::size_t>(k)]);
     }
   }
   if (whole.friction != nullptr) visit(whole.friction->point, whole.friction->resultant());

@@ -10,4 +10,10 @@ namespace brunt {
 template <int Dim>
 void mark_open(std::span<Facet<Dim>> facets);
 
+/// Marks the edges (in 2D the ends) where the surface of a facet ends for what lies on it: no facet
+/// goes on there, or one that turns away from it by more than 40 degrees.
+/// x  [m] of the points, at time 0
+template <int Dim>
+void mark_borders(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x);
+
 }  // namespace brunt

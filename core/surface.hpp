@@ -31,6 +31,8 @@ struct Facet {
   /// all directions, turning too; 0: its points move by themselves, or as told
   Real compliance = 0;
   bool open = false;  ///< of a surface with a rim: both of its sides can be touched
+  /// Bit c: the surface ends at its edge from corner c to the next (2D: at corner c)
+  std::uint8_t borders = 0;
   bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/open_surface.hpp"
 #include "fe/conduction.hpp"
 
 namespace brunt {
@@ -96,6 +97,17 @@ void halve_plates(std::vector<Facet<Dim>>& facets) {
   }
 }
 
+/// An edge that ends on the axis goes on behind it.
+template <int Dim>
+void end_at_no_axis(const std::vector<LocalIndex>& axis, std::vector<Facet<Dim>>& facets) {
+  if (axis.empty()) return;
+  for (auto& facet : facets) {
+    for (std::size_t c = 0; c < facet.node.size(); ++c) {
+      if (!std::binary_search(axis.begin(), axis.end(), facet.node[c])) continue;
+      facet.borders = static_cast<std::uint8_t>(facet.borders & ~(1U << c));
+    }
+  }
+}
 }  // namespace
 
 template <int Dim>
@@ -120,6 +132,8 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
   std::sort(facets.begin(), facets.end(),
             [](const Facet<Dim>& a, const Facet<Dim>& b) { return a.id < b.id; });
   halve_plates<Dim>(facets);
+  mark_borders<Dim>(facets, points.x);
+  end_at_no_axis<Dim>(axis, facets);
   return facets;
 }
 

@@ -136,12 +136,7 @@ std::vector<std::string> all_decks() {
 }
 
 /// Part of the largest energy that changes of contacts may make or lose (physics.md D): 0.1 %.
-/// Where corners enter faces the force has no potential: 0.15 % for a while in coarse balls, 1.5 %
-/// among blocks that tumble. Missed; docs/decisions.md, `contact.spring`.
-Real bound_of_pairs(const std::string& deck) {
-  if (deck == "tumbling-blocks") return 0.02;
-  return deck == "hertz/3d" ? 2e-3 : 1e-3;
-}
+constexpr Real kBoundOfPairs = 1e-3;
 
 TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
   ASSERT_FALSE(all_decks().empty());
@@ -153,7 +148,7 @@ TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
     for (const Real value : run.column("energy.contact.pairs")) {
       pairs = std::max(pairs, std::fabs(value));
     }
-    EXPECT_LE(pairs, bound_of_pairs(name) * largest_energy(run)) << name;
+    EXPECT_LE(pairs, kBoundOfPairs * largest_energy(run)) << name;
   }
 }
 

@@ -1,14 +1,18 @@
-// Two cubes of rubber that fly at each other with 1 m/s each, meet by edges that cross at 90
+// Two cubes of rubber that fly at each other with 0.3 m/s each, meet by edges that cross at 90
 // degrees or by corners, in the middle or beside it, also with faces of 20 mm by 1 mm, and part
 // again.
 //
 // Nothing acts from outside: momentum and angular momentum, 0 and that of the offset, stay to 1e-12
 // of sum m |v| and sum m |x| |v|: some 1e3 steps of 1e3 nodes that round by 1e-16 each. A pair that
-// has parted holds nothing any more: its spring has given back what it took, but for 1 % of the
-// energy of the approach, where its planes turn and its areas come and go: that is less the less
-// they penetrate, and the stretched cube meets the other with 0.3 m/s. It holds where the elements
-// behind both faces of an edge are equally deep and where corners meet head on; elsewhere the
-// spring is no potential (docs/decisions.md, contact.md 2.5), and only momenta are asked for.
+// has parted holds nothing any more: its spring has given back what it took, since its force is the
+// gradient of what it holds (contact/overlap_push.hpp), to 0.2 % of the energy of the approach: at
+// most 0.17 % where they rub; corners leave 0.15 % and with steps a third as long 0.016 %. At 1 m/s
+// corners are crushed so that their faces warp and are split, which no potential knows: momenta
+// alone are asked for. Faces of elements 1 mm deep let go there: corners_uneven flies at 0.1 m/s.
+//
+// Corners beside each other by 1 mm and 0.5 mm meet by the pair of parallel faces that is the least
+// deep, whose normal lies 35 degrees over the level: without friction the cubes slide past each
+// other along it, and are not thrown back where they came from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +26,8 @@ namespace {
 
 const char* const kDeck = R"(
 title: two cubes meet by edges or corners
-parameters: {speed: 1 m/s}
-time: {end: 8 ms}
+parameters: {speed: 0.3 m/s}
+time: {end: 22 ms}
 materials:
   rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 bodies:
@@ -48,9 +52,10 @@ contact:
 output: {history: 20 us}
 )";
 
+enum class Outcome { returns, passes_by, unasked };
 struct Meeting {
   const char* name;
-  bool gives_back;  ///< its spring is a potential to 1 %
+  Outcome outcome;
   std::vector<std::string> overrides;
 };
 void PrintTo(const Meeting& meeting, std::ostream* out) { *out << meeting.name; }
@@ -94,10 +99,12 @@ TEST_P(EdgesAndCorners, PartWithTheirMomenta) {
     for (const Real value : run.column(axis)) EXPECT_LT(std::fabs(value), 1e-12 * momentum) << axis;
   }
   EXPECT_LT(run.worst_drift, 1e-12);
-  if (!GetParam().gives_back) return;
-  EXPECT_GT(run.last("body.upper.velocity.z"), run.last("body.lower.velocity.z"));
+  const Outcome outcome = GetParam().outcome;
+  if (outcome == Outcome::unasked) return;
+  const Real parting = run.last("body.upper.velocity.z") - run.last("body.lower.velocity.z");
+  EXPECT_TRUE(outcome == Outcome::returns ? parting > 0 : parting < 0) << parting;
   const Real left = run.last("energy.contact.spring") + run.last("energy.contact.pairs");
-  EXPECT_LT(std::fabs(left), 0.01 * approach);
+  EXPECT_LT(std::fabs(left), 2e-3 * approach);
 }
 
 const std::string kCorner = "{axis: [1, -1, 0], angle: 54.735610317245346 deg}";
@@ -117,19 +124,30 @@ std::vector<std::string> corners_aside(const std::string& more) {
 const std::string kDeep = "bodies.upper.cells=[1, 20, 1]";
 const std::string kUneven = "bodies.upper.cells=[4, 20, 1]";  // 20 mm behind one side, 5 mm beside
 
+std::vector<std::string> fast(std::vector<std::string> overrides) {
+  overrides.insert(overrides.end(), {"parameters.speed=1 m/s", "time.end=8 ms"});
+  return overrides;
+}
+std::vector<std::string> slow(std::vector<std::string> overrides) {
+  overrides.insert(overrides.end(), {"parameters.speed=0.1 m/s", "time.end=40 ms"});
+  return overrides;
+}
+using enum Outcome;
+
 INSTANTIATE_TEST_SUITE_P(
     , EdgesAndCorners,
-    testing::Values(Meeting{"edges", true, {}}, Meeting{"edges_aside", true, aside({})},
-                    Meeting{"edges_rub", true, aside({"contact.default.friction=0.3"})},
-                    Meeting{"edges_stretched", true,
-                            aside({kDeep, "parameters.speed=0.3 m/s", "time.end=14 ms"})},
-                    Meeting{"edges_both_stretched", true,
-                            aside({kDeep, "bodies.lower.cells=[20, 1, 1]"})},
-                    Meeting{"edges_uneven", false, aside({kUneven})},
-                    Meeting{"corners", true, corners("[0, 0, 17.5 mm]")},
-                    Meeting{"corners_aside", false, corners_aside("contact.default.friction=0")},
-                    Meeting{"corners_rub", false, corners_aside("contact.default.friction=0.3")},
-                    Meeting{"corners_uneven", false, corners_aside(kUneven)}),
+    testing::Values(
+        Meeting{"edges", returns, {}}, Meeting{"edges_aside", returns, aside({})},
+        Meeting{"edges_rub", returns, aside({"contact.default.friction=0.3"})},
+        Meeting{"edges_stretched", returns, aside({kDeep})},
+        Meeting{"edges_both_stretched", returns, aside({kDeep, "bodies.lower.cells=[20, 1, 1]"})},
+        Meeting{"edges_uneven", returns, aside({kUneven})},
+        Meeting{"edges_fast", returns, fast(aside({}))},
+        Meeting{"corners", returns, corners("[0, 0, 17.5 mm]")},
+        Meeting{"corners_aside", passes_by, corners_aside("contact.default.friction=0")},
+        Meeting{"corners_rub", passes_by, corners_aside("contact.default.friction=0.3")},
+        Meeting{"corners_uneven", passes_by, slow(corners_aside(kUneven))},
+        Meeting{"corners_fast", unasked, fast(corners("[0, 0, 17.5 mm]"))}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

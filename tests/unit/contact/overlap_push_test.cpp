@@ -1,6 +1,6 @@
-// Faces at an angle th push each other, as far as lean_share(cos th) says, by minus the gradient of
-//   U/k = ramp cos^2(th/2)/2 int g^2 dA,
-// which is ramp/4 (1 + cos th) volume * penetration of the common plane, since the penetration
+// Faces push each other, by a share of their force, by minus the gradient of
+//   U/k = ramp omega cos^2(th/2)/2 int g^2 dA,
+// which is (1 + cos th)/4 volume * penetration of the common plane, since the penetration
 // where the push acts is int g^2 dA / int g dA. The gradient is found here by central differences
 // of that number, corner by corner: of second order in the difference d, whose rounding is 1e-16
 // U/d. In 2D the breadth of an axisymmetric deck is 2 pi r of the plane itself.
@@ -50,16 +50,20 @@ Vec<Dim> by_potential(const Pair<Dim>& pair, std::size_t i) {
   const auto n = static_cast<std::size_t>(pair.lower.n_corners);
   const Real weight = i < n ? -plane.lower_weight[i] : plane.upper_weight[i - n];
   const Vec<Dim> push = i < n ? plane.lower_push[i] : plane.upper_push[i - n];
-  return weight * plane.volume * plane.normal + push / lean_share(plane.facing);
+  return weight * plane.volume * plane.normal + push / plane.share;
 }
 
 template <int Dim>
 void expect_gradient(Pair<Dim> pair, const std::string& name) {
   ASSERT_EQ(pair.meet(), 1) << name;
-  ASSERT_TRUE(pair.planes[0].leans) << name;
-  const Real d = 1e-6, scale = pair.planes[0].volume;
+  ASSERT_TRUE(pair.planes[0].share > 0) << name;
+  const Real d = 1e-7;
+  Real largest = 0;
   std::vector<Vec<Dim>> force;
-  for (std::size_t i = 0; i < pair.n_corners(); ++i) force.push_back(by_potential(pair, i));
+  for (std::size_t i = 0; i < pair.n_corners(); ++i) {
+    force.push_back(by_potential(pair, i));
+    largest = std::max(largest, force.back().norm());
+  }
   for (std::size_t i = 0; i < pair.n_corners(); ++i) {
     for (int c = 0; c < Dim; ++c) {
       const Real at = pair.corner(i)[c];
@@ -68,8 +72,8 @@ void expect_gradient(Pair<Dim> pair, const std::string& name) {
       pair.corner(i)[c] = at - d;
       const Real less = pair.energy();
       pair.corner(i)[c] = at;
-      // 1e-6 of the push is 100 times what d^2 of faces of size 1 makes of it.
-      EXPECT_NEAR(-(more - less) / (2 * d), force[i][c], 1e-6 * scale) << name << i << c;
+      // d/L of lengths L down to 1 cm, where the second derivative of a fade jumps.
+      EXPECT_NEAR(-(more - less) / (2 * d), force[i][c], 1e-5 * largest) << name << i << c;
     }
   }
 }
@@ -109,13 +113,60 @@ Pair<3> random_pair(Random& random, int n_lower, int n_upper) {
   return pair;
 }
 
+/// Two faces that overlap by 0.05 to 0.3 at their edges, as deep, nearly parallel; all edges are
+/// borders.
+Pair<3> borders_that_meet(Random& random) {
+  auto pair = random_pair(random, 4, 4);
+  const Vec3 at(random(0.7, 0.95), random(-0.95, 0.95), -random(0.05, 0.3));
+  const Eigen::AngleAxis<Real> tilt(random(0.002, 0.2), random.nearby(1).normalized());
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Vec3 across(pair.lower.corner[3 - c][0], pair.lower.corner[3 - c][1], 0);
+    pair.upper.corner[c] = at + tilt * across;
+  }
+  pair.lower.borders = pair.upper.borders = 15;
+  return pair;
+}
+
+TEST(OverlapPush, IsTheGradientWhereBordersFade) {
+  Random random;
+  int found = 0, fading = 0;
+  for (int k = 0; k < 400; ++k) {
+    auto pair = borders_that_meet(random);
+    if (pair.meet() != 1 || !(pair.planes[0].share > 0)) continue;
+    ++found;
+    fading += pair.planes[0].ramp < 1 ? 1 : 0;
+    expect_gradient(pair, std::to_string(k) + " ");
+  }
+  EXPECT_GT(found, 100);
+  EXPECT_GT(fading, 50);
+}
+
+TEST(OverlapPush, IsTheGradientWhereBordersFadeInTwoDimensions) {
+  Random random;
+  int found = 0, fading = 0;
+  for (int k = 0; k < 400; ++k) {
+    Pair<2> pair;
+    pair.section = {k % 2 == 0 ? Geometry::axisymmetric : Geometry::plane_strain, 0.7};
+    const Vec<2> at(2.4 - random(0.02, 0.3), -random(0.02, 0.3));
+    pair.lower.corner = {Vec<2>(2.4, 0), Vec<2>(1.5, random(-0.02, 0.02))};
+    pair.upper.corner = {at, at + Vec<2>(1, random(-0.1, 0.1))};
+    pair.lower.borders = pair.upper.borders = 3;
+    if (pair.meet() != 1 || !(pair.planes[0].share > 0)) continue;
+    ++found;
+    fading += pair.planes[0].ramp < 1 ? 1 : 0;
+    expect_gradient(pair, std::to_string(k) + " ");
+  }
+  EXPECT_GT(found, 100);
+  EXPECT_GT(fading, 50);
+}
+
 TEST(OverlapPush, IsTheGradientOfThePotentialInThreeDimensions) {
   Random random;
   int found = 0;
   for (int k = 0; k < 400; ++k) {
     auto pair = random_pair(random, k % 3 == 0 ? 3 : 4, k % 5 == 0 ? 3 : 4);
     pair.opening = k % 4 == 0 ? -0.01 : 0.0;
-    if (pair.meet() != 1 || !pair.planes[0].leans || pair.planes[0].volume < 1e-3) continue;
+    if (pair.meet() != 1 || !(pair.planes[0].share > 0) || pair.planes[0].volume < 1e-3) continue;
     ++found;
     expect_gradient(pair, std::to_string(k) + " ");
   }
@@ -134,7 +185,7 @@ TEST(OverlapPush, IsTheGradientOfThePotentialInTwoDimensions) {
     const Vec<2> at(random(1.6, 2.4), random(-0.3, 0.2));
     pair.lower.corner = {Vec<2>(2.5, random(-0.1, 0.1)), Vec<2>(1.5, random(-0.1, 0.1))};
     pair.upper.corner = {at - 0.5 * along, at + 0.5 * along};
-    if (pair.meet() != 1 || !pair.planes[0].leans || pair.planes[0].volume < 1e-3) continue;
+    if (pair.meet() != 1 || !(pair.planes[0].share > 0) || pair.planes[0].volume < 1e-3) continue;
     ++found;
     expect_gradient(pair, std::to_string(k) + " ");
   }
@@ -147,7 +198,7 @@ TEST(OverlapPush, HasNoResultantAndNoMoment) {
   int found = 0;
   for (int k = 0; k < 2000; ++k) {
     auto pair = random_pair(random, k % 3 == 0 ? 3 : 4, k % 5 == 0 ? 3 : 4);
-    if (pair.meet() != 1 || !pair.planes[0].leans || pair.planes[0].volume < 1e-4) continue;
+    if (pair.meet() != 1 || !(pair.planes[0].share > 0) || pair.planes[0].volume < 1e-4) continue;
     ++found;
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     for (std::size_t i = 0; i < pair.n_corners(); ++i) {

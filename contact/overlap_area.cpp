@@ -1,0 +1,172 @@
+// The potential of the overlap of two faces in 3D (contact/overlap_push.hpp).
+#include <cmath>
+
+#include "contact/overlap_gradient.hpp"
+
+namespace brunt {
+
+namespace {
+/// An edge of the outline of a face in the plane, and the corners of the face at its ends.
+struct Edge {
+  Vec<2> from, along;  ///< [m]
+  std::size_t first, last;
+
+  /// Where p lies along it, 0 .. 1.
+  Real share(const Vec<2>& p) const {
+    const Real squared = along.squaredNorm();
+    return squared > 0 ? (p - from).dot(along) / squared : 0.0;
+  }
+  /// Unit, into the face.
+  Vec<2> inward() const { return Vec<2>(-along[1], along[0]).normalized(); }
+};
+
+/// Edge number side of a face's polygon; corners of the upper face run back in it.
+Edge edge_of(const OverlapArea& overlap, bool of_upper, int side) {
+  const Polygon& face = of_upper ? overlap.above : overlap.below;
+  const int next = side + 1 == face.size ? 0 : side + 1;
+  const auto corner = [&](int k) {
+    return static_cast<std::size_t>(of_upper ? face.size - 1 - k : k);
+  };
+  return {face[side], face[next] - face[side], corner(side), corner(next)};
+}
+
+/// Number in its polygon of the edge from corner c of a face to the next, and back.
+int side_of_edge(const Polygon& face, bool of_upper, int c) {
+  return of_upper ? (2 * face.size - 2 - c) % face.size : c;
+}
+
+/// Two borders between which the overlap fades, with dU/dA by the distance from both.
+struct Room {
+  Edge lower, upper;
+  Real weight, by_facing;
+
+  Real at(const Vec<2>& p) const {
+    return weight * (lower.inward().dot(p - lower.from) + upper.inward().dot(p - upper.from));
+  }
+};
+
+/// The edge of a face from its corner c to the next.
+Edge border_of(const OverlapArea& overlap, bool of_upper, int c) {
+  return edge_of(overlap, of_upper,
+                 side_of_edge(of_upper ? overlap.above : overlap.below, of_upper, c));
+}
+
+class AreaGradient {
+ public:
+  AreaGradient(const OverlapArea& overlap, const BorderFade<3>& fade, const CommonPlane<3>& plane)
+      : overlap_(overlap),
+        plane_(plane),
+        density_(fade, overlap.sum.total, plane),
+        c_(std::sqrt(0.5 * (1 + plane.facing))) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(fade.n); ++k) {
+      const auto& pair = fade.pair[k];
+      rooms_[n_rooms_++] = {border_of(overlap, false, pair.lower),
+                            border_of(overlap, true, pair.upper), density_.by_room[k],
+                            density_.energy * pair.by_facing};
+    }
+    const auto& sum = overlap.sum;
+    push(2 * density_.squared * c_ * sum.total + density_.linear * sum.area,
+         2 * density_.squared * c_ * sum.moment + density_.linear * sum.first);
+    for (int i = 0; i < plane.polygon.size; ++i) add_side(i);
+    for (std::size_t k = 0; k < n_rooms_; ++k) {
+      const Room& room = rooms_[k];
+      move_border(room.lower, room.upper, room, gradient_.lower);
+      move_border(room.upper, room.lower, room, gradient_.upper);
+    }
+  }
+  const OverlapGradient<3>& gradient() const { return gradient_; }
+
+ private:
+  Vec3 in_space(const Vec<2>& p) const { return p[0] * plane_.axis_1 + p[1] * plane_.axis_2; }
+
+  void push(Real by_depth, const Vec<2>& moment) {
+    gradient_.push += by_depth;
+    gradient_.push_moment += in_space(moment);
+  }
+
+  /// Moves the side by what moves the edge that it lies on, or by G where it is 0 along it.
+  void add_side(int i) {
+    const auto& area = plane_.polygon;
+    const Vec<2>& p = area[i];
+    const Vec<2>& q = area[i + 1 == area.size ? 0 : i + 1];
+    const Real a = c_ * overlap_.penetration.at(p), b = c_ * overlap_.penetration.at(q);
+    const Real at_p = density_.linear * a + rooms_at(p);
+    const Real at_q = density_.linear * b + rooms_at(q);
+    // Along the side, and weighted by 0 .. 1 along it; quadratic and linear functions, exact.
+    const Real all = density_.squared * (a * a + a * b + b * b) / 3 + (at_p + at_q) / 2;
+    const Real late =
+        density_.squared * (a * a + 2 * a * b + 3 * b * b) / 12 + (at_p + 2 * at_q) / 6;
+    const Vec<2> out(q[1] - p[1], p[0] - q[0]);  // as long as the side
+    const int side = area.side[static_cast<std::size_t>(i)];
+    if (side == Polygon::kCut) {
+      if (n_rooms_ == 0) return;
+      const Real width = out.norm() / (c_ * overlap_.penetration.slope.norm());
+      push(width * all, width * ((all - late) * p + late * q));
+      return;
+    }
+    const bool of_upper = side >= Polygon::kOfSecond;
+    const Edge edge = edge_of(overlap_, of_upper, of_upper ? side - Polygon::kOfSecond : side);
+    const Real begins = edge.share(p);
+    const Real of_last = begins * all + (edge.share(q) - begins) * late;
+    auto& corners = of_upper ? gradient_.upper : gradient_.lower;
+    corners[edge.first] += (all - of_last) * in_space(out);
+    corners[edge.last] += of_last * in_space(out);
+  }
+
+  Real rooms_at(const Vec<2>& p) const {
+    Real sum = 0;
+    for (std::size_t k = 0; k < n_rooms_; ++k) sum += rooms_[k].at(p);
+    return sum;
+  }
+
+  /// Moves the line from which distances are taken, and turns it against the other one.
+  void move_border(const Edge& edge, const Edge& other, const Room& room,
+                   std::array<Vec3, 4>& corners) const {
+    const auto& sum = overlap_.sum;
+    const Vec3 in = room.weight * sum.area * in_space(edge.inward());
+    const Real share = edge.share(sum.first / sum.area);
+    const Vec<2> t = edge.along.normalized(), o = other.along.normalized();
+    const Vec3 turn = room.by_facing / edge.along.norm() * in_space(Vec<2>(o.dot(t) * t - o));
+    corners[edge.first] -= (1 - share) * in + turn;
+    corners[edge.last] -= share * in - turn;
+  }
+
+  const OverlapArea& overlap_;
+  const CommonPlane<3>& plane_;
+  Density<3> density_;
+  std::array<Room, BorderFade<3>::kMost> rooms_;
+  std::size_t n_rooms_ = 0;
+  Real c_;
+  OverlapGradient<3> gradient_;
+};
+}  // namespace
+
+BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
+                      const OverlapArea& overlap, const CommonPlane<3>& plane) {
+  BorderFade<3> fade;
+  if (lower.borders == 0 || upper.borders == 0) return fade;
+  const auto& sum = overlap.sum;
+  const Real volume = std::sqrt(0.5 * (1 + plane.facing)) * sum.total;
+  const auto room_of = [&](const Edge& edge) {
+    return edge.inward().dot(sum.first - sum.area * edge.from);
+  };
+  for (int i = 0; i < lower.n_corners; ++i) {
+    if ((lower.borders >> i & 1U) == 0) continue;
+    const Edge of_lower = border_of(overlap, false, i);
+    for (int j = 0; j < upper.n_corners; ++j) {
+      if ((upper.borders >> j & 1U) == 0) continue;
+      const Edge of_upper = border_of(overlap, true, j);
+      fade.add(i, j, -of_lower.inward().dot(of_upper.inward()), volume,
+               room_of(of_lower) + room_of(of_upper));
+    }
+  }
+  return fade;
+}
+
+void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
+                   const BorderFade<3>& fade, Real share, CommonPlane<3>& plane) {
+  const AreaGradient area(overlap, fade, plane);
+  finish(lower, upper, overlap.opening, overlap.sum.total, fade, share, area.gradient(), plane);
+}
+
+}  // namespace brunt
