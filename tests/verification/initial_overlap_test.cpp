@@ -8,18 +8,17 @@
 #include <cmath>
 
 #include "app/build/scene_builder.hpp"
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
 namespace {
 
-const char* const kDeck = R"(
+const std::string kDeck = kRubber + R"(
 title: block in a plate
 geometry: 3d
 parameters: {speed: 0 m/s, overlap: 0.5 mm, side: 20 mm}
 time: {end: 2 ms}
-materials:
-  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 bodies:
   block:
     material: rubber
