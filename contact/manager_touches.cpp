@@ -39,9 +39,9 @@ void ContactManager<Dim>::Implementation::press_at_start() {
     auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
     const auto p = static_cast<std::size_t>(nodes.point[i]);
     points.a[p] = points.f[p] / nodes.mass[i];
-    // Nothing moves off the axis.
-    const bool ring = section.geometry == Geometry::axisymmetric;
-    if (ring && points.x_start[p][0] == 0) points.a[p][0] = 0;
+  }
+  for (const auto* surface : surfaces) {
+    for (const LocalIndex p : surface->axis) surface->points->a[static_cast<std::size_t>(p)][0] = 0;
   }
   records.visit([&](const ContactRecord<Dim>& record) {
     nodes.spring_work[book_of(entities, key_of(record))] += record.stored;

@@ -96,10 +96,10 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   points_.x_start = points_.x;
   held_ =
       !sets.empty() && std::all_of(sets.begin(), sets.end(), [](const auto& s) { return s.held; });
-  axis_ = axis_nodes(points_, thickness_);
+  surface_.axis = axis_nodes(points_, thickness_);
   surface_.points = &points_;
   surface_.held = held_;
-  surface_.facets = outer_facets(blocks_, points_, axis_);
+  surface_.facets = outer_facets(blocks_, points_, surface_.axis);
   start_steps();
   const auto conducts = [](const auto& block) { return block.conducts; };
   if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) return;
@@ -157,7 +157,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
   }
   gather_.template add<Dim>(corner_force_.data(), points_.f);
   // Of whatever acts: contact and loads come first.
-  for (const LocalIndex node : axis_) points_.f[node][0] = 0;
+  for (const LocalIndex node : surface_.axis) points_.f[node][0] = 0;
 }
 
 template <int Dim>
