@@ -23,6 +23,7 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.stiffness);
   row(friction.n_nodes);
   for (auto& force : friction.force) row(force);
+  for (auto& share : friction.warms) row(share);
   row(friction.slips);
   row(friction.warmth);
   row(friction.heat);
@@ -199,18 +200,14 @@ void ContactManager<Dim>::Implementation::end_friction() {
   });
   tractions.finish();
   // What ended gives its spring's energy away. Its forces acted for the first half of the step:
-  // heat where it was slipping, for the node that holds its books.
-  std::fill(nodes.ended_heat.begin(), nodes.ended_heat.end(), 0.0);
+  // heat where it was slipping, shared as that of the step before.
+  ended_heat = history.ended_heat();
   history.visit_ended([&](const FrictionMemory<Dim>& friction) {
     const std::size_t at = book_of(entities, friction.key);
     nodes.friction_stored[at] -= friction.energy();
     nodes.pair_energy[at] += friction.energy();
-    const bool takes = nodes.warm && nodes.capacity[at] > 0;
-    const bool is_heat = friction.slips && (takes || friction.warmth == 0);
-    (is_heat ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
-    if (!is_heat || !takes) return;
-    nodes.ended_heat[at] += friction.warmth * friction.taken;
-    nodes.friction_given[at] += friction.warmth * friction.taken;
+    (friction.slips ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
+    if (friction.slips && nodes.warm) nodes.friction_given[at] += friction.warmth * friction.taken;
   });
 }
 
