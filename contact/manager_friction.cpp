@@ -75,7 +75,7 @@ class TractionSum {
   std::vector<Real> area_before_;  // [m^2]
 };
 
-constexpr const char* kTable = "contact.friction";
+constexpr const char* kFrictionTable = "contact.friction";
 constexpr const char* kGrowths = "contact.friction.growth";
 }  // namespace
 
@@ -86,7 +86,8 @@ void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>&
     if (friction != nullptr) all.push_back(friction);
   });
   save_keyed(
-      kTable, all, [](auto& row, const auto& friction) { visit_friction(row, friction); }, tables);
+      kFrictionTable, all, [](auto& row, const auto& friction) { visit_friction(row, friction); },
+      tables);
   save_growths(tables);
 }
 
@@ -94,7 +95,7 @@ template <int Dim>
 void ContactManager<Dim>::Implementation::load_friction(const StateTables& tables) {
   std::vector<Friction<Dim>> known;
   const auto visit = [](auto& row, auto& friction) { visit_friction(row, friction); };
-  load_keyed(kTable, entities, tables, visit, known);
+  load_keyed(kFrictionTable, entities, tables, visit, known);
   records.attach([&](const ContactKey& key) -> const Friction<Dim>* {
     const auto at = std::lower_bound(
         known.begin(), known.end(), key,

@@ -9,7 +9,7 @@
 namespace brunt {
 
 namespace {
-constexpr const char* kTable = "contact.first";
+constexpr const char* kTouchTable = "contact.first";
 
 template <class Row, class AnyTouch>
 void visit_touch(Row& row, AnyTouch& touch) {
@@ -53,14 +53,14 @@ void ContactManager<Dim>::Implementation::save_touches(std::vector<StateTable>& 
   std::vector<const FirstTouch*> all;
   for (const auto& touch : touches.all()) all.push_back(&touch);
   save_keyed(
-      kTable, all, [](auto& row, const auto& touch) { visit_touch(row, touch); }, tables);
+      kTouchTable, all, [](auto& row, const auto& touch) { visit_touch(row, touch); }, tables);
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::load_touches(const StateTables& tables) {
   const auto visit = [](auto& row, auto& touch) { visit_touch(row, touch); };
   touches.clear();
-  load_keyed(kTable, entities, tables, visit, touches.all());
+  load_keyed(kTouchTable, entities, tables, visit, touches.all());
 }
 
 template <int Dim>

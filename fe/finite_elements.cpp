@@ -11,7 +11,7 @@
 namespace brunt {
 namespace {
 
-[[maybe_unused]] constexpr int kWorthThreads = 32;  // tiles; of some 5 us each
+[[maybe_unused]] constexpr int kTilesWorthThreads = 32;  // tiles; of some 5 us each
 
 template <int Dim>
 void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather& gather,
@@ -146,7 +146,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
   for (auto& block : blocks_) {
     const ElementStep<Dim> step = element_step(block, dt);
     const int n = block.n_tiles();
-#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+#pragma omp parallel for schedule(static) if (n > kTilesWorthThreads)
     for (int t = 0; t < n; ++t) {
       if (block.gauss == 1) {
         advance_one_point(block, t, step);
