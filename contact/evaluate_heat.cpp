@@ -108,8 +108,8 @@ void warm(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
           const FrictionShares& shares, Friction<Dim>& friction,
           std::vector<HeatFlow<Dim>>& flows) {
   if (!(step.dt > 0)) return;
-  friction.warmth = shares.sum();
-  if (friction.warmth > 0) flows.push_back(heat_of_friction(record, step, friction, shares));
+  share_warmth(step, shares, friction);
+  if (friction.warmth > 0) flows.push_back(heat_of_friction(record, friction, step.dt));
 }
 
 template <int Dim>

@@ -117,6 +117,27 @@ void FrictionHistory<Dim>::add(const Friction<Dim>& friction, const ContactNodes
   past_.push_back(friction);
   past_.back().taken = half_taken(friction, nodes, dt);
   used_.push_back(0);
+  first_warmed_.push_back(warmed_.size());
+  if (!friction.slips || friction.warmth == 0) return;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(friction.n_nodes); ++k) {
+    if (friction.warms[k] == 0) continue;
+    const auto node = static_cast<std::size_t>(friction.node[k]);
+    warmed_.push_back({nodes.surface[node], nodes.id[node], friction.warms[k]});
+  }
+}
+
+template <int Dim>
+std::vector<EndedHeat> FrictionHistory<Dim>::ended_heat() const {
+  std::vector<EndedHeat> ended;
+  for (std::size_t i = 0; i < past_.size(); ++i) {
+    if (used_[i]) continue;
+    const std::size_t end = i + 1 < past_.size() ? first_warmed_[i + 1] : warmed_.size();
+    for (std::size_t k = first_warmed_[i]; k < end; ++k) {
+      const auto& [surface, point, share] = warmed_[k];
+      ended.push_back({past_[i].key, surface, point, share * past_[i].taken});
+    }
+  }
+  return ended;
 }
 
 template <int Dim>

@@ -61,6 +61,15 @@ struct Friction : FrictionMemory<Dim> {
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
   std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
+  std::array<Real, kNodes> warms{};    ///< [1] share of its heat that goes to each node
+};
+
+/// Heat of friction that has ended, for one point. By its name: new lists may not have it any more.
+struct EndedHeat {
+  ContactKey key;
+  LocalIndex surface = 0;
+  GlobalId point = 0;
+  Real heat = 0;  ///< [J]
 };
 
 /// What contacts remember from the step before, in the order of keys. Who asks does so in that
@@ -68,7 +77,7 @@ struct Friction : FrictionMemory<Dim> {
 template <int Dim>
 class FrictionHistory {
  public:
-  void clear() { past_.clear(), used_.clear(); }
+  void clear() { past_.clear(), used_.clear(), warmed_.clear(), first_warmed_.clear(); }
   /// Takes the friction in, with -dt/2 f . v of its old forces; nodes are still those of its step.
   void add(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes, Real dt);
   /// The past of two faces or particles; none: nullptr. It counts as continued.
@@ -84,6 +93,9 @@ class FrictionHistory {
       if (!used_[i]) ended(past_[i]);
     }
   }
+  /// What was taken by what was slipping and was not continued, for the points that it warmed, in
+  /// the order of keys.
+  std::vector<EndedHeat> ended_heat() const;
 
  private:
   /// The first that is not before a key; none is before `from` and after it.
@@ -91,6 +103,14 @@ class FrictionHistory {
 
   std::vector<FrictionMemory<Dim>> past_;
   std::vector<char> used_;
+  /// A point that friction warms.
+  struct Warmed {
+    LocalIndex surface;
+    GlobalId point;
+    Real share;  // [1] of the heat
+  };
+  std::vector<Warmed> warmed_;             // by what slipped
+  std::vector<std::size_t> first_warmed_;  // of each of past_
 };
 
 /// One side of a contact: its nodes first .. last in the record. A side that turns shares the

@@ -116,23 +116,32 @@ FrictionShares friction_shares(const FrictionHeat& heat, const WarmedSide& lower
 }
 
 template <int Dim>
-HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
-                               const Friction<Dim>& friction, const FrictionShares& shares) {
+void share_warmth(const FrictionStep<Dim>& step, const FrictionShares& shares,
+                  Friction<Dim>& friction) {
+  friction.warmth = shares.sum();
+  const auto give = [&](const ContactSide& side, Real share) {
+    for (int i = side.first; i < side.last; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      friction.warms[k] = step.weight[k] * share;
+    }
+  };
+  give(step.lower, shares.lower);
+  give(step.upper, shares.upper);
+}
+
+template <int Dim>
+HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const Friction<Dim>& friction,
+                               Real dt) {
   HeatFlow<Dim> flow;
   flow.key = key_of(record);
   flow.key.ordinal += HeatFlow<Dim>::kFriction;
   flow.lower_body = record.lower_body, flow.upper_body = record.upper_body;
   flow.n_nodes = record.n_nodes;
   flow.node = record.node;
-  const Real power = friction.heat / step.dt;
-  const auto give = [&](const ContactSide& side, Real rate) {
-    for (int i = side.first; i < side.last; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      flow.rate[k] = step.weight[k] * rate;
-    }
-  };
-  give(step.lower, shares.lower * power);
-  give(step.upper, shares.upper * power);
+  const Real power = friction.heat / dt;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+    flow.rate[k] = friction.warms[k] * power;
+  }
   return flow;
 }
 
@@ -142,15 +151,15 @@ template HeatFlow<2> heat_path<2>(const ContactNodes<2>&, const ParticleTouch<2>
                                   const ContactHeat&);
 template void exchange_heat<2>(const ContactNodes<2>&, const std::vector<Surface<2>*>&, Real,
                                HeatFlow<2>&);
-template HeatFlow<2> heat_of_friction<2>(const ContactRecord<2>&, const FrictionStep<2>&,
-                                         const Friction<2>&, const FrictionShares&);
+template void share_warmth<2>(const FrictionStep<2>&, const FrictionShares&, Friction<2>&);
+template void share_warmth<3>(const FrictionStep<3>&, const FrictionShares&, Friction<3>&);
+template HeatFlow<2> heat_of_friction<2>(const ContactRecord<2>&, const Friction<2>&, Real);
 template HeatFlow<3> heat_path<3>(const ContactFace<3>&, const ContactFace<3>&,
                                   const CommonPlane<3>&, const ContactHeat&, Real, Real);
 template HeatFlow<3> heat_path<3>(const ContactNodes<3>&, const ParticleTouch<3>&,
                                   const ContactHeat&);
 template void exchange_heat<3>(const ContactNodes<3>&, const std::vector<Surface<3>*>&, Real,
                                HeatFlow<3>&);
-template HeatFlow<3> heat_of_friction<3>(const ContactRecord<3>&, const FrictionStep<3>&,
-                                         const Friction<3>&, const FrictionShares&);
+template HeatFlow<3> heat_of_friction<3>(const ContactRecord<3>&, const Friction<3>&, Real);
 
 }  // namespace brunt

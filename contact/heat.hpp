@@ -91,9 +91,14 @@ struct FrictionShares {
 FrictionShares friction_shares(const FrictionHeat& heat, const WarmedSide& lower,
                                const WarmedSide& upper);
 
-/// The heat of friction, as far as it stays.
+/// What of the heat of friction goes to each node.
 template <int Dim>
-HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
-                               const Friction<Dim>& friction, const FrictionShares& shares);
+void share_warmth(const FrictionStep<Dim>& step, const FrictionShares& shares,
+                  Friction<Dim>& friction);
+
+/// The heat of friction in a step of dt [s], as far as it stays.
+template <int Dim>
+HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const Friction<Dim>& friction,
+                               Real dt);
 
 }  // namespace brunt

@@ -75,7 +75,8 @@ struct ContactManager<Dim>::Implementation {
   std::vector<ParticleLoad> loads;  // by particle; empty where no row of pairs is there
   std::vector<PairSide> sides;      // by candidate of pairs; empty where nothing conducts
   FrictionHistory<Dim> history;
-  FirstTouches touches;  // as the last evaluation left them
+  std::vector<EndedHeat> ended_heat;  // of the step under way
+  FirstTouches touches;               // as the last evaluation left them
   /// The first coefficient of friction of the last evaluation that is none, with its contact.
   std::optional<PhysicsFailure> wrong_friction;
   Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]

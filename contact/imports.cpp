@@ -1,7 +1,9 @@
 #include "contact/imports.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include "core/parallel/boxes.hpp"
 #include "core/parallel/packing.hpp"
@@ -179,11 +181,14 @@ void ContactImports<Dim>::find_peers(const ContactNodes<Dim>& nodes) {
     if (is_peer[r]) word[r].resize(1);
   }
   const auto heard = ranks().exchange(word);
-  peers_.clear();
+  const std::vector<int> before = std::exchange(neighbours_, {});
   for (int r = 0; r < ranks().size(); ++r) {
     const auto k = static_cast<std::size_t>(r);
-    if (r != ranks().rank() && (is_peer[k] || !heard[k].empty())) peers_.push_back(r);
+    if (r != ranks().rank() && (is_peer[k] || !heard[k].empty())) neighbours_.push_back(r);
   }
+  peers_.clear();
+  std::set_union(before.begin(), before.end(), neighbours_.begin(), neighbours_.end(),
+                 std::back_inserter(peers_));
 }
 
 template <int Dim>

@@ -55,8 +55,9 @@ class ContactImports {
                                                  const Entities<Dim>& entities) const;
   /// Sends heat to nodes of other ranks home, unsummed; returns what others send here, sorted by
   /// key. Collective among neighbours.
-  std::vector<HeatShare> send_heat(const Records<Dim>& records,
-                                   const ContactNodes<Dim>& nodes) const;
+  /// ended  what this rank found; afterwards what its own points get, sorted by key
+  std::vector<HeatShare> send_heat(const Records<Dim>& records, const ContactNodes<Dim>& nodes,
+                                   std::vector<EndedHeat>& ended) const;
   /// Sends what stands behind particles of this rank to the evaluators of their contacts, and
   /// hands what others send here to take(lower id, upper id, side of the upper). Collective among
   /// neighbours. sides  by candidate
@@ -91,7 +92,8 @@ class ContactImports {
   std::vector<Surface<Dim>*> surfaces_;
   std::map<Name, LocalIndex> place_;  // of every node of the entities
   std::vector<GhostPlan> plans_;      // by surface: points of owners to nodes here
-  std::vector<int> peers_;            // ranks that own nodes here, and ranks with own ones
+  std::vector<int> neighbours_;       // ranks that own nodes here, and ranks with own ones
+  std::vector<int> peers_;            // those, and those of the tables before: of what has ended
   struct Sent {
     GhostPlan plan;
     std::vector<LocalIndex> from;  // own nodes, by their place in the plan

@@ -48,29 +48,44 @@ void ContactImports<Dim>::refresh_temperatures(std::vector<Real>& temperature) c
 
 template <int Dim>
 std::vector<HeatShare> ContactImports<Dim>::send_heat(const Records<Dim>& records,
-                                                      const ContactNodes<Dim>& nodes) const {
+                                                      const ContactNodes<Dim>& nodes,
+                                                      std::vector<EndedHeat>& ended) const {
   std::vector<HeatShare> received;
   if (ranks().alone()) return received;
   struct Letter {
-    HeatShare what;
+    ContactKey key;
     LocalIndex surface;
     GlobalId point;
+    Real heat;  // [W], of what ended [J]
+    bool ended;
   };
   std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  for (const auto& one : ended) {
+    if (!ranks_.owns(one.point)) {
+      to[static_cast<std::size_t>(ranks_.owner_of(one.point))]
+          << Letter{one.key, one.surface, one.point, one.heat, true};
+    }
+  }
+  std::erase_if(ended, [&](const auto& one) { return !ranks_.owns(one.point); });
   records.visit_heat([&](const HeatFlow<Dim>& flow) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
       const auto at = static_cast<std::size_t>(flow.node[k]);
       if (nodes.owned[at]) continue;
-      const Letter letter{{flow.key, 0, flow.rate[k]}, nodes.surface[at], nodes.id[at]};
+      const Letter letter{flow.key, nodes.surface[at], nodes.id[at], flow.rate[k], false};
       to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
     }
   });
-  deliver<Letter>(to, [&](Letter letter) {
-    letter.what.node = place_.at({letter.surface, letter.point});
-    received.push_back(letter.what);
+  deliver<Letter>(to, [&](const Letter& letter) {
+    const auto& [key, surface, point, heat, has_ended] = letter;
+    if (has_ended) {
+      ended.push_back({key, surface, point, heat});
+    } else {
+      received.push_back({key, place_.at({surface, point}), heat});
+    }
   });
-  std::sort(received.begin(), received.end(),
-            [](const auto& a, const auto& b) { return a.key < b.key; });
+  const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
+  std::sort(received.begin(), received.end(), by_key);
+  std::sort(ended.begin(), ended.end(), by_key);
   return received;
 }
 
@@ -165,9 +180,11 @@ template void ContactImports<3>::refresh_materials(std::vector<SurfaceMaterial>&
 template void ContactImports<2>::refresh_tractions(Entities<2>&) const;
 template void ContactImports<3>::refresh_tractions(Entities<3>&) const;
 template std::vector<HeatShare> ContactImports<2>::send_heat(const Records<2>&,
-                                                             const ContactNodes<2>&) const;
+                                                             const ContactNodes<2>&,
+                                                             std::vector<EndedHeat>&) const;
 template std::vector<HeatShare> ContactImports<3>::send_heat(const Records<3>&,
-                                                             const ContactNodes<3>&) const;
+                                                             const ContactNodes<3>&,
+                                                             std::vector<EndedHeat>&) const;
 template std::vector<TractionShare<2>> ContactImports<2>::send_tractions(const Records<2>&,
                                                                          const Entities<2>&) const;
 template std::vector<TractionShare<3>> ContactImports<3>::send_tractions(const Records<3>&,

@@ -186,17 +186,18 @@ void ContactManager<Dim>::add_heat(Real dt) {
   auto& own = *implementation_;
   auto& nodes = own.entities.nodes;
   if (!nodes.warm) return;
-  for (std::size_t i = 0; i < nodes.size() && dt > 0; ++i) {
-    if (nodes.ended_heat[i] == 0) continue;
-    auto& points = *own.surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
-    points.heat_rate[static_cast<std::size_t>(nodes.point[i])] += nodes.ended_heat[i] / dt;
-  }
   nodes.foresee_temperatures(own.surfaces, dt);
   own.imports.refresh_temperatures(nodes.temperature);
   own.complete_pair_heat();
   own.records.change_heat(
       [&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, own.surfaces, dt, flow); });
-  apply_heat<Dim>(own.records, own.imports.send_heat(own.records, nodes), own.surfaces, nodes);
+  const auto elsewhere = own.imports.send_heat(own.records, nodes, own.ended_heat);
+  apply_heat<Dim>(own.records, elsewhere, own.surfaces, nodes);
+  if (!(dt > 0)) return;
+  for (const auto& ended : own.ended_heat) {
+    auto& points = *own.surfaces[static_cast<std::size_t>(ended.surface)]->points;
+    points.heat_rate[static_cast<std::size_t>(points.find(ended.point))] += ended.heat / dt;
+  }
 }
 
 template <int Dim>

@@ -23,6 +23,7 @@ void visit_friction(Row& row, AnyFriction& friction) {
   row(friction.stiffness);
   row(friction.n_nodes);
   for (auto& force : friction.force) row(force);
+  for (auto& share : friction.warms) row(share);
   row(friction.slips);
   row(friction.warmth);
   row(friction.heat);
@@ -74,7 +75,7 @@ class TractionSum {
   std::vector<Real> area_before_;  // [m^2]
 };
 
-constexpr const char* kTable = "contact.friction";
+constexpr const char* kFrictionTable = "contact.friction";
 constexpr const char* kGrowths = "contact.friction.growth";
 }  // namespace
 
@@ -85,7 +86,8 @@ void ContactManager<Dim>::Implementation::save_friction(std::vector<StateTable>&
     if (friction != nullptr) all.push_back(friction);
   });
   save_keyed(
-      kTable, all, [](auto& row, const auto& friction) { visit_friction(row, friction); }, tables);
+      kFrictionTable, all, [](auto& row, const auto& friction) { visit_friction(row, friction); },
+      tables);
   save_growths(tables);
 }
 
@@ -93,7 +95,7 @@ template <int Dim>
 void ContactManager<Dim>::Implementation::load_friction(const StateTables& tables) {
   std::vector<Friction<Dim>> known;
   const auto visit = [](auto& row, auto& friction) { visit_friction(row, friction); };
-  load_keyed(kTable, entities, tables, visit, known);
+  load_keyed(kFrictionTable, entities, tables, visit, known);
   records.attach([&](const ContactKey& key) -> const Friction<Dim>* {
     const auto at = std::lower_bound(
         known.begin(), known.end(), key,
@@ -199,18 +201,14 @@ void ContactManager<Dim>::Implementation::end_friction() {
   });
   tractions.finish();
   // What ended gives its spring's energy away. Its forces acted for the first half of the step:
-  // heat where it was slipping, for the node that holds its books.
-  std::fill(nodes.ended_heat.begin(), nodes.ended_heat.end(), 0.0);
+  // heat where it was slipping, shared as that of the step before.
+  ended_heat = history.ended_heat();
   history.visit_ended([&](const FrictionMemory<Dim>& friction) {
     const std::size_t at = book_of(entities, friction.key);
     nodes.friction_stored[at] -= friction.energy();
     nodes.pair_energy[at] += friction.energy();
-    const bool takes = nodes.warm && nodes.capacity[at] > 0;
-    const bool is_heat = friction.slips && (takes || friction.warmth == 0);
-    (is_heat ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
-    if (!is_heat || !takes) return;
-    nodes.ended_heat[at] += friction.warmth * friction.taken;
-    nodes.friction_given[at] += friction.warmth * friction.taken;
+    (friction.slips ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
+    if (friction.slips && nodes.warm) nodes.friction_given[at] += friction.warmth * friction.taken;
   });
 }
 

@@ -30,7 +30,7 @@ void ContactManager<Dim>::Implementation::complete_pair_heat() {
   });
 }
 
-template struct ContactManager<2>::Implementation;
-template struct ContactManager<3>::Implementation;
+template void ContactManager<2>::Implementation::complete_pair_heat();
+template void ContactManager<3>::Implementation::complete_pair_heat();
 
 }  // namespace brunt

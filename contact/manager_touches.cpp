@@ -9,7 +9,7 @@
 namespace brunt {
 
 namespace {
-constexpr const char* kTable = "contact.first";
+constexpr const char* kTouchTable = "contact.first";
 
 template <class Row, class AnyTouch>
 void visit_touch(Row& row, AnyTouch& touch) {
@@ -39,9 +39,9 @@ void ContactManager<Dim>::Implementation::press_at_start() {
     auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
     const auto p = static_cast<std::size_t>(nodes.point[i]);
     points.a[p] = points.f[p] / nodes.mass[i];
-    // Nothing moves off the axis.
-    const bool ring = section.geometry == Geometry::axisymmetric;
-    if (ring && points.x_start[p][0] == 0) points.a[p][0] = 0;
+  }
+  for (const auto* surface : surfaces) {
+    for (const LocalIndex p : surface->axis) surface->points->a[static_cast<std::size_t>(p)][0] = 0;
   }
   records.visit([&](const ContactRecord<Dim>& record) {
     nodes.spring_work[book_of(entities, key_of(record))] += record.stored;
@@ -53,14 +53,14 @@ void ContactManager<Dim>::Implementation::save_touches(std::vector<StateTable>& 
   std::vector<const FirstTouch*> all;
   for (const auto& touch : touches.all()) all.push_back(&touch);
   save_keyed(
-      kTable, all, [](auto& row, const auto& touch) { visit_touch(row, touch); }, tables);
+      kTouchTable, all, [](auto& row, const auto& touch) { visit_touch(row, touch); }, tables);
 }
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::load_touches(const StateTables& tables) {
   const auto visit = [](auto& row, auto& touch) { visit_touch(row, touch); };
   touches.clear();
-  load_keyed(kTable, entities, tables, visit, touches.all());
+  load_keyed(kTouchTable, entities, tables, visit, touches.all());
 }
 
 template <int Dim>

@@ -36,8 +36,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   spring_work.push_back(0);
   damping_energy.push_back(0);
   if (warm) {
-    for (auto* field : {&temperature, &capacity, &heat_rate, &ended_heat, &friction_given})
-      field->push_back(0);
+    for (auto* field : {&temperature, &capacity, &heat_rate, &friction_given}) field->push_back(0);
   }
   if (rubs) {
     friction.push_back(Vec<Dim>::Zero());

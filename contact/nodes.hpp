@@ -35,7 +35,6 @@ struct ContactNodes {
   std::vector<Real> temperature;          ///< [K] at the end of the step, but for contact
   std::vector<Real> capacity;             ///< [J/K], or [kg] where it varies; 0: takes no heat
   std::vector<Real> heat_rate;            ///< [W] of this evaluation
-  std::vector<Real> ended_heat;           ///< [J] of friction that ended in this step
   std::vector<Real> friction_given;       ///< [J] of friction, to any nodes, booked since time 0
   std::vector<Real> friction_heat, friction_stored, friction_damped,
       pair_energy;  ///< [J] booked since time 0

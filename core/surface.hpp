@@ -59,9 +59,10 @@ struct Surface {
   Points<Dim>* points = nullptr;
   std::vector<Facet<Dim>> facets;
   std::vector<SurfaceParticle> particles;
-  bool held = false;        ///< its points never move: it votes no step
-  bool everywhere = false;  ///< all of its facets stand on every rank
-  bool asks_spin = false;   ///< contact reads `spin`
+  std::vector<LocalIndex> axis;  ///< points on the axis of an axisymmetric scene, ascending
+  bool held = false;             ///< its points never move: it votes no step
+  bool everywhere = false;       ///< all of its facets stand on every rank
+  bool asks_spin = false;        ///< contact reads `spin`
   /// [rad/s] of the material about each owned point of a group of particles, half the curl of its
   /// velocity at mid-step; in 2D z alone. Empty where it is not asked for.
   std::vector<Vec3> spin;

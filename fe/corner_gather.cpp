@@ -5,13 +5,13 @@
 
 namespace brunt {
 namespace {
-constexpr LocalIndex kWorthThreads = 2048;  // nodes
+constexpr LocalIndex kNodesWorthThreads = 2048;  // nodes
 }
 
 template <int W>
 void CornerGather::add(const Real* value, std::vector<Vec<W>>& out) const {
   const auto n = static_cast<LocalIndex>(offset.size()) - 1;
-#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+#pragma omp parallel for schedule(static) if (n > kNodesWorthThreads)
   for (LocalIndex node = 0; node < n; ++node) {
     Real sum[W] = {};
     for (std::int64_t k = offset[node]; k < offset[node + 1]; ++k) {

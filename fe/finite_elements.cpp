@@ -11,7 +11,7 @@
 namespace brunt {
 namespace {
 
-[[maybe_unused]] constexpr int kWorthThreads = 32;  // tiles; of some 5 us each
+[[maybe_unused]] constexpr int kTilesWorthThreads = 32;  // tiles; of some 5 us each
 
 template <int Dim>
 void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather& gather,
@@ -96,10 +96,10 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   points_.x_start = points_.x;
   held_ =
       !sets.empty() && std::all_of(sets.begin(), sets.end(), [](const auto& s) { return s.held; });
-  axis_ = axis_nodes(points_, thickness_);
+  surface_.axis = axis_nodes(points_, thickness_);
   surface_.points = &points_;
   surface_.held = held_;
-  surface_.facets = outer_facets(blocks_, points_, axis_);
+  surface_.facets = outer_facets(blocks_, points_, surface_.axis);
   start_steps();
   const auto conducts = [](const auto& block) { return block.conducts; };
   if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) return;
@@ -146,7 +146,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
   for (auto& block : blocks_) {
     const ElementStep<Dim> step = element_step(block, dt);
     const int n = block.n_tiles();
-#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+#pragma omp parallel for schedule(static) if (n > kTilesWorthThreads)
     for (int t = 0; t < n; ++t) {
       if (block.gauss == 1) {
         advance_one_point(block, t, step);
@@ -157,7 +157,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
   }
   gather_.template add<Dim>(corner_force_.data(), points_.f);
   // Of whatever acts: contact and loads come first.
-  for (const LocalIndex node : axis_) points_.f[node][0] = 0;
+  for (const LocalIndex node : surface_.axis) points_.f[node][0] = 0;
 }
 
 template <int Dim>

@@ -69,7 +69,6 @@ class FiniteElements final : public Solid<Dim> {
   Thickness thickness_;
   std::vector<ElementBlock<Dim>> blocks_;
   CornerGather gather_;
-  std::vector<LocalIndex> axis_;      ///< nodes on the axis of an axisymmetric scene
   std::vector<Real> corner_force_;    ///< [N] [element][corner][Dim], blocks one after another
   std::vector<Vec<2>> node_heat_;     ///< [W], [W/K] of each node, while they are summed
   std::vector<Vec<1>> node_plastic_;  ///< [W] of plastic work alone; empty: it is in node_heat_

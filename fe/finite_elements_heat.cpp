@@ -6,7 +6,8 @@
 
 namespace brunt {
 namespace {
-[[maybe_unused]] constexpr int kWorthThreads = 64;  // groups of four elements; of some 1 us each
+[[maybe_unused]] constexpr int kGroupsWorthThreads =
+    64;  // groups of four elements; of some 1 us each
 }
 
 /// Temperatures at time 0 and heat capacities of nodes, from the elements around them.
@@ -99,7 +100,7 @@ void FiniteElements<Dim>::interpolate_temperatures() {
   for (auto& block : blocks_) {
     if (block.state.temperature.empty()) continue;
     const int n = block.n_padded / kLanes;
-#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+#pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
       interpolate_temperature(block, static_cast<std::size_t>(k) * kLanes,
                               points_.temperature.data());
@@ -114,7 +115,7 @@ void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
     const ConductionStep<Dim> step{points_.x.data(), points_.temperature.data(), thickness_,
                                    inverse_dt, corner_heat_.data() + 2 * block.first_corner};
     const int n = block.n_padded / kLanes;
-#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+#pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
       brunt::conduct(block, static_cast<std::size_t>(k) * kLanes, step);
     }
@@ -155,7 +156,7 @@ void FiniteElements<Dim>::add_plastic_heat(Real inverse_dt) {
       continue;
     }
     const int n = block.n_padded / kLanes;
-#pragma omp parallel for schedule(static) if (n > kWorthThreads)
+#pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
       give_plastic_heat(block, static_cast<std::size_t>(k) * kLanes, inverse_dt, rates);
     }

@@ -6,7 +6,7 @@
 namespace brunt {
 namespace {
 
-/// Work of pressures on the dilatation of the step: one mean pressure, or each its own.
+/// GaussWork of pressures on the dilatation of the step: one mean pressure, or each its own.
 struct PressureWork {
   bool mean;
   Pack volume = broadcast<Pack>(0), pressure_volume = broadcast<Pack>(0);
@@ -24,7 +24,7 @@ struct PressureWork {
 
 /// What kinematics hand to forces, of four elements.
 template <int Dim>
-struct Work {
+struct GaussWork {
   Modal<Dim, Pack> c, u;  ///< [m] position at n+1, displacement of the step
   OperatorNorm<Pack> norm;
   Pack rho, rate, q;               ///< [kg/m^3], [1/s], [Pa] as in one_point.cpp
@@ -42,7 +42,7 @@ struct Group {
 };
 
 template <int Dim>
-BRUNT_INLINE Modal<Dim, Pack> moved_back(const Work<Dim>& w, Real part) {
+BRUNT_INLINE Modal<Dim, Pack> moved_back(const GaussWork<Dim>& w, Real part) {
   Modal<Dim, Pack> r;
   for (int m = 0; m < Shape<Dim>::kModes; ++m) {
     for (int i = 0; i < Dim; ++i) r.m[m][i] = w.c.m[m][i] - part * w.u.m[m][i];
@@ -51,7 +51,7 @@ BRUNT_INLINE Modal<Dim, Pack> moved_back(const Work<Dim>& w, Real part) {
 }
 
 template <int Dim>
-BRUNT_INLINE void load_modes(const Group<Dim>& group, Work<Dim>& w) {
+BRUNT_INLINE void load_modes(const Group<Dim>& group, GaussWork<Dim>& w) {
   const LocalIndex* corner = group.block.corner.data() + group.e * Shape<Dim>::kCorners;
   Pack node[Shape<Dim>::kCorners][Dim];
   gather<Dim>(corner, group.step.x, node);
@@ -65,7 +65,7 @@ BRUNT_INLINE void load_modes(const Group<Dim>& group, Work<Dim>& w) {
 
 /// Halves of the works of the forces at n; ratios before the step.
 template <int Dim>
-BRUNT_INLINE void book_old_forces(const Group<Dim>& group, MaterialTile& tile, Work<Dim>& w) {
+BRUNT_INLINE void book_old_forces(const Group<Dim>& group, MaterialTile& tile, GaussWork<Dim>& w) {
   const ElementBlock<Dim>& block = group.block;
   const Modal<Dim, Pack> c = moved_back(w, 1.0);
   PressureWork pressure{group.mean};
@@ -90,7 +90,7 @@ BRUNT_INLINE void book_old_forces(const Group<Dim>& group, MaterialTile& tile, W
 
 /// Strain increments and rotations at mid-step; the volumetric strain rate of the element.
 template <int Dim>
-BRUNT_INLINE void deform(const Group<Dim>& group, MaterialTile& tile, Work<Dim>& w) {
+BRUNT_INLINE void deform(const Group<Dim>& group, MaterialTile& tile, GaussWork<Dim>& w) {
   ElementBlock<Dim>& block = group.block;
   const Modal<Dim, Pack> c = moved_back(w, 0.5);
   Pack volume = broadcast<Pack>(0), dilatation = broadcast<Pack>(0);
@@ -194,7 +194,7 @@ BRUNT_INLINE OperatorNorm<Pack> gauss_norm(const Modal<Dim, Pack>& c, const Thic
 }
 
 template <int Dim>
-BRUNT_INLINE void kinematics(const Group<Dim>& group, MaterialTile& tile, Work<Dim>& w) {
+BRUNT_INLINE void kinematics(const Group<Dim>& group, MaterialTile& tile, GaussWork<Dim>& w) {
   const ElementBlock<Dim>& block = group.block;
   load_modes(group, w);
   book_old_forces(group, tile, w);
@@ -246,7 +246,7 @@ BRUNT_INLINE void subtract_stress(const GaussPoint<Dim>& point, const Pack (&s)[
 
 /// Mean pressure of four elements at n+1.
 template <int Dim>
-BRUNT_INLINE Pack mean_pressure(const Group<Dim>& group, const Work<Dim>& w) {
+BRUNT_INLINE Pack mean_pressure(const Group<Dim>& group, const GaussWork<Dim>& w) {
   Pack volume = broadcast<Pack>(0), sum = broadcast<Pack>(0);
   for (int g = 0; g < kGauss<Dim>; ++g) {
     GaussPoint<Dim> point;
@@ -259,7 +259,7 @@ BRUNT_INLINE Pack mean_pressure(const Group<Dim>& group, const Work<Dim>& w) {
 
 /// New halves of the works, forces and stable step of four elements.
 template <int Dim>
-BRUNT_INLINE void dynamics(const Group<Dim>& group, Work<Dim>& w) {
+BRUNT_INLINE void dynamics(const Group<Dim>& group, GaussWork<Dim>& w) {
   ElementBlock<Dim>& block = group.block;
   const Pack mean = group.mean ? mean_pressure(group, w) : broadcast<Pack>(0);
   PressureWork pressure{group.mean};
@@ -296,7 +296,7 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
   constexpr int kPoints = kLanes * kGauss<Dim>;
   constexpr int kGroups = kTile / kPoints;
   const bool mean = block.options.integration == Integration::q1p0;
-  Work<Dim> work[kGroups];
+  GaussWork<Dim> work[kGroups];
   MaterialTile tile;
   open_tile(block, index, tile);
   const auto group = [&](int k) {
@@ -314,7 +314,7 @@ void refresh_stable_steps(ElementBlock<Dim>& block, int index, const ElementStep
   for (int k = 0; k < block.elements_per_tile(); k += kLanes) {
     const std::size_t e = first + k;
     const Group<Dim> group{block, step, e, e * block.gauss, 0, false};
-    Work<Dim> w;
+    GaussWork<Dim> w;
     load_modes(group, w);
     Pack E[Shape<Dim>::kActive][Dim], G[Dim][Dim];
     volume_gradient(w.c, E);

@@ -31,7 +31,7 @@ struct Configuration {
     if constexpr (Dim == 3) return trace(G);
     return thickness * trace(G) + G_hoop;
   }
-  /// Work of the stress s - p on the displacement of the step [J].
+  /// OnePointWork of the stress s - p on the displacement of the step [J].
   Pack work(const Pack (&s)[6], Pack p) const {
     if constexpr (Dim == 3) return double_dot(s, G) - p * dilatation();
     return thickness * double_dot(s, G) + s[zz] * G_hoop - p * dilatation();
@@ -84,7 +84,7 @@ BRUNT_INLINE Pack dot(const HourglassModes<Dim>& Q, const HourglassModes<Dim>& q
 
 /// What kinematics hand to forces, of four elements.
 template <int Dim>
-struct Work {
+struct OnePointWork {
   Configuration<Dim> now;  ///< at x(n+1)
   OperatorNorm<Pack> norm;
   Pack hourglass[Shape<Dim>::kModes - 1][Dim];  ///< [N] modes of the forces of hourglass control
@@ -128,7 +128,7 @@ BRUNT_INLINE Modal<Dim, Pack> moved_back(const Modal<Dim, Pack>& c, const Modal<
 /// Modes of the forces that do the work Q . q on amplitudes measured on `at`, to w.hourglass.
 template <int Dim>
 BRUNT_INLINE void set_hourglass_forces(const Configuration<Dim>& at, const HourglassModes<Dim>& Q,
-                                       Work<Dim>& w) {
+                                       OnePointWork<Dim>& w) {
   const Pack k = kRootCorners<Dim> / at.measure;
   for (int i = 0; i < Dim; ++i) {
     Pack moment[Dim];
@@ -152,7 +152,7 @@ BRUNT_INLINE void set_hourglass_forces(const Configuration<Dim>& at, const Hourg
 template <int Dim>
 BRUNT_INLINE void resist_rates(const Lane<Dim>& lane, Real coefficient,
                                const Configuration<Dim>& old, const Configuration<Dim>& mid,
-                               const Modal<Dim, Pack>& u, Work<Dim>& w) {
+                               const Modal<Dim, Pack>& u, OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
   const auto kept = [&](int a, int i) {
     return block.hourglass.data() + static_cast<std::size_t>(a * Dim + i) * block.n_padded + lane.e;
@@ -185,7 +185,7 @@ BRUNT_INLINE void resist_rates(const Lane<Dim>& lane, Real coefficient,
 /// comes and goes they keep a rest, of the order of the strain (Joldes, Wittek & Miller 2008).
 template <int Dim>
 BRUNT_INLINE void resist_amplitudes(const Lane<Dim>& lane, const Modal<Dim, Pack>& c,
-                                    Work<Dim>& w) {
+                                    OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
   Pack node[Shape<Dim>::kCorners][Dim];
   gather<Dim>(block.corner.data() + lane.e * Shape<Dim>::kCorners, lane.step.x_start, node);
@@ -204,7 +204,7 @@ BRUNT_INLINE void resist_amplitudes(const Lane<Dim>& lane, const Modal<Dim, Pack
 /// Halves of the works that the forces at n do on the displacement of the step.
 template <int Dim>
 BRUNT_INLINE void book_old_forces(const Lane<Dim>& lane, const Configuration<Dim>& old,
-                                  Work<Dim>& w) {
+                                  OnePointWork<Dim>& w) {
   const ElementBlock<Dim>& block = lane.block;
   Pack s[6];
   load_tensor<Dim>(block.state.deviator, lane.e, s);
@@ -215,7 +215,7 @@ BRUNT_INLINE void book_old_forces(const Lane<Dim>& lane, const Configuration<Dim
 /// Strain increment and rotation at mid-step: fills the tile, rotates the deviator.
 template <int Dim>
 BRUNT_INLINE void deform(const Lane<Dim>& lane, const Configuration<Dim>& mid, int at,
-                         MaterialTile& tile, Work<Dim>& w) {
+                         MaterialTile& tile, OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
   const Pack inverse = 1.0 / mid.measure;
   Pack L[Dim][Dim], hoop = broadcast<Pack>(0);
@@ -240,7 +240,8 @@ BRUNT_INLINE void deform(const Lane<Dim>& lane, const Configuration<Dim>& mid, i
 
 /// Strain, rotation and ratios of four elements for the material; works of the old forces.
 template <int Dim>
-BRUNT_INLINE void kinematics(const Lane<Dim>& lane, int at, MaterialTile& tile, Work<Dim>& w) {
+BRUNT_INLINE void kinematics(const Lane<Dim>& lane, int at, MaterialTile& tile,
+                             OnePointWork<Dim>& w) {
   const ElementBlock<Dim>& block = lane.block;
   const Thickness& thickness = lane.step.thickness;
   Modal<Dim, Pack> c, u;
@@ -269,7 +270,7 @@ BRUNT_INLINE void kinematics(const Lane<Dim>& lane, int at, MaterialTile& tile, 
 
 /// Forces of four elements on their corners, from the stress at n+1 and hourglass control.
 template <int Dim>
-BRUNT_INLINE void corner_forces(const Work<Dim>& w, const Pack (&s)[6], Pack p, Real* out,
+BRUNT_INLINE void corner_forces(const OnePointWork<Dim>& w, const Pack (&s)[6], Pack p, Real* out,
                                 const Thickness& thickness) {
   Pack sigma[Dim][Dim];
   stress_matrix(s, p, sigma);
@@ -296,7 +297,7 @@ BRUNT_INLINE void corner_forces(const Work<Dim>& w, const Pack (&s)[6], Pack p, 
 
 /// New halves of the works, forces and stable step of four elements.
 template <int Dim>
-BRUNT_INLINE void dynamics(const Lane<Dim>& lane, Work<Dim>& w) {
+BRUNT_INLINE void dynamics(const Lane<Dim>& lane, OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
   const std::size_t e = lane.e;
   Pack s[6];
@@ -315,7 +316,7 @@ BRUNT_INLINE void dynamics(const Lane<Dim>& lane, Work<Dim>& w) {
 template <int Dim>
 void advance_one_point(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step) {
   constexpr int kGroups = kTile / kLanes;
-  Work<Dim> work[kGroups];
+  OnePointWork<Dim> work[kGroups];
   MaterialTile tile;
   open_tile(block, index, tile);
   for (int g = 0; g < kGroups; ++g) {

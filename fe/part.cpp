@@ -99,9 +99,9 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& dea
       for (auto& node : corners) node = place[static_cast<std::size_t>(node)];
     }
   }
-  for (const LocalIndex node : whole.axis_) {
+  for (const LocalIndex node : whole.surface_.axis) {
     const LocalIndex here = place[static_cast<std::size_t>(node)];
-    if (here >= 0) axis_.push_back(here);
+    if (here >= 0) surface_.axis.push_back(here);
   }
   points_ = whole.points_.subset(kept, n_owned);
   surface_.points = &points_;

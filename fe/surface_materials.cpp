@@ -6,7 +6,7 @@
 namespace brunt {
 
 namespace {
-[[maybe_unused]] constexpr std::size_t kWorthThreads = 1000;  // facets
+[[maybe_unused]] constexpr std::size_t kFacetsWorthThreads = 1000;  // facets
 
 /// Means over the material points of an element, as the last step left them.
 template <int Dim>
@@ -49,7 +49,7 @@ void FiniteElements<Dim>::update_state(Real) {
   if (element_of_facet_.empty()) find_elements_of_facets();
   auto& shown = surface_.facet_material;
   shown.resize(surface_.facets.size());
-#pragma omp parallel for schedule(static) if (shown.size() > kWorthThreads)
+#pragma omp parallel for schedule(static) if (shown.size() > kFacetsWorthThreads)
   for (std::size_t f = 0; f < shown.size(); ++f) {
     const auto& [block, element] = element_of_facet_[f];
     shown[f] = material_of(blocks_[block], element);

@@ -13,10 +13,8 @@ bool acts_on_heat(const deck::Boundary& boundary) {
 namespace {
 /// Names of the bodies of one sum with this one, itself among them.
 std::vector<std::string> names_of_sum(const Deck& deck, const std::string& name) {
-  const auto found = std::find_if(deck.bodies.begin(), deck.bodies.end(),
-                                  [&](const auto& body) { return body.name == name; });
   std::vector<std::string> names;
-  for (const Label b : bonded_with(deck, static_cast<Label>(found - deck.bodies.begin()))) {
+  for (const Label b : bonded_with(deck, *label_of(deck, name))) {
     names.push_back(deck.bodies[b].name);
   }
   return names;

@@ -104,21 +104,4 @@ BRUNT_INLINE void step_strain(const V (&L)[2][2], V* e) {
   e[xy] = shear + a * (L[1][1] - L[0][0]);
 }
 
-/// a <- R a of a vector a[3].
-template <class V>
-BRUNT_INLINE void rotate_vector(const Rotation<V>& rotation, V* a) {
-  const V x = a[0], y = a[1], z = a[2];
-  for (int i = 0; i < 3; ++i) {
-    a[i] = rotation.row[i][0] * x + rotation.row[i][1] * y + rotation.row[i][2] * z;
-  }
-}
-
-/// a <- R a about z of a vector a[2].
-template <class V>
-BRUNT_INLINE void rotate_vector(const PlaneRotation<V>& rotation, V* a) {
-  const V x = a[0], y = a[1];
-  a[0] = rotation.cosine * x - rotation.sine * y;
-  a[1] = rotation.sine * x + rotation.cosine * y;
-}
-
 }  // namespace brunt

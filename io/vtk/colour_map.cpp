@@ -52,13 +52,13 @@ bool is_diverging(const Range& range) {
   return std::min(-range.low, range.high) > 0.1 * std::max(-range.low, range.high);
 }
 
-Range colour_range(const Range& range) {
+Range colour_range(const Range& range, bool from_zero) {
   if (range.empty()) return {0, 1};
   Range result = range;
   if (is_diverging(range)) {
     result.high = std::max(-range.low, range.high);
     result.low = -result.high;
-  } else {
+  } else if (from_zero) {
     if (range.low > 0 && range.low < 0.3 * range.high) result.low = 0;
     if (range.high < 0 && range.high > 0.3 * range.low) result.high = 0;
   }

@@ -17,8 +17,8 @@ std::array<Colour, 256> colour_map(bool diverging);
 /// True where a range holds enough of both signs for the diverging map.
 bool is_diverging(const Range& range);
 
-/// What the colours span: zero is in the middle of a diverging map, and at the end of another where
-/// it is near; never of no width.
-Range colour_range(const Range& range);
+/// What the colours span: zero is in the middle of a diverging map, and with `from_zero` at the end
+/// of another where it is near; never of no width.
+Range colour_range(const Range& range, bool from_zero);
 
 }  // namespace brunt

@@ -104,6 +104,8 @@ std::string unit_of(const std::string& field) {
   return "";
 }
 
+bool shows_from_zero(const std::string& field) { return field != "temperature"; }
+
 DisplayUnit display_unit(Real largest, const std::string& unit) {
   static constexpr std::array<std::pair<Real, const char*>, 7> prefixes = {
       {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}}};

@@ -48,6 +48,10 @@ bool deforms(const BodyView& view);
 /// SI unit of a field of deck.md, "" for pure numbers and what is not known.
 std::string unit_of(const std::string& field);
 
+/// True where zero means that there is none of it. Zero kelvin is far from every scene: colours
+/// from there on would hide how temperatures differ.
+bool shows_from_zero(const std::string& field);
+
 /// A unit with a prefix so that numbers up to `largest` are easy to read: value * factor is in
 /// unit.
 struct DisplayUnit {

@@ -111,7 +111,7 @@ PictureStyle style_of(const FrameSource& source, const std::vector<std::size_t>&
   }
   if (chosen) {
     style.colouring = survey.candidates[*chosen];
-    style.range = colour_range(survey.ranges[*chosen]);
+    style.range = colour_range(survey.ranges[*chosen], shows_from_zero(style.colouring.field));
   }
   if (options.range) style.range = {options.range->first, options.range->second};
   style.camera = fit(axes, coverage.frame(), options.width, options.height, overlay_margins());

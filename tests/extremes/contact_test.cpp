@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/law.hpp"
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 #include "tests/unit/contact/contact_scene.hpp"
 
@@ -105,12 +106,10 @@ TEST(ContactExtremes, SoftOnHardCostsNoStep) {
   }
 }
 
-const char* const kStanding = R"(
+const std::string kStanding = kRubber + R"(
 title: a block of rubber stands
 geometry: 3d
 time: {end: 1 s}
-materials:
-  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 bodies:
   block: {material: rubber, shape: {box: {min: [0, 0, 0], max: [20 mm, 20 mm, 20 mm]}}, BLOCK}
   floor: FLOOR

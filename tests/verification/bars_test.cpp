@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
@@ -93,12 +94,10 @@ TEST(Bars, RestitutionRisesWithRefinement) {
 }
 
 TEST(Bars, RigidWallReturnsTheBar) {
-  const auto run = simulate_text(R"(
+  const auto run = simulate_text(kSteelForPlaneWaves + R"(
 title: bar on a wall
 geometry: 3d
 time: {end: 60 us, safety: 0.8}
-materials:
-  steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0}}
 bodies:
   bar:
     method: fe
@@ -123,12 +122,10 @@ output: {history: 0.02 us}
 
 TEST(Bars, ParticlesSwapVelocities) {
   // A strip of particles 10 across and 100 along, nu = 0; viscosity off as B1.1 asks.
-  const auto run = simulate_text(R"(
+  const auto run = simulate_text(kSteelForPlaneWaves + R"(
 title: SPH bars
 geometry: plane-strain
 time: {end: 60 us, safety: 0.8}
-materials:
-  steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0}}
 bodies:
   striker:
     method: sph

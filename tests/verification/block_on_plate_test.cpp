@@ -5,17 +5,16 @@
 
 #include <cmath>
 
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
 namespace {
 
-const char* const kBlock = R"(
+const std::string kBlock = kRubber + R"(
 title: block on plate
 geometry: 3d
 time: {end: 4 ms, safety: 0.9}
-materials:
-  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 bodies:
   block:
     method: sph
@@ -78,7 +77,7 @@ TEST(BlockOnPlate, CarriesItsWeightAtRest) {
   // The block's first mode has a period of 4 L/c = 0.7 ms and the plate's is shorter; damping of
   // 2000 1/s takes e^-20 off it in 20 ms.
   const auto run = simulate_text(
-      std::string(kBlock) +
+      kBlock +
           "gravity: [0, 0, -9.81 m/s^2]\ndamping: {rate: 2000 1/s}\n"
           "boundaries:\n  floor: {body: plate, where: {side: min-z}, fix: [x, y, z]}\n",
       {"bodies.block.velocity=[0, 0, 0]", "time.end=40 ms"});

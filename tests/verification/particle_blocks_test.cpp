@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
@@ -17,12 +18,10 @@ namespace {
 
 constexpr Real kDensity = 7850, kModulus = 200e9, kLength = 0.1, kSpeed = 10;
 
-const char* const kBars = R"(
+const std::string kBars = kSteelForPlaneWaves + R"(
 title: bars of particles
 geometry: plane-strain
 time: {end: 60 us, safety: 0.8}
-materials:
-  steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0}}
 bodies:
   striker:
     method: sph

@@ -8,18 +8,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
 namespace {
 
-const char* const kTube = R"(
+const std::string kTube = kRubber + R"(
 title: a tube is crushed flat and touches itself inside
 geometry: plane-strain
 parameters: {speed: 5 m/s, size: 1 mm}
 time: {end: 3.3 ms}
-materials:
-  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 bodies:
   tube:
     material: rubber
@@ -77,12 +76,10 @@ TEST(SelfContact, KeepsItsBits) {
   EXPECT_EQ(simulate_text(kTube, {"contact.skin=2 mm"}).hashes, run.hashes);
 }
 
-const char* const kPlate = R"(
+const std::string kPlate = kRubber + R"(
 title: a plate one element thick
 geometry: 3d
 time: {end: 0.1 ms}
-materials:
-  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 bodies:
   plate:
     material: rubber

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
@@ -16,13 +17,11 @@ namespace {
 
 constexpr Real kGravity = 9.81, kMu = 0.3, kSpeed = 0.5e-3;
 
-const char* const kDeck = R"(
+const std::string kDeck =
+    kRubber + R"(  heavy: {density: 12500 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 title: a block is pulled through a spring
 parameters: {v: 0.5 mm/s}
 time: {end: 1.4 s}
-materials:
-  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
-  heavy: {density: 12500 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 damping: {rate: 200 1/s, until: 0.2 s}
 contact:
   default: {friction: 0.3, damping: 0.5}

@@ -90,6 +90,17 @@ TEST_F(RenderTest, ColoursCellsWithOneRangeForAllFrames) {
   expect_near(pixel(paths[0], 20, 405), {255, 255, 255});
 }
 
+TEST_F(RenderTest, ColoursTemperaturesFromTheLowest) {
+  BodyView view = two_cells(0);
+  view.cell_fields.push_back({"temperature", 1, {293, 1200}});
+  RenderOptions options;
+  options.field = "temperature";
+  const auto paths = render_frames(source_of({view}), folder_, options);
+  const auto map = colour_map(false);
+  expect_near(pixel(paths.at(0), 300, 405), map[0]);
+  expect_near(pixel(paths.at(0), 820, 405), map[255]);
+}
+
 TEST_F(RenderTest, DrawsParticlesAsSpheres) {
   // One sphere of radius 1 fills the height: 315 pixels about (560, 405). The speed is the same all
   // over, |(3, 4, 0)| = 5, so the range is widened to 2.5 .. 7.5: the middle of the map, shaded.
@@ -185,11 +196,14 @@ TEST(Colouring, ChoosesUnitsAndTicks) {
 TEST(ColourMap, SpansZeroWhereItShould) {
   EXPECT_TRUE(is_diverging({-1, 2}));
   EXPECT_FALSE(is_diverging({-0.01, 2}));
-  EXPECT_EQ(colour_range({-1, 2}).low, -2);
-  EXPECT_EQ(colour_range({0.1, 2}).low, 0);
-  EXPECT_EQ(colour_range({1.9, 2}).low, 1.9);
-  EXPECT_LT(colour_range({5, 5}).low, colour_range({5, 5}).high);
-  EXPECT_LT(colour_range({0, 0}).low, colour_range({0, 0}).high);
+  EXPECT_EQ(colour_range({-1, 2}, true).low, -2);
+  EXPECT_EQ(colour_range({0.1, 2}, true).low, 0);
+  EXPECT_EQ(colour_range({0.1, 2}, false).low, 0.1);
+  EXPECT_EQ(colour_range({1.9, 2}, true).low, 1.9);
+  for (const Real value : {5.0, 0.0}) {
+    const Range wide = colour_range({value, value}, true);
+    EXPECT_LT(wide.low, wide.high);
+  }
 }
 
 TEST(Camera, LooksFromWhereTheViewSays) {

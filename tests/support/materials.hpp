@@ -1,0 +1,18 @@
+#pragma once
+/// Materials that decks of several tests have; more of them may follow, two spaces in.
+#include <string>
+
+namespace brunt::test {
+
+inline const std::string kRubber = R"(
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
+)";
+
+/// It does not widen where it is pressed: a bar of it carries plane waves.
+inline const std::string kSteelForPlaneWaves = R"(
+materials:
+  steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0}}
+)";
+
+}  // namespace brunt::test
