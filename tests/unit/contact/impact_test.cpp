@@ -52,8 +52,8 @@ bool returns(bool rigid, Real speed, const Vec<Dim>& start, bool& slow_enough) {
       velocity += target.points.v[i] / static_cast<Real>(corners.size());
     }
     const Vec<Dim> apart = group.points.x[0] - center, leaving = group.points.v[0] - velocity;
-    if (apart.norm() > 4 * kSpacing) return false;
     if (step > 3 && apart[Dim - 1] > 0.6 * kSpacing && leaving[Dim - 1] > 0) return true;
+    if (apart.norm() > 4 * kSpacing) return false;
   }
   return false;
 }
@@ -99,6 +99,21 @@ TEST(ContactImpact, SpeedVoteIsHalfARadiusOverTheClosingSpeed) {
     EXPECT_NEAR(vote.step, way * kSpacing / 4000, 1e-20);
     EXPECT_STREQ(vote.reason, "contact speed");
   }
+}
+
+// A face that lets go 0.1 mm behind itself: half of that (contact.md 2.3).
+TEST(ContactImpact, SpeedVoteIsHalfTheDepthOfAThinFace) {
+  ContactScene<3> scene;
+  const Real depth = 0.1 * kSpacing, mass = kDensity * depth / 4;  // of a corner of 1 m^2
+  scene.add_face(scene.add_group(), upward_face<3>(1), kModulus / depth, depth, mass);
+  auto& group = scene.add_group();
+  scene.add_particle(group, Vec3(0, 0, 0.6 * kSpacing), kSpacing / 2, kModulus,
+                     kDensity * std::pow(kSpacing, 3));
+  group.points.v[0] = Vec3(700, 0, -4000);
+  scene.start();
+  const auto vote = scene.contact->stable_step(0);
+  EXPECT_NEAR(vote.step, (0.1 * kSpacing + 0.5 * depth) / 4000, 1e-20);
+  EXPECT_STREQ(vote.reason, "contact speed");
 }
 
 }  // namespace
