@@ -200,6 +200,7 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   if (!imported.empty()) sort_by_id(faces);
   for (auto& face : faces) {
     if (face.deforms()) face.element_step = std::sqrt(2 * face.areal_mass / face.stiffness);
+    if (!face.rigid()) shallowest = std::min(shallowest, face.depth);
   }
   planes.resize(faces.size());
   boxes.resize(faces.size());

@@ -83,13 +83,14 @@ struct Entities {
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
   /// Behind each face, as of the step's start; empty where no friction asks for it.
   std::vector<SurfaceMaterial> materials;
-  std::vector<char> conducts;  ///< by surface: its points keep the temperature
-  StepVote constant_vote;      ///< bound from the springs of particles
-  Real deepest = 0;            ///< [m] largest depth of a face of any rank
-  Real size = 0;               ///< [m] median size of faces and particles, of all ranks
-  std::vector<Real> gaps;      ///< [m] by body, up to which heat passes to it; empty: none
-  bool any_particles = false;  ///< on any rank
-  bool any_open = false;       ///< faces of surfaces with a rim
+  std::vector<char> conducts;   ///< by surface: its points keep the temperature
+  StepVote constant_vote;       ///< bound from the springs of particles
+  Real deepest = 0;             ///< [m] largest depth of a face of any rank
+  Real shallowest = kInfinity;  ///< [m] smallest depth of the faces here but rigid ones
+  Real size = 0;                ///< [m] median size of faces and particles, of all ranks
+  std::vector<Real> gaps;       ///< [m] by body, up to which heat passes to it; empty: none
+  bool any_particles = false;   ///< on any rank
+  bool any_open = false;        ///< faces of surfaces with a rim
 
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,

@@ -57,8 +57,9 @@ int side_of(const TouchStep& step, const ContactParticle& particle, const Contac
 constexpr Real kSurelyMore = 1 + 1e-9;
 
 /// The bound of a particle, `before` [m] the mean plane of face f, that closes on it: to half a
-/// radius of overlap, or half a radius more. What would vote more than `longest` need not be near,
-/// nor listed. On an open surface it closes from both sides, and where it touches either way.
+/// radius of overlap, or half a radius more, of faces that hold less than a radius half of that.
+/// What would vote more than `longest` need not be near, nor listed. On an open surface it closes
+/// from both sides, and where it touches either way.
 template <int Dim>
 void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
                      Real before, Real longest, StepVote& vote) {
@@ -71,7 +72,8 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
     if (before < -r) closing = -closing;
     before = std::fabs(before);
   }
-  const Real way = std::max(before - r - plane.warp, 0.0) + 0.5 * r;
+  const Real way = std::max(before - r - plane.warp, 0.0) +
+                   0.5 * std::min(r, held_behind(now.particle, entities.faces[f]));
   const Real least = std::min(longest, vote.step);
   // Most take longer, which spares the division; one branch for all that has no vote.
   const bool none =
@@ -97,8 +99,9 @@ std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const Parti
   LocalIndex *near = part.near.data(), *touching = near + room;
   const std::size_t listed = rows.clearances.find_near(first, last, rows.loss, near);
   const Real farthest = (1 + 10 * kTouchingGap) * now.particle.radius;
-  // Half a radius is the least way: where nothing is fast enough for it no face has a vote.
-  const bool votes = !(0.5 * now.particle.radius > rows.fastest * step.longest * kSurelyMore);
+  // Where nothing is fast enough for the least way no face has a vote.
+  const Real least = 0.5 * std::min(now.particle.radius, entities.shallowest);
+  const bool votes = !(least > rows.fastest * step.longest * kSurelyMore);
   bool before_all = true;
   std::size_t n = 0, n_touching = 0;
   for (std::size_t i = 0; i < listed; ++i) {
@@ -168,7 +171,8 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
-  const ParticleSpring spring{law.stiffness * now.breadth, kBarrier * law.own * now.breadth,
+  const ParticleSpring spring{law.stiffness * now.breadth,
+                              barrier_of(law, now.particle, hit.limit) * now.breadth,
                               now.particle.radius};
   hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);

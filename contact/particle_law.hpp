@@ -1,6 +1,8 @@
 #pragma once
 /// By what law a particle and a face touch: found anew for each contact, as most of what is listed
 /// never touches, and reading what was kept of it would be waited for.
+#include <algorithm>
+
 #include "contact/entities.hpp"
 #include "contact/law.hpp"
 #include "contact/particle_face.hpp"
@@ -35,6 +37,14 @@ template <int Dim>
 Real held_behind(const ContactParticle& particle, const ContactFace<Dim>& face) {
   const Real held = (face.open ? kOpenDepthRadii : kDepthRadii) * particle.radius;
   return face.rigid() ? held : std::min(held, face.depth);
+}
+
+/// b of the barrier of a face that holds the particle up to `held` [m] behind it, per breadth: one
+/// at five times the speed of sound comes to rest by then, 25/2 m c^2 = b held^4/(4 r^2). Where the
+/// plate is thin it would else be nearer to its other side, and pushed out there.
+inline Real barrier_of(const ParticleLaw& law, const ContactParticle& particle, Real held) {
+  const Real radii = held / particle.radius;
+  return kBarrier * law.own * std::max(1.0, 25 / (radii * radii * radii * radii));
 }
 
 /// How heat passes between them; null where a side takes none.

@@ -36,6 +36,7 @@ template <int Dim>
 Vec<Dim> within_limit(const Vec<Dim>& spring, const Vec<Dim>& damper, Real limit) {
   if ((spring + damper).squaredNorm() <= limit * limit) return damper;
   const Real a = damper.squaredNorm(), b = spring.dot(damper);
+  if (!(a > 0)) return damper;  // the spring alone may round to more than the limit
   const Real c = std::min(spring.squaredNorm() - limit * limit, 0.0);
   return Vec<Dim>(std::max(std::sqrt(b * b - a * c) - b, 0.0) / a * damper);
 }

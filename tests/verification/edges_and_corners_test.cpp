@@ -19,17 +19,16 @@
 #include <cmath>
 
 #include "app/scene.hpp"
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
 namespace {
 
-const char* const kDeck = R"(
+const std::string kDeck = kRubber + R"(
 title: two cubes meet by edges or corners
 parameters: {speed: 0.3 m/s}
 time: {end: 22 ms}
-materials:
-  rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}
 bodies:
   lower:
     material: rubber

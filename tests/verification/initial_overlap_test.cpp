@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/build/scene_builder.hpp"
+#include "app/build/scene_checks.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
@@ -96,12 +97,26 @@ TEST_P(InitialOverlap, BouncesAndKeepsItsBits) {
   }
 }
 
+// Edges of the block's 4 cells a side and of the plate's 9, which nowhere coincide, cut a side into
+// 8 parts: 64 pairs of faces. Of particles, 25 are in the lowest layer.
 TEST_P(InitialOverlap, IsReported) {
-  const auto scene = build_scene<3>(load_deck_text(kDeck, "deck.yaml", with(GetParam(), "0 m/s")));
+  const auto loaded = load_deck_text(kDeck, "deck.yaml", with(GetParam(), "0 m/s"));
+  const auto scene = build_scene<3>(loaded);
   const auto found = scene->contact->initial_overlaps();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].name, "block-plate");
-  EXPECT_NEAR(found[0].deepest, std::string(GetParam()) == "fe" ? 5e-4 : 4e-4, 1e-12);
+  const bool faces = std::string(GetParam()) == "fe";
+  EXPECT_EQ(found[0].contacts, faces ? 64u : 25u);
+  EXPECT_NEAR(found[0].deepest, faces ? 5e-4 : 4e-4, 1e-12);
+  std::vector<DeckProblem> warnings;
+  warn_of_scene(loaded, *scene, false, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].path, "contact");
+  EXPECT_EQ(warnings[0].message,
+            std::string("block-plate: ") + (faces ? "64" : "25") +
+                " contacts overlap at time 0 by up to " + (faces ? "500 um" : "400 um") +
+                "; they are felt once they have opened, and by what they close again "
+                "(initial_overlap: press feels them at once)");
 }
 
 // Two balls pressed into each other by 10 um: the faces beside the axis are tilted and push their

@@ -92,6 +92,22 @@ TEST(ContactManager, EdgesInTwoDimensions) {
   const Real expected = 0.5 * kStiffness * 0.1 * 0.25;
   EXPECT_NEAR(scene.force(1)[1], expected, 1e-12 * expected);
   EXPECT_NEAR(scene.force(0)[1], -expected, 1e-12 * expected);
+  // The ends of 4 and of 5 edges cut the line into 8 parts, each as deep as all.
+  const auto view = scene.contact->view();
+  EXPECT_EQ(view.penetration.size(), 8u);
+  for (const Real depth : view.penetration) EXPECT_NEAR(depth, 0.1, 1e-14);
+}
+
+TEST(ContactManager, EdgesThatAreOpenOrTouchPushNothing) {
+  for (const Real gap : {0.1, 0.0}) {
+    ContactScene<2> scene;
+    add_sheet(scene, 4, 0, 1, 0.3, true, kStiffness, 1);
+    add_sheet(scene, 5, 0, 1, 0.3 + gap, false, kStiffness, 1);
+    scene.start();
+    scene.evaluate();
+    EXPECT_EQ(scene.force(0).norm(), 0);
+    EXPECT_EQ(scene.contact->work().contacts, 0u);
+  }
 }
 
 TEST(ContactManager, IgnoredPairsAndPiecesDoNotTouch) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace brunt {
 namespace {
 
@@ -49,6 +51,23 @@ TEST(ParticleLaw, HoldsNoDeeperThanTheBody) {
   EXPECT_EQ(held_behind(particle(), one), 1);
   one.stiffness = 0;
   EXPECT_EQ(held_behind(particle(), one), 3);
+}
+
+// 25/2 m c^2 of a particle at five times its speed of sound, m c^2 = M (2 r)^3, is what the barrier
+// holds where the face lets go, of faces that hold no deeper than 5^(1/2) r; deeper ones stop it
+// there.
+TEST(ParticleLaw, BarrierStopsFiveSpeedsOfSoundBeforeTheFaceLetsGo) {
+  PairOptions options;
+  options.stiffness = 0.5;
+  const ContactParticle one = particle();
+  const ParticleLaw law = law_of(one, face(), options);
+  const Real energy = 12.5 * 2e9;
+  for (const Real radii : {0.1, 0.5, 1.0, std::sqrt(5.0), 3.0}) {
+    const Real held = radii * one.radius;
+    const ParticleSpring barrier{0, barrier_of(law, one, held), one.radius};
+    const Real stopped = std::min(held, std::sqrt(5.0) * one.radius);
+    EXPECT_NEAR(barrier.energy(one.radius + stopped), energy, 1e-12 * energy) << radii;
+  }
 }
 
 TEST(ParticleLaw, HeatPassesWhereBothSidesTakeIt) {

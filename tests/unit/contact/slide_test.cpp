@@ -28,6 +28,19 @@ TEST(Slide, WithoutAnyLimitThereIsNoTraction) {
   EXPECT_EQ(open.slip, Vec3(-0.1, -0.2, 0));  // the spring lets go: its 5/20 J become heat
 }
 
+// Where a spring rounds to more than its limit by its square, though not by its size, a damper of
+// nothing stays nothing; without a damper that was 0/0.
+TEST(Slide, NoDamperAtTheLimitIsNone) {
+  int rounded = 0;
+  for (int i = 1; i <= 1000; ++i) {
+    const Vec3 spring(1.0 / i, std::sqrt(0.1 * i), 0);
+    const Real limit = spring.norm();
+    rounded += spring.squaredNorm() > limit * limit ? 1 : 0;
+    EXPECT_EQ(within_limit<3>(spring, Vec3::Zero(), limit), Vec3(Vec3::Zero())) << i;
+  }
+  EXPECT_GT(rounded, 100);
+}
+
 TEST(Slide, WorkIsStoreAndHeat) {
   std::mt19937_64 random(3);
   std::normal_distribution<Real> normal(0, 1);
