@@ -65,7 +65,8 @@ Polygon project(const FacePlane<3>& face, const CommonPlane<3>& plane, bool reve
   for (int i = 0; i < face.n_corners; ++i) {
     const int k = reverse ? face.n_corners - 1 - i : i;
     const Vec3 arm = face.corner[static_cast<std::size_t>(k)] - plane.origin;
-    polygon.push(Vec<2>(arm.dot(plane.axis_1), arm.dot(plane.axis_2)), static_cast<std::int8_t>(i));
+    polygon.push(Vec<2>(arm.dot(plane.axis_1), arm.dot(plane.axis_2)),
+                 static_cast<std::uint8_t>(i));
   }
   return polygon;
 }

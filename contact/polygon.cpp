@@ -9,7 +9,7 @@ Real cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0];
 namespace {
 /// What clip() keeps, to `kept`; false where that is all of it, and nothing is written. The side
 /// along the cut gets the name.
-bool clip_to(const Polygon& polygon, const LinearField& keep, std::int8_t name, Polygon& kept) {
+bool clip_to(const Polygon& polygon, const LinearField& keep, std::uint8_t name, Polygon& kept) {
   Real at[Polygon::kRoom];
   bool all = true;
   for (int i = 0; i < polygon.size; ++i) {
@@ -23,7 +23,7 @@ bool clip_to(const Polygon& polygon, const LinearField& keep, std::int8_t name, 
     const Real at_p = at[last], at_q = at[i];
     if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
       const Vec<2>& p = polygon[last];
-      const std::int8_t entered = polygon.side[static_cast<std::size_t>(last)];
+      const std::uint8_t entered = polygon.side[static_cast<std::size_t>(last)];
       kept.push(p + (at_p / (at_p - at_q)) * (polygon[i] - p), at_p > 0 ? name : entered);
     }
     if (!(at_q >= 0)) continue;
@@ -50,7 +50,7 @@ Polygon intersect(const Polygon& a, const Polygon& b) {
     LinearField left;
     left.slope = Vec<2>(-edge[1], edge[0]);
     left.value = -left.slope.dot(p);
-    const auto name = static_cast<std::int8_t>(Polygon::kOfSecond + i);
+    const auto name = static_cast<std::uint8_t>(Polygon::kOfSecond + i);
     if (!clip_to(*overlap, left, name, room[next])) continue;
     overlap = &room[next];
     next = 1 - next;

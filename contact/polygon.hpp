@@ -9,13 +9,13 @@ namespace brunt {
 /// clipped by each other and by one line have at most nine corners.
 struct Polygon {
   static constexpr int kRoom = 12;
-  static constexpr std::int8_t kCut = -1;      ///< a side where a field is 0
-  static constexpr std::int8_t kOfSecond = 4;  ///< and more: sides of the second of two quads
+  static constexpr std::uint8_t kCut = 255;     ///< a side where a field is 0
+  static constexpr std::uint8_t kOfSecond = 4;  ///< and more: sides of the second of two quads
   std::array<Vec<2>, kRoom> corner;
-  std::array<std::int8_t, kRoom> side;  ///< whose side begins at a corner; of a face: that corner
+  std::array<std::uint8_t, kRoom> side;  ///< whose side begins at a corner; of a face: that corner
   int size = 0;
 
-  void push(const Vec<2>& p, std::int8_t of = kCut) {
+  void push(const Vec<2>& p, std::uint8_t of = kCut) {
     side[static_cast<std::size_t>(size)] = of;
     corner[static_cast<std::size_t>(size++)] = p;
   }
