@@ -15,6 +15,7 @@ struct Fading {
 };
 Fading fades(Real rho) {
   constexpr Real kLast = 8;
+  if (rho >= 2 * kLast) return {0, 0};
   const Real u = std::max(rho - 1, 0.0), v = 1 / (1 + u * u);
   const Real s = std::clamp(rho / kLast - 1, 0.0, 1.0), w = 1 - s * s * (3 - 2 * s);
   return {v * w, -2 * u * v * v * w - v * 6 * s * (1 - s) / kLast};
@@ -69,11 +70,13 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real r
     factor = 0;
     return;
   }
-  steepest = std::max(steepest, squared * rho);
+  steepest = std::max(steepest, squared * std::min(rho, 1.0));
   if (fading.value < 1) {
-    const Real slope = rho < kInfinity ? squared * fading.slope / (value * room) : 0.0;
+    // Where nothing is left of v nothing can be divided by the room, which may be none.
+    const bool ends = fading.value == 0;
+    const Real slope = ends ? 0.0 : squared * fading.slope / (value * room);
     by_volume += slope;
-    pair[static_cast<std::size_t>(n++)] = {lower, upper, -slope * rho,
+    pair[static_cast<std::size_t>(n++)] = {lower, upper, ends ? 0.0 : -slope * rho,
                                            -2 * facing * (1 - fading.value) / value};
   }
   factor *= value;
