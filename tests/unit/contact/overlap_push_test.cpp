@@ -192,6 +192,22 @@ TEST(OverlapPush, IsTheGradientOfThePotentialInTwoDimensions) {
   EXPECT_GT(found, 100);
 }
 
+TEST(OverlapPush, BordersWithoutRoomLeaveNumbers) {
+  // Opposite by 60 degrees: 1 - cos^2 is left of the overlap, and nothing is divided by no room.
+  for (const Real room : {0.0, -1e-20, 1e-300}) {
+    BorderFade<3> fade;
+    fade.add(0, 2, 0.5, 1, room);
+    EXPECT_EQ(fade.factor, 0.75) << room;
+    ASSERT_EQ(fade.n, 1) << room;
+    EXPECT_EQ(fade.by_volume, 0) << room;
+    EXPECT_EQ(fade.pair[0].by_room, 0) << room;
+    EXPECT_EQ(fade.pair[0].by_facing, -2 * 0.5 / 0.75) << room;
+  }
+  BorderFade<3> opposite;
+  opposite.add(0, 2, 1, 1, 0);
+  EXPECT_EQ(opposite.factor, 0);
+}
+
 TEST(OverlapPush, HasNoResultantAndNoMoment) {
   // Sums of eight forces of size N about points of size 1 round to some 1e-15 N.
   Random random;
