@@ -127,8 +127,9 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
 
   const Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
   const OverlapArea area{below, above, penetration, sum, needs.opening};
+  const bool pushes = needs.pushes && !needs.whole;
   BorderFade<3> fade;
-  if (!needs.whole) fade = fade_of(lower, upper, area, plane);
+  if (pushes) fade = fade_of(lower, upper, area, plane);
   if (fade.factor == 0) return false;
   plane.ramp *= fade.factor;
   plane.area = sum.area;
@@ -140,8 +141,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (needs.middle) {
     plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
   }
-  const Real share =
-      needs.whole ? 0.0 : potential_share(plane.facing, area.change(plane.polygon), fade);
+  const Real share = pushes ? potential_share(plane.facing, area.change(plane.polygon), fade) : 0.0;
   if (share > 0) add_potential(lower, upper, area, fade, share, plane);
   return true;
 }
@@ -203,8 +203,9 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
                          moment,
                          needs.opening,
                          section};
+  const bool pushes = needs.pushes && !needs.whole;
   BorderFade<2> fade;
-  if (!needs.whole) fade = fade_of(lower, upper, line, plane);
+  if (pushes) fade = fade_of(lower, upper, line, plane);
   if (fade.factor == 0) return false;
   plane.ramp *= fade.factor;
   const Real p = middle + (needs.whole ? first / area : moment / total);
@@ -225,7 +226,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
     plane.lower_at_middle = {1 - below.share(m), below.share(m)};
     plane.upper_at_middle = {1 - above.share(m), above.share(m)};
   }
-  const Real follows = needs.whole ? 0.0 : potential_share(plane.facing, line.change(), fade);
+  const Real follows = pushes ? potential_share(plane.facing, line.change(), fade) : 0.0;
   if (follows > 0) add_potential(lower, upper, line, fade, follows, plane);
   return true;
 }

@@ -57,6 +57,9 @@ struct PlaneNeeds {
   /// The overlap of both faces as a whole, pressed or not: volume and penetration may be negative,
   /// and the force acts at the middle. A bond needs it.
   bool whole = false;
+  /// They push: pressure fades between borders, and follows its potential (overlap_push.hpp). Else
+  /// they are where the faces lie over each other, which is what heat asks.
+  bool pushes = true;
 };
 
 /// The planes between two faces, lower first by id: one, or up to four where warped or concave

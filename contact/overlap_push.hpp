@@ -88,6 +88,7 @@ struct OverlapLine {
   Real change() const { return std::fabs(penetration[1] - penetration[0]) * area / total; }
 };
 
+/// The fade of an overlap between the borders of both faces; whole where either has none.
 BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
                       const OverlapArea& overlap, const CommonPlane<3>& plane);
 BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
