@@ -112,10 +112,6 @@ std::vector<LocalIndex> particles_near(std::size_t n, BoxOf box_of,
   return near;
 }
 
-/// Penetration at which faces of one piece let go, in depths: there, what is seen from behind is
-/// the other side of the material between them, which is thicker unless it is crushed.
-constexpr Real kDeepestInside = 0.5;
-
 template <class A, class B>
 bool same_piece(const A& a, const B& b) {
   return a.body == b.body && a.piece == b.piece;
@@ -129,16 +125,15 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
   const Communicator& ranks = imports.ranks();
   choose_skin(entities);
   skin_ = ranks.max(skin_);
-  if (entities.any_particles) {
-    auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
-      part.take(Vec<Dim>::Zero(), nodes.v[i]);
-    });
-    Real none = 0;
-    bounds = over_ranks(ranks, bounds, none);
-    // A tenth more, so that speeds and steps that grow a little need no new lists.
-    speed_ = bounds.relative_speed();
-    speed_reach_ = std::isfinite(longest) ? 1.1 * speed_ * longest : 0.0;
-  }
+  auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+    part.take(Vec<Dim>::Zero(), nodes.v[i]);
+  });
+  Real none = 0;
+  bounds = over_ranks(ranks, bounds, none);
+  speed_ = bounds.relative_speed();
+  // A tenth more, so that speeds and steps that grow a little need no new lists.
+  speed_reach_ = entities.any_particles && std::isfinite(longest) ? 1.1 * speed_ * longest : 0.0;
+  face_reach_ = 1.1 * way_of_faces(entities);
   if (!ranks.alone()) {
     ImportBoxes<Dim> boxes;
     for (std::size_t f = 0; f < entities.faces.size(); ++f) {
@@ -172,12 +167,20 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
 }
 
 template <int Dim>
+Real Candidates<Dim>::way_of_faces(const Entities<Dim>& entities) const {
+  const Real way = speed_ * entities.longest_step;
+  // Nearer than that nothing votes; what has no bound votes nothing.
+  const Real least = 0.5 * FaceBarrier::before(entities.least_limit).onset;
+  return std::isfinite(way) && way > least ? way : 0.0;
+}
+
+template <int Dim>
 SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::size_t face) const {
   const auto& plane = entities.planes[face];
   const Real depth = entities.faces[face].rigid() ? entities.deepest : entities.faces[face].depth;
   const Real gap = entities.gap(entities.faces[face].body);
   return finite_box<Dim>(
-      box_of(plane, 0.5 * (depth + gap) + kReachPerWarp * plane.warp + 0.5 * skin_));
+      box_of(plane, 0.5 * (depth + gap + face_reach_) + kReachPerWarp * plane.warp + 0.5 * skin_));
 }
 
 template <int Dim>
@@ -312,11 +315,11 @@ bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest,
   warped_ = warp;
   turned_ = std::sqrt(turn_square);
   bounds = over_ranks(ranks, bounds, warp);
+  speed_ = bounds.relative_speed();
   Real growth = 2 * kReachPerWarp * warp;  // of reaches since the lists were built
-  if (entities.any_particles) {
-    speed_ = bounds.relative_speed();
-    growth += std::max(0.0, speed_ * longest - speed_reach_);
-  }
+  Real farther = std::max(0.0, way_of_faces(entities) - face_reach_);
+  if (entities.any_particles) farther = std::max(farther, speed_ * longest - speed_reach_);
+  growth += farther;
   ++steps_;
   moved_ = bounds.relative_displacement();
   return moved_ + growth <= skin_;

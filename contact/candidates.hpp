@@ -29,6 +29,7 @@ struct FaceCandidate {
   const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
   const ContactHeat* heat = nullptr;  ///< how heat passes, where both sides take any
   bool presses = false;               ///< an overlap at time 0 is felt at once
+  FaceBarrier barrier() const { return FaceBarrier::before(limit); }
 };
 
 /// Rows of particles beside faces.
@@ -82,6 +83,9 @@ class Candidates {
   /// Where each row begins in pairs(), and their end; empty where there are none.
   std::span<const std::size_t> pair_starts() const { return pair_starts_; }
   Real skin() const { return skin_; }
+  /// How far faces may come in the longest step at the present speeds [m]; 0: no faces are fast
+  /// enough to vote for their speed (contact/face_votes.hpp).
+  Real way_of_faces(const Entities<Dim>& entities) const;
   std::size_t builds() const { return builds_; }
   /// Where a face may touch another before the lists are renewed [m].
   SearchBox<Dim> box_of_face(const Entities<Dim>& entities, std::size_t face) const;
@@ -111,6 +115,7 @@ class Candidates {
   std::vector<Real> warp_built_;        // [m]
   std::vector<Vec<Dim>> normal_built_;  // empty without rows of particles
   Real speed_reach_ = 0;                // [m] of motion that the particles' boxes foresee
+  Real face_reach_ = 0;                 // [m] the same of faces, both sides together
   Real speed_ = 0;                      // [m/s] largest relative speed now
   Real moved_ = 0;                      // [m] largest relative displacement since
   Real warped_ = 0;                     // [m] largest growth of a warp since

@@ -14,15 +14,23 @@ constexpr Real kSliver = 1e-12;    // of the smaller face's area: an overlap bel
 
 /// The normal, origin and ramp; false if the faces do not oppose each other.
 template <int Dim>
-bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, CommonPlane<Dim>& plane) {
+bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const FaceBarrier& barrier,
+            CommonPlane<Dim>& plane) {
   const Real facing = -lower.normal.dot(upper.normal);
   if (!(facing > kFacing)) return false;
   plane.facing = facing;
   plane.share = 0;
+  plane.barrier = barrier;
   plane.ramp = std::min((facing - kFacing) / (kFullFacing - kFacing), 1.0);
   plane.normal = (lower.normal - upper.normal).normalized();
   plane.origin = 0.5 * (lower.center + upper.center);
   return true;
+}
+
+/// cos(th/2) of the angle between the faces: G over g.
+template <int Dim>
+Real half_cosine(const CommonPlane<Dim>& plane) {
+  return std::sqrt(0.5 * (1 + plane.facing));
 }
 
 /// True if every corner of the upper face, warped by no more than it is, lies above the lower.
@@ -102,10 +110,29 @@ void set_weights(const Polygon& below, const Polygon& above, const Vec<2>& p, co
   plane.lower_at_middle = found[2], plane.upper_at_middle = found[3];
 }
 
+/// Sets volume and energy of a plane; returns the share that its barrier has of the push.
+/// total  [m^3] integral of the penetration;  mean  [m] where the linear pressure acts
+/// deep   DeepArea or DeepLine;  whole  one pressure everywhere, of the mean penetration
+template <int Dim, class Deep>
+Real set_spring(Real total, Real mean, const Deep& deep, bool whole, CommonPlane<Dim>& plane) {
+  const auto& barrier = plane.barrier;
+  Real beside = 0, energy = 0.25 * (1 + plane.facing) * total * mean;
+  if (whole) {
+    beside = plane.area * barrier.pressure(mean);
+    energy += plane.area * barrier.energy(mean);
+  } else if (deep.squared > 0) {
+    beside = half_cosine(plane) * barrier.steepness() * deep.squared;
+    energy += barrier.steepness() / 3 * deep.cubed;
+  }
+  plane.volume = plane.ramp * (total + beside);
+  plane.energy = plane.ramp * energy;
+  return whole ? 0.0 : beside / (total + beside);
+}
+
 /// The plane between two simple faces in 3D; false if it carries no pressure.
 bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section&,
                const PlaneNeeds& needs, CommonPlane<3>& plane) {
-  if (!orient(lower, upper, plane)) return false;
+  if (!orient(lower, upper, needs.barrier, plane)) return false;
   if (!needs.whole && apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   set_axes(plane);
   const Polygon below = project(lower, plane, false), above = project(upper, plane, true);
@@ -121,19 +148,24 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   const FieldIntegrals sum = integrate(plane.polygon, penetration);
   if (!needs.whole && !(sum.total > kTouching * std::sqrt(smaller) * sum.area)) return false;
   plane.deepest = -kInfinity;
-  for (int i = 0; i < plane.polygon.size && needs.whole; ++i) {
+  for (int i = 0; i < plane.polygon.size; ++i) {
     plane.deepest = std::max(plane.deepest, penetration.at(plane.polygon[i]));
   }
 
-  const Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
-  const OverlapArea area{below, above, penetration, sum, needs.opening};
+  DeepArea deep;
+  if (!needs.whole) {
+    deep = deep_area(plane.polygon, penetration, half_cosine(plane), plane.deepest, needs.barrier);
+  }
+  const OverlapArea area{below, above, penetration, sum, deep, needs.opening};
   const bool pushes = needs.pushes && !needs.whole;
   BorderFade<3> fade;
   if (pushes) fade = fade_of(lower, upper, area, plane);
   if (fade.factor == 0) return false;
   plane.ramp *= fade.factor;
   plane.area = sum.area;
-  plane.volume = plane.ramp * sum.total;
+  Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
+  const Real of_barrier = set_spring(sum.total, penetration.at(p), deep, needs.whole, plane);
+  if (of_barrier > 0) p += of_barrier * (deep.moment / deep.squared - p);
   plane.penetration = penetration.at(p);
   plane.point = plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2;
   const Vec<2> middle = needs.middle ? Vec<2>(sum.first / sum.area) : p;
@@ -141,7 +173,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (needs.middle) {
     plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
   }
-  const Real share = pushes ? potential_share(plane.facing, area.change(plane.polygon), fade) : 0.0;
+  const Real share = pushes ? potential_share(plane.facing, area.change(plane), fade) : 0.0;
   if (share > 0) add_potential(lower, upper, area, fade, share, plane);
   return true;
 }
@@ -149,7 +181,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
 /// The line between two edges in 2D; the integrands are cubic at most, so Simpson is exact.
 bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
                const PlaneNeeds& needs, CommonPlane<2>& plane) {
-  if (!orient(lower, upper, plane)) return false;
+  if (!orient(lower, upper, needs.barrier, plane)) return false;
   if (!needs.whole && apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   const Vec<2> t(-plane.normal[1], plane.normal[0]);
   struct Span {
@@ -193,6 +225,11 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   }
   if (!needs.whole && !(total > kTouching * smaller * area)) return false;
 
+  DeepLine deep;
+  if (!needs.whole) {
+    const Real c = half_cosine(plane);
+    deep = deep_line({from, to}, {c * depth[0], c * depth[1]}, needs.barrier, breadth);
+  }
   const OverlapLine line{{below.s0, below.s1},
                          {above.s0, above.s1},
                          {from, to},
@@ -201,6 +238,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
                          first,
                          total,
                          moment,
+                         deep,
                          needs.opening,
                          section};
   const bool pushes = needs.pushes && !needs.whole;
@@ -208,9 +246,10 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   if (pushes) fade = fade_of(lower, upper, line, plane);
   if (fade.factor == 0) return false;
   plane.ramp *= fade.factor;
-  const Real p = middle + (needs.whole ? first / area : moment / total);
   plane.area = area;
-  plane.volume = plane.ramp * total;
+  Real p = middle + (needs.whole ? first / area : moment / total);
+  const Real of_barrier = set_spring(total, penetration(p), deep, needs.whole, plane);
+  if (of_barrier > 0) p += of_barrier * (deep.moment / deep.squared - p);
   plane.penetration = penetration(p);
   plane.point = plane.origin + p * t;
   plane.axis_1 = t;

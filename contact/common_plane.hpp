@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "contact/face_barrier.hpp"
 #include "contact/face_plane.hpp"
 #include "contact/polygon.hpp"
 
@@ -22,19 +23,24 @@ struct Section {
 inline constexpr Real kFacing = 0.09, kFullFacing = 0.17;
 
 /// One common plane between two faces (Vorobiev, simple common plane; contact.md 2.5).
-/// The pressure of a spring of k [Pa/m] has the resultant k volume along normal on the upper face,
-/// through `point`; weights share it among the corners, each set sums to one.
+/// The pressure of a spring of k [Pa/m], and of its barrier where faces are deep, has the resultant
+/// k volume along normal on the upper face, through `point`; weights share it among the corners,
+/// each set sums to one.
 template <int Dim>
 struct CommonPlane {
   static constexpr int kCorners = Facet<Dim>::kNodes;
-  Vec<Dim> normal;            ///< unit, from the lower to the upper face
-  Vec<Dim> point;             ///< [m] centre of pressure, on the common plane
-  Real facing = 0;            ///< cosine of the angle between the faces, 1 where they are parallel
-  Real ramp = 0;              ///< 0 .. 1: fades where the faces stop opposing each other
-  Real area = 0;              ///< [m^2] under pressure
-  Real volume = 0;            ///< [m^3] integral of the penetration, times ramp
+  Vec<Dim> normal;  ///< unit, from the lower to the upper face
+  Vec<Dim> point;   ///< [m] centre of pressure, on the common plane
+  Real facing = 0;  ///< cosine of the angle between the faces, 1 where they are parallel
+  Real ramp = 0;    ///< 0 .. 1: fades where the faces stop opposing each other
+  Real area = 0;    ///< [m^2] under pressure
+  Real volume = 0;  ///< [m^3] integral of the penetration and barrier, times ramp
+  /// What the spring holds, per k: ramp int (G^2/2 + barrier) dA [m^4], G = cos(th/2) g: along the
+  /// plane's normal g grows by 1, but a corner that goes into a face goes along that face's normal,
+  /// half the angle away (test 8: k d^3/(6 sin)).
+  Real energy = 0;
   Real penetration = 0;       ///< [m] at `point`
-  Real deepest = 0;           ///< [m] largest penetration, where the whole overlap is asked for
+  Real deepest = 0;           ///< [m] largest penetration
   std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
   /// The centre of the area under pressure with its weights, where asked for: friction acts there,
@@ -45,6 +51,7 @@ struct CommonPlane {
   /// potential of the overlap (contact/overlap_push.hpp).
   Real share = 0;
   std::array<Vec<Dim>, kCorners> lower_push, upper_push;  ///< [m^3]
+  FaceBarrier barrier;
   Polygon polygon;  ///< 3D: the area under pressure, about origin, along axis_1 and axis_2
   Vec<Dim> origin;  ///< [m]
   Vec<Dim> axis_1, axis_2;
@@ -60,6 +67,7 @@ struct PlaneNeeds {
   /// They push: pressure fades between borders, and follows its potential (overlap_push.hpp). Else
   /// they are where the faces lie over each other, which is what heat asks.
   bool pushes = true;
+  FaceBarrier barrier = {};
 };
 
 /// The planes between two faces, lower first by id: one, or up to four where warped or concave

@@ -155,6 +155,10 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       face.held = surface.held, face.everywhere = surface.everywhere;
       any_open = any_open || face.open;
       deepest = std::max(deepest, face.depth);
+      if (!face.rigid()) {
+        const Real inside = pairs.touches_itself(face.body) ? kDeepestInside : 1.0;
+        least_limit = std::min(least_limit, inside * face.depth);
+      }
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }
     for (const auto& shown : surface.particles) {
@@ -192,6 +196,11 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   set_options(pairs, diameters, *this);
   constant_vote = vote_of_particles<Dim>(pairs, section, *this);
   add_faces({});
+  for (const auto& face : faces) {
+    if (face.deforms() && !face.held) longest_step = std::min(longest_step, face.element_step);
+  }
+  least_limit = -ranks.all->max(-least_limit);
+  longest_step = -ranks.all->max(-longest_step);
 }
 
 template <int Dim>

@@ -65,6 +65,10 @@ struct ContactParticle {
   std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
 };
 
+/// Penetration at which faces of one piece let go, in depths: there, what is seen from behind is
+/// the other side of the material between them, which is thicker unless it is crushed.
+inline constexpr Real kDeepestInside = 0.5;
+
 /// How far a face may be penetrated along the normal of a common plane, in each component, per
 /// depth: n = (n1 - n2) / |n1 - n2| and |n1 - n2| >= 1.476 where faces oppose each other.
 inline constexpr Real kReachPerDepth = 0.68;
@@ -87,10 +91,13 @@ struct Entities {
   StepVote constant_vote;       ///< bound from the springs of particles
   Real deepest = 0;             ///< [m] largest depth of a face of any rank
   Real shallowest = kInfinity;  ///< [m] smallest depth of the faces here but rigid ones
-  Real size = 0;                ///< [m] median size of faces and particles, of all ranks
-  std::vector<Real> gaps;       ///< [m] by body, up to which heat passes to it; empty: none
-  bool any_particles = false;   ///< on any rank
-  bool any_open = false;        ///< faces of surfaces with a rim
+  /// [m] smallest penetration at which faces let go, of all ranks
+  Real least_limit = kInfinity;
+  Real longest_step = kInfinity;  ///< [s] no step is longer: that of the elements behind all faces
+  Real size = 0;                  ///< [m] median size of faces and particles, of all ranks
+  std::vector<Real> gaps;         ///< [m] by body, up to which heat passes to it; empty: none
+  bool any_particles = false;     ///< on any rank
+  bool any_open = false;          ///< faces of surfaces with a rim
 
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,

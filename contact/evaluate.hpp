@@ -14,6 +14,9 @@ struct EvaluationStep {
   Real dt = 0;
   Real longest = 0;
   TouchStep touches;
+  Real longest_of_faces = kInfinity;  ///< [s] the same of faces, which look ahead by it
+  Real longest_of_rigid = kInfinity;  ///< [s] bound of free rigid bodies on linear springs
+  bool fast = false;                  ///< faces may be fast enough to vote for their speed
 };
 
 /// What the contacts of a particle with faces leave to those with other particles.
@@ -27,7 +30,8 @@ struct ParticleLoad {
 /// Evaluates the candidates and appends a record for each that carries force, in their order.
 /// F = k volume + c area closing speed at the centre of pressure, not below 0 (contact.md 2.5);
 /// friction goes on from its past, or from what both faces carried (2.6). No past: no friction.
-/// What is left of first touches goes to part.face_touches.
+/// What is left of first touches goes to part.face_touches, the bounds of what closes in or is deep
+/// to part.vote.
 template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
                     const Section& section, const EvaluationStep& step,

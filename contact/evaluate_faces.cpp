@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "contact/evaluate.hpp"
+#include "contact/face_votes.hpp"
 
 namespace brunt {
 
@@ -22,7 +23,8 @@ Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& fac
 
 template <int Dim>
 ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                             const CommonPlane<Dim>& plane, const FirstTouch& touch) {
+                             const CommonPlane<Dim>& plane, const FirstTouch& touch,
+                             const EvaluationStep& step, StepVote& vote) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
   ContactRecord<Dim> record;
@@ -37,10 +39,8 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   const Vec<Dim> v_upper = add_corners(entities.nodes, upper, plane.upper_weight, 1, record);
   const Real closing = (v_lower - v_upper).dot(plane.normal);
   record.spring = candidate.stiffness * plane.volume;
-  // k/2 of the integral of g^2: g where the force acts is its mean over the pressure k g. Between
-  // faces at an angle it is what a motion along the plane's normal stores; a corner that goes into
-  // a face along that face's normal, half the angle away, does cos^2 of it (test 8: k d^3/(6 sin)).
-  record.stored = 0.25 * (1 + plane.facing) * record.spring * plane.penetration;
+  record.stored = candidate.stiffness * plane.energy;
+  take_barrier_vote<Dim>(entities, candidate, plane, closing, step, vote);
   record.damping = candidate.damping * plane.ramp * plane.area * closing;
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
@@ -138,7 +138,7 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
                        const Section& section, const FaceCandidate& candidate) {
   FirstTouch touch;
   Planes<Dim> planes;
-  const int n = common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{false, 0, true});
+  const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
   const Real meets = meeting_distance(lower, upper);
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
@@ -171,13 +171,14 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
               Planes<Dim>& planes) {
   const bool rubs = candidate.rubs != nullptr;
   if (!touch.matters()) {
-    return common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{rubs, 0});
+    return common_planes<Dim>(lower, upper, section, planes,
+                              {.middle = rubs, .barrier = candidate.barrier()});
   }
   if (!step.again) {
     touch.bonded = touch.bonded && !touch.slips;
     touch.slips = false;
   }
-  int n = common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{false, 0, true});
+  int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
   Real deepest = 0;
   for (int i = 0; i < n; ++i) {
     deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
@@ -185,11 +186,15 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
   touch.overlap = std::min(touch.overlap, deepest);
   touch.bonded = touch.bonded && n > 0;
   if (touch.bonded) {
-    n = common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{true, -touch.overlap, true});
+    n = common_planes<Dim>(
+        lower, upper, section, planes,
+        {.middle = true, .opening = -touch.overlap, .whole = true, .barrier = candidate.barrier()});
     if (!tears(planes, n, candidate)) return n;
     touch.bonded = false;
   }
-  return common_planes<Dim>(lower, upper, section, planes, PlaneNeeds{rubs, -touch.overlap});
+  return common_planes<Dim>(
+      lower, upper, section, planes,
+      {.middle = rubs, .opening = -touch.overlap, .barrier = candidate.barrier()});
 }
 }  // namespace
 
@@ -201,6 +206,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
   for (const auto& candidate : candidates) {
     const auto l = static_cast<std::size_t>(candidate.lower);
     const auto u = static_cast<std::size_t>(candidate.upper);
+    if (step.fast) take_approach_vote<Dim>(entities, candidate, step, part.vote);
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
     const GlobalId first = entities.faces[l].id, second = entities.faces[u].id;
@@ -217,7 +223,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
       if (plane.penetration > candidate.limit) continue;
-      part.face_on_face.push_back(record_of(entities, candidate, plane, touch));
+      part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part.vote));
       part.face_on_face.back().ordinal = plane.ordinal;
       if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
       if (candidate.rubs == nullptr || history == nullptr) continue;

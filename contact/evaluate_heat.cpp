@@ -14,7 +14,8 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
   const auto l = static_cast<std::size_t>(candidate.lower);
   const auto u = static_cast<std::size_t>(candidate.upper);
   const Real meets = meeting_distance(entities.planes[l], entities.planes[u]);
-  const PlaneNeeds needs{true, std::max(meets, gap_of(*candidate.heat)), false, false};
+  const PlaneNeeds needs{
+      .middle = true, .opening = std::max(meets, gap_of(*candidate.heat)), .pushes = false};
   std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
   const auto middle = static_cast<std::ptrdiff_t>(part.face_heat.size());

@@ -1,5 +1,6 @@
 #include "contact/manager.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "contact/implementation.hpp"
@@ -44,6 +45,7 @@ void ContactManager<Dim>::Implementation::renew(Real ahead, bool with_motion) {
   Entities<Dim> fresh(surfaces, pairs, section, ranks);
   if (started) fresh.nodes.inherit(entities.nodes);
   std::swap(entities, fresh);
+  entities.longest_step = std::min(entities.longest_step, rigid_vote.step);
   if (with_motion) entities.nodes.read_motion(surfaces);
   entities.refresh_planes();
   candidates.build(entities, pairs, ahead, imports);
@@ -55,7 +57,12 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
                                                    FrictionHistory<Dim>* past) {
   records.clear();
   const bool repeated = past == nullptr;
-  const EvaluationStep step{dt, ahead, {&touches, repeated && !started, repeated && started}};
+  const EvaluationStep step{dt,
+                            ahead,
+                            {&touches, repeated && !started, repeated && started},
+                            entities.longest_step,
+                            rigid_vote.step,
+                            candidates.way_of_faces(entities) > 0};
   const auto on_faces = candidates.faces();
   if (!on_faces.empty()) entities.refresh_reaches();
   records.for_parts(on_faces.size(), kWorthThreads,

@@ -56,18 +56,19 @@ class AreaGradient {
   AreaGradient(const OverlapArea& overlap, const BorderFade<3>& fade, const CommonPlane<3>& plane)
       : overlap_(overlap),
         plane_(plane),
-        density_(fade, overlap.sum.total, plane),
+        density_(fade, plane),
         c_(std::sqrt(0.5 * (1 + plane.facing))) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(fade.n); ++k) {
       const auto& pair = fade.pair[k];
       rooms_[n_rooms_++] = {border_of(overlap, false, pair.lower),
                             border_of(overlap, true, pair.upper), density_.by_room[k],
-                            density_.energy * pair.by_facing};
+                            plane.energy * pair.by_facing};
     }
     const auto& sum = overlap.sum;
     push(2 * density_.squared * c_ * sum.total + density_.linear * sum.area,
          2 * density_.squared * c_ * sum.moment + density_.linear * sum.first);
     for (int i = 0; i < plane.polygon.size; ++i) add_side(i);
+    if (overlap.deep.squared > 0) add_barrier(overlap.deep);
     for (std::size_t k = 0; k < n_rooms_; ++k) {
       const Room& room = rooms_[k];
       move_border(room.lower, room.upper, room, gradient_.lower);
@@ -96,14 +97,31 @@ class AreaGradient {
     const Real all = density_.squared * (a * a + a * b + b * b) / 3 + (at_p + at_q) / 2;
     const Real late =
         density_.squared * (a * a + 2 * a * b + 3 * b * b) / 12 + (at_p + 2 * at_q) / 6;
-    const Vec<2> out(q[1] - p[1], p[0] - q[0]);  // as long as the side
     const int side = area.side[static_cast<std::size_t>(i)];
-    if (side == Polygon::kCut) {
-      if (n_rooms_ == 0) return;
-      const Real width = out.norm() / (c_ * overlap_.penetration.slope.norm());
-      push(width * all, width * ((all - late) * p + late * q));
-      return;
+    if (side != Polygon::kCut) return move_side(p, q, side, {all, late});
+    if (n_rooms_ == 0) return;
+    const Real width = (q - p).norm() / (c_ * overlap_.penetration.slope.norm());
+    push(width * all, width * ((all - late) * p + late * q));
+  }
+
+  /// The push of the barrier, and what it has along the sides of the faces.
+  void add_barrier(const DeepArea& deep) {
+    push(3 * density_.cubed * deep.squared, 3 * density_.cubed * deep.moment);
+    const auto& area = deep.polygon;
+    for (int i = 0; i < area.size; ++i) {
+      const int side = area.side[static_cast<std::size_t>(i)];
+      if (side == Polygon::kCut) continue;
+      const Vec<2>& p = area[i];
+      const Vec<2>& q = area[i + 1 == area.size ? 0 : i + 1];
+      const SideMeans means = cubic_means(std::max(deep.u.at(p), 0.0), std::max(deep.u.at(q), 0.0));
+      move_side(p, q, side, {density_.cubed * means.all, density_.cubed * means.late});
     }
+  }
+
+  /// Moves the side from p to q by what moves the edge that it lies on; dU/dA along it.
+  void move_side(const Vec<2>& p, const Vec<2>& q, int side, const SideMeans& density) {
+    const auto [all, late] = density;
+    const Vec<2> out(q[1] - p[1], p[0] - q[0]);  // as long as the side
     const bool of_upper = side >= Polygon::kOfSecond;
     const Edge edge = edge_of(overlap_, of_upper, of_upper ? side - Polygon::kOfSecond : side);
     const Real begins = edge.share(p);
@@ -166,7 +184,7 @@ BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
 void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
                    const BorderFade<3>& fade, Real share, CommonPlane<3>& plane) {
   const AreaGradient area(overlap, fade, plane);
-  finish(lower, upper, overlap.opening, overlap.sum.total, fade, share, area.gradient(), plane);
+  finish(lower, upper, overlap.opening, fade, share, area.gradient(), plane);
 }
 
 }  // namespace brunt

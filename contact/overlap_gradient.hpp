@@ -19,29 +19,29 @@ struct OverlapGradient {
   }
 };
 
-/// dU/dA where G and the distances D from borders are known: squared G^2 + linear G and for each
-/// pair of borders by_room (D_l + D_u). What the sides of the overlap carry.
+/// dU/dA where G and the distances D from borders are known: squared G^2 + linear G, for each pair
+/// of borders by_room (D_l + D_u), and cubed u^3 of the barrier, u = G - g0 where it pushes. What
+/// the sides of the overlap carry.
 template <int Dim>
 struct Density {
   Real squared = 0, linear = 0;
-  Real energy;                                         ///< [m^(Dim + 1)] U
+  Real cubed = 0;                                      ///< [1/m]
   std::array<Real, BorderFade<Dim>::kMost> by_room{};  ///< of each pair of the fade
 
-  Density(const BorderFade<Dim>& fade, Real total, const CommonPlane<Dim>& plane) {
-    energy = 0.25 * plane.ramp * (1 + plane.facing) * total * plane.penetration;
+  Density(const BorderFade<Dim>& fade, const CommonPlane<Dim>& plane) {
     squared = 0.5 * plane.ramp;
-    linear = energy * fade.by_volume;
+    linear = plane.energy * fade.by_volume;
+    if (plane.barrier.onset > 0) cubed = plane.ramp * plane.barrier.steepness() / 3;
     for (int b = 0; b < fade.n; ++b) {
       const auto k = static_cast<std::size_t>(b);
-      by_room[k] = energy * fade.pair[k].by_room;
+      by_room[k] = plane.energy * fade.pair[k].by_room;
     }
   }
 };
 
 /// Sets the pushes of the plane.
-/// total  [m^3] integral of the penetration
 template <int Dim>
-void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening, Real total,
+void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening,
             const BorderFade<Dim>& fade, Real share, const OverlapGradient<Dim>& gradient,
             CommonPlane<Dim>& plane);
 

@@ -22,13 +22,15 @@ class LineGradient {
       : overlap_(overlap),
         plane_(plane),
         fade_(fade),
-        density_(fade, overlap.total, plane),
+        density_(fade, plane),
         c_(std::sqrt(0.5 * (1 + plane.facing))) {
     const Real m = overlap.middle();
     const Real first = overlap.first + m * overlap.area,
                moment = overlap.moment + m * overlap.total;
     push(2 * density_.squared * c_ * overlap.total + density_.linear * overlap.area,
          2 * density_.squared * c_ * moment + density_.linear * first);
+    const Real steep = 3 * density_.cubed;
+    push(steep * overlap.deep.squared, steep * overlap.deep.moment);
     for (const std::size_t e : {0, 1}) add_end(e);
     for (std::size_t k = 0; k < static_cast<std::size_t>(fade.n); ++k) {
       const auto& pair = fade.pair[k];
@@ -51,8 +53,8 @@ class LineGradient {
     const Real share = (s - overlap_.end[0]) / (overlap_.end[1] - overlap_.end[0]);
     return c_ * ((1 - share) * overlap_.penetration[0] + share * overlap_.penetration[1]);
   }
-  /// dU/dA at s, where G is g.
-  Real density(Real s, Real g) const {
+  /// dU/dA at s, where G is g, without the barrier.
+  Real squares(Real s, Real g) const {
     Real sum = density_.squared * g * g + density_.linear * g;
     for (std::size_t k = 0; k < static_cast<std::size_t>(fade_.n); ++k) {
       const auto& pair = fade_.pair[k];
@@ -61,6 +63,10 @@ class LineGradient {
       sum += density_.by_room[k] * (lower.into * (s - lower.at) + upper.into * (s - upper.at));
     }
     return sum;
+  }
+  /// With it.
+  Real density(Real s, Real g) const {
+    return squares(s, g) + plane_.ramp * plane_.barrier.energy(g);
   }
 
   /// Moves an end of the overlap by the corner that it is, or by G where it is 0.
@@ -93,10 +99,12 @@ class LineGradient {
     const Real width = overlap_.end[1] - overlap_.end[0];
     Real all = 0, moment = 0;  // Simpson's rule: cubic at most
     for (std::size_t i = 0; i < 3; ++i) {
-      const Real part = width * (i == 1 ? 4.0 : 1.0) / 6 * density(s[i], depth(s[i]));
+      const Real part = width * (i == 1 ? 4.0 : 1.0) / 6 * squares(s[i], depth(s[i]));
       all += part;
       moment += part * s[i];
     }
+    all += density_.cubed * overlap_.deep.cubed_by_length;
+    moment += density_.cubed * overlap_.deep.cubed_moment;
     gradient_.by_place = 2 * kPi * all * n[0];
     gradient_.by_normal = -2 * kPi * moment * n[0] * t;
   }
@@ -132,7 +140,7 @@ BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
 void add_potential(const FacePlane<2>& lower, const FacePlane<2>& upper, const OverlapLine& overlap,
                    const BorderFade<2>& fade, Real share, CommonPlane<2>& plane) {
   const LineGradient line(overlap, fade, plane);
-  finish(lower, upper, overlap.opening, overlap.total, fade, share, line.gradient(), plane);
+  finish(lower, upper, overlap.opening, fade, share, line.gradient(), plane);
 }
 
 }  // namespace brunt

@@ -61,16 +61,16 @@ struct OverlapArea {
   const Polygon& above;            ///< of the upper, back
   const LinearField& penetration;  ///< [m]
   const FieldIntegrals& sum;       ///< of it
+  const DeepArea& deep;            ///< where the barrier pushes
   Real opening;                    ///< [m] of it, which is no distance of the faces
 
   /// Largest less smallest penetration over the area, of the mean.
-  Real change(const Polygon& area) const {
-    Real least = kInfinity, most = 0;
-    for (int i = 0; i < area.size; ++i) {
-      const Real depth = penetration.at(area[i]);
-      least = std::min(least, depth), most = std::max(most, depth);
+  Real change(const CommonPlane<3>& plane) const {
+    Real least = kInfinity;
+    for (int i = 0; i < plane.polygon.size; ++i) {
+      least = std::min(least, penetration.at(plane.polygon[i]));
     }
-    return (most - least) * sum.area / sum.total;
+    return (plane.deepest - least) * sum.area / sum.total;
   }
 };
 
@@ -81,6 +81,7 @@ struct OverlapLine {
   std::array<Real, 2> penetration;   ///< [m] there
   Real area, first;                  ///< [m^2], [m^3] of s - middle
   Real total, moment;                ///< [m^3], [m^4] the same, weighted by the penetration
+  const DeepLine& deep;              ///< where the barrier pushes
   Real opening;                      ///< [m]
   const Section& section;
 
@@ -96,14 +97,14 @@ BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
 
 /// Sets plane.share and the pushes beside k volume along the normal, per k, that make of a share of
 /// the force minus the gradient of
-///   U = ramp omega k/2 int_P G^2 dA,  G(p) = n_l.(c_l - p) + n_u.(c_u - p) = cos(th/2) g,
-/// with the faces' mean planes (centre c, normal n), the overlap P of their outlines along the
-/// plane's normal as far as G > 0, and th the angle between them. Moving both faces as one changes
-/// nothing, so that the forces have no resultant and no moment. Its parts: the push
-/// N = ramp k int G dA along each face's own normal; what turns that normal; G^2/2 along the sides
-/// of P that are the faces' own, on the corners of that side; what turns the plane, which moves one
-/// outline over the other; and the same of omega. plane.ramp holds omega; all but the pushes is
-/// set.
+///   U = ramp omega k int_P w(G) dA,  G(p) = n_l.(c_l - p) + n_u.(c_u - p) = cos(th/2) g,
+/// w = G^2/2 and what the barrier has beside it, with the faces' mean planes (centre c, normal n),
+/// the overlap P of their outlines along the plane's normal as far as G > 0, and th the angle
+/// between them. Moving both faces as one changes nothing, so that the forces have no resultant and
+/// no moment. Its parts: the push N = ramp k int w' dA along each face's own normal; what turns
+/// that normal; w along the sides of P that are the faces' own, on the corners of that side; what
+/// turns the plane, which moves one outline over the other; and the same of omega. plane.ramp holds
+/// omega; all but the pushes is set.
 void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
                    const BorderFade<3>& fade, Real share, CommonPlane<3>& plane);
 void add_potential(const FacePlane<2>& lower, const FacePlane<2>& upper, const OverlapLine& overlap,

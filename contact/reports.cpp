@@ -118,10 +118,10 @@ void append_polygon(const Entities<Dim>& entities, const Section& section,
   const auto lower = entities.face_with(record.first), upper = entities.face_with(record.second);
   std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes,
-                                   PlaneNeeds{false, record.opening, record.bonded});
+                                   {.opening = record.opening, .whole = record.bonded});
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
-    if (plane.point != record.point) continue;
+    if (plane.ordinal != record.ordinal) continue;
     for (int c = 0; c < plane.polygon.size; ++c) {
       const Vec<2>& p = plane.polygon[c];
       append<Dim>(view.position, plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2);
