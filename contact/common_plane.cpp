@@ -20,7 +20,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Face
   if (!(facing > kFacing)) return false;
   plane.facing = facing;
   plane.share = 0;
-  plane.barrier = barrier;
+  plane.barrier = barrier.at(facing);
   plane.ramp = std::min((facing - kFacing) / (kFullFacing - kFacing), 1.0);
   plane.normal = (lower.normal - upper.normal).normalized();
   plane.origin = 0.5 * (lower.center + upper.center);
@@ -116,16 +116,19 @@ void set_weights(const Polygon& below, const Polygon& above, const Vec<2>& p, co
 template <int Dim, class Deep>
 Real set_spring(Real total, Real mean, const Deep& deep, bool whole, CommonPlane<Dim>& plane) {
   const auto& barrier = plane.barrier;
-  Real beside = 0, energy = 0.25 * (1 + plane.facing) * total * mean;
+  const Real linear = 0.25 * (1 + plane.facing) * total * mean;
+  Real beside = 0, energy = 0;
   if (whole) {
     beside = plane.area * barrier.pressure(mean);
-    energy += plane.area * barrier.energy(mean);
+    energy = plane.area * barrier.energy(mean);
   } else if (deep.squared > 0) {
     beside = half_cosine(plane) * barrier.steepness() * deep.squared;
-    energy += barrier.steepness() / 3 * deep.cubed;
+    energy = barrier.steepness() / 3 * deep.cubed;
   }
   plane.volume = plane.ramp * (total + beside);
-  plane.energy = plane.ramp * energy;
+  plane.energy = plane.ramp * (linear + energy);
+  const Real ramp_growth = plane.facing < kFullFacing ? 1 / (plane.facing - kFacing) : 0.0;
+  plane.energy_by_facing = ramp_growth * plane.energy + barrier.growth * plane.ramp * energy;
   return whole ? 0.0 : beside / (total + beside);
 }
 
@@ -154,7 +157,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
 
   DeepArea deep;
   if (!needs.whole) {
-    deep = deep_area(plane.polygon, penetration, half_cosine(plane), plane.deepest, needs.barrier);
+    deep = deep_area(plane.polygon, penetration, half_cosine(plane), plane.deepest, plane.barrier);
   }
   const OverlapArea area{below, above, penetration, sum, deep, needs.opening};
   const bool pushes = needs.pushes && !needs.whole;
@@ -228,7 +231,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   DeepLine deep;
   if (!needs.whole) {
     const Real c = half_cosine(plane);
-    deep = deep_line({from, to}, {c * depth[0], c * depth[1]}, needs.barrier, breadth);
+    deep = deep_line({from, to}, {c * depth[0], c * depth[1]}, plane.barrier, breadth);
   }
   const OverlapLine line{{below.s0, below.s1},
                          {above.s0, above.s1},

@@ -39,6 +39,7 @@ struct CommonPlane {
   /// plane's normal g grows by 1, but a corner that goes into a face goes along that face's normal,
   /// half the angle away (test 8: k d^3/(6 sin)).
   Real energy = 0;
+  Real energy_by_facing = 0;  ///< [m^4] by `facing`, of what fades in with it
   Real penetration = 0;       ///< [m] at `point`
   Real deepest = 0;           ///< [m] largest penetration
   std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones

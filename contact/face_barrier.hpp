@@ -14,12 +14,25 @@ namespace brunt {
 struct FaceBarrier {
   static constexpr Real kOnset = 0.125;  ///< g0 of the limit
   static constexpr Real kStrength = 10;  ///< b
-  Real onset = 0;                        ///< [m] g0; 0: there is none
+  /// Cosines of the angle between the faces from which it fades in, up to the whole of it. Faces
+  /// that meet at an angle may reach far behind each other, and begin to do so where a barrier is
+  /// highest.
+  static constexpr Real kFacing = 0.2, kFullFacing = 0.6;
+  Real onset = 0;             ///< [m] g0; 0: there is none
+  Real strength = kStrength;  ///< b
+  Real growth = 0;            ///< derivative of ln b by the cosine
 
   static FaceBarrier before(Real limit) { return {kOnset * limit}; }
+  /// The same between faces at an angle, by its cosine.
+  FaceBarrier at(Real facing) const {
+    const Real s = std::clamp((facing - kFacing) / (kFullFacing - kFacing), 0.0, 1.0);
+    if (s == 0) return {};
+    const Real slope = 6 * s * (1 - s) / (kFullFacing - kFacing), part = s * s * (3 - 2 * s);
+    return {onset, part * strength, slope / part};
+  }
   Real beyond(Real g) const { return onset > 0 ? std::max(g - onset, 0.0) : 0.0; }
   /// b/g0 [1/m]; there is a barrier.
-  Real steepness() const { return kStrength / onset; }
+  Real steepness() const { return strength / onset; }
   /// Its pressure and energy by area at a penetration g [m]: [m], [m^2].
   Real pressure(Real g) const {
     const Real u = beyond(g);

@@ -56,8 +56,9 @@ void take_approach_vote(const Entities<Dim>& entities, const FaceCandidate& cand
   const Real way = way_of(candidate.barrier(), below.height + above.height);
   if (way > closing * least) return;
   const Real relative = (entities.face_velocity(u) - entities.face_velocity(l)).norm();
-  const Real sweep = (closing + relative) * step.longest_of_faces;
-  if (!widened<Dim>(entities.reaches[l], sweep).meets(entities.reaches[u])) return;
+  // No farther than the lists see, whatever their skin.
+  const Real sweep = candidate.limit + std::max(closing, relative) * step.longest_of_faces;
+  if (!widened<Dim>(entities.boxes[l], sweep).meets(entities.boxes[u])) return;
   vote.take({way / closing, "contact speed", entities.faces[l].body, entities.faces[l].id});
 }
 

@@ -184,7 +184,7 @@ BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
 void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
                    const BorderFade<3>& fade, Real share, CommonPlane<3>& plane) {
   const AreaGradient area(overlap, fade, plane);
-  finish(lower, upper, overlap.opening, fade, share, area.gradient(), plane);
+  finish(lower, upper, overlap.opening, share, area.gradient(), plane);
 }
 
 }  // namespace brunt

@@ -41,8 +41,7 @@ struct Density {
 
 /// Sets the pushes of the plane.
 template <int Dim>
-void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening,
-            const BorderFade<Dim>& fade, Real share, const OverlapGradient<Dim>& gradient,
-            CommonPlane<Dim>& plane);
+void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening, Real share,
+            const OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane);
 
 }  // namespace brunt

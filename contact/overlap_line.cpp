@@ -140,7 +140,7 @@ BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
 void add_potential(const FacePlane<2>& lower, const FacePlane<2>& upper, const OverlapLine& overlap,
                    const BorderFade<2>& fade, Real share, CommonPlane<2>& plane) {
   const LineGradient line(overlap, fade, plane);
-  finish(lower, upper, overlap.opening, fade, share, line.gradient(), plane);
+  finish(lower, upper, overlap.opening, share, line.gradient(), plane);
 }
 
 }  // namespace brunt

@@ -83,20 +83,17 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real r
 }
 
 template <int Dim>
-void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening,
-            const BorderFade<Dim>& fade, Real share, const OverlapGradient<Dim>& gradient,
-            CommonPlane<Dim>& plane) {
+void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening, Real share,
+            const OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane) {
   const Real c = std::sqrt(0.5 * (1 + plane.facing));  // cos(th/2)
   const Vec<Dim> outlines = gradient.by_normal + turn_of_outline(lower, plane, gradient.lower) +
                             turn_of_outline(upper, plane, gradient.upper);
-  const Real ramp_slope = plane.facing < kFullFacing ? 1 / (kFullFacing - kFacing) : 0.0;
-  const Real fading = fade.factor * ramp_slope * plane.energy / plane.ramp;
   // By n = (n_l - n_u) / 2c, and by c itself in what of G is no distance of the faces.
   const Vec<Dim> by_plane = outlines / (2 * c) + 0.5 * gradient.push * opening * plane.normal;
   const Vec<Dim> by_lower = gradient.push * (lower.center - plane.origin) - gradient.push_moment +
-                            by_plane - fading * upper.normal;
+                            by_plane - plane.energy_by_facing * upper.normal;
   const Vec<Dim> by_upper = gradient.push * (upper.center - plane.origin) - gradient.push_moment -
-                            by_plane - fading * lower.normal;
+                            by_plane - plane.energy_by_facing * lower.normal;
 
   auto of_lower = gradient.lower, of_upper = gradient.upper;
   add_turn(lower, by_lower, of_lower);
@@ -120,9 +117,9 @@ void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real openi
 
 template struct BorderFade<2>;
 template struct BorderFade<3>;
-template void finish<2>(const FacePlane<2>&, const FacePlane<2>&, Real, const BorderFade<2>&, Real,
+template void finish<2>(const FacePlane<2>&, const FacePlane<2>&, Real, Real,
                         const OverlapGradient<2>&, CommonPlane<2>&);
-template void finish<3>(const FacePlane<3>&, const FacePlane<3>&, Real, const BorderFade<3>&, Real,
+template void finish<3>(const FacePlane<3>&, const FacePlane<3>&, Real, Real,
                         const OverlapGradient<3>&, CommonPlane<3>&);
 
 }  // namespace brunt
