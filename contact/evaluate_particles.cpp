@@ -72,8 +72,8 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
     if (before < -r) closing = -closing;
     before = std::fabs(before);
   }
-  const Real way = std::max(before - r - plane.warp, 0.0) +
-                   0.5 * std::min(r, held_behind(now.particle, entities.faces[f]));
+  const Real way =
+      std::max(before - r - plane.warp, 0.0) + 0.5 * std::min(r, entities.faces[f].half_thickness);
   const Real least = std::min(longest, vote.step);
   // Most take longer, which spares the division; one branch for all that has no vote.
   const bool none =
@@ -140,6 +140,20 @@ void add_hit(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& n
   hit.limit = held_behind(now.particle, face);
 }
 
+/// [N/m] what bounds the step of a particle on a face, as if both moved with their mass in series.
+/// On a free rigid body others may be as deep in the barrier, as many as its faces have room for:
+/// each has its section's part of the body's mass, m''. Springs of all faces at once have a bound
+/// of their own, vote_of_rigid.
+template <int Dim>
+Real stiffness_of(const ParticleSpring& spring, Real overlap, const Present<Dim>& now,
+                  const ContactFace<Dim>& face, Real mass) {
+  const Real tangent = spring.tangent(overlap);
+  if (face.compliance == 0) return tangent;
+  const Real part = face.areal_mass * section_of<Dim>(now.particle) * now.breadth;
+  const Real shared = std::min(mass, in_series(now.mass, part));
+  return spring.linear + (tangent - spring.linear) * mass / shared;
+}
+
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
 void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
@@ -172,7 +186,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
   const ParticleSpring spring{law.stiffness * now.breadth,
-                              barrier_of(law, now.particle, hit.limit) * now.breadth,
+                              barrier_of(law, now.particle, face) * now.breadth,
                               now.particle.radius};
   hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
@@ -180,7 +194,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   record.damping = std::max(hit.share * hit.damping * closing, -record.spring);
   if (mass > 0) {
     const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
-    squared_frequency += hit.share * spring.tangent(coming) / mass;
+    squared_frequency += hit.share * stiffness_of(spring, coming, now, face, mass) / mass;
   }
 }
 
