@@ -4,6 +4,7 @@
 #include "contact/box_query.hpp"
 #include "contact/evaluate.hpp"
 #include "contact/particle_law.hpp"
+#include "contact/particle_touches.hpp"
 
 namespace brunt {
 
@@ -225,73 +226,17 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
   warm_particle(now.particle, face, step, part);
 }
 
-/// What the particle keeps of a surface; those from `first` on are its own, in the order of
-/// surfaces.
-FirstTouch& touch_of(GlobalId particle, GlobalId surface, std::size_t first,
-                     std::vector<FirstTouch>& touches) {
-  const ContactKey key{1, 0, particle, surface};
-  auto at = touches.begin() + static_cast<std::ptrdiff_t>(first);
-  while (at != touches.end() && at->key < key) ++at;
-  if (at == touches.end() || !(at->key == key)) {
-    at = touches.insert(at, {key, 0, false, false, 0});
-  }
-  return *at;
-}
-
-/// Keeps the sides of open surfaces where the particle touches them.
-template <int Dim>
-void remember_sides(const ContactParticle& particle, std::size_t first,
-                    typename Records<Dim>::Part& part) {
-  for (const auto& hit : part.hits) {
-    if (!hit.kept || hit.side == 0) continue;
-    auto& touch =
-        touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches);
-    if (touch.side == 0) touch.side = hit.side;
-  }
-}
-
-/// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
-/// at time 0 begins with it.
-template <int Dim>
-void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
-                    typename Records<Dim>::Part& part) {
-  if (!step.time_zero && step.before->empty()) return;
-  auto& touches = part.particle_touches;
-  const std::size_t first = touches.size();
-  for (const auto& hit : part.hits) {
-    if (!hit.kept) continue;
-    const bool presses = pairs.of(particle.body, hit.body).initial_overlap == InitialOverlap::press;
-    // A smaller overlap is rounding.
-    const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
-    if (presses || hit.overlap <= least) continue;
-    if (!step.time_zero && !step.before->of_particle(particle.id, hit.body, hit.piece)) continue;
-    auto& touch = touch_of(particle.id, surface_of(hit.body, hit.piece), first, touches);
-    touch.overlap = std::max(touch.overlap, hit.overlap);
-  }
-  for (std::size_t i = first; i < touches.size(); ++i) {
-    auto& touch = touches[i];
-    if (!step.time_zero) {
-      const auto* before =
-          step.before->of_particle(particle.id, static_cast<Label>(touch.key.second >> 32),
-                                   static_cast<Label>(touch.key.second));
-      touch.overlap = std::min(touch.overlap, before->overlap);
-    }
-    for (auto& hit : part.hits) {
-      if (surface_of(hit.body, hit.piece) != touch.key.second) continue;
-      hit.overlap -= touch.overlap;
-      hit.pushes = hit.overlap > 0;
-    }
-  }
-}
-
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFinder& pairs,
                  const Section& section, const EvaluationStep& step, FrictionHistory<Dim>* history,
                  ParticleLoad& load, typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   const std::size_t first_touch = part.particle_touches.size();
+  const bool thin = entities.shallowest < now.particle.radius;
+  if (thin) recall_entries(entities, now.particle, step.touches, part.hits);
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   track_overlaps<Dim>(now.particle, pairs, step.touches, part);
+  if (thin) remember_entries<Dim>(entities, now.particle, first_touch, part);
   if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {

@@ -41,6 +41,12 @@ Real held_behind(const ContactParticle& particle, const ContactFace<Dim>& face) 
   return std::min(held, face.deforms() ? face.depth : 2 * face.half_thickness + particle.radius);
 }
 
+/// Whether the face is that of a plate of elements which, squeezed, may be passed in a step.
+template <int Dim>
+bool thin_for(const ContactParticle& particle, const ContactFace<Dim>& face) {
+  return face.deforms() && face.half_thickness < particle.radius;
+}
+
 /// b of the barrier of a face, per breadth: a particle at five times its speed of sound comes to
 /// rest a half thickness d of the plate behind it, 25/2 m c^2 = b d^4/(4 r^2), from where it would
 /// be nearer to the other side, and pushed out there.

@@ -83,8 +83,8 @@ std::vector<std::string> flight(Real mach, Real degrees) {
           "parameters.end=" + number(1e6 * end_of(mach, degrees * kPi / 180)) + " us"};
 }
 
-/// How many of the shots are not over the corner of the plate's upper side that is nearest to them
-/// along the plate, or do not fly away from its mean motion.
+/// How many of the shots are nearer to a corner of the plate's lower side than to all of its upper
+/// side, or do not fly away from its mean motion.
 int count_lost(const Simulation& run, int dim) {
   const auto &shots = run.bodies.at("shots"), &plate = run.bodies.at("plate");
   const auto& moved = field_named(plate.point_fields, "displacement")->values;
@@ -93,16 +93,19 @@ int count_lost(const Simulation& run, int dim) {
   const Real plate_speed = run.last(dim == 2 ? "body.plate.velocity.y" : "body.plate.velocity.z");
   int lost = 0;
   for (std::size_t s = 0; s < shots.position.size(); s += 3) {
-    Real nearest = kInfinity, height = 0;
+    Real upper = kInfinity, lower = kInfinity, aside = kInfinity;
     for (std::size_t i = 0; i < plate.position.size(); i += 3) {
-      if (plate.position[i + up] - moved[i + up] < -1e-9) continue;  // the lower side
-      const Real aside = std::hypot(plate.position[i] - shots.position[s],
-                                    dim == 3 ? plate.position[i + 1] - shots.position[s + 1] : 0.0);
-      if (aside < nearest)
-        nearest = aside, height = shots.position[s + up] - plate.position[i + up];
+      Vec3 arm;
+      for (std::size_t c = 0; c < 3; ++c) {
+        arm[static_cast<int>(c)] = plate.position[i + c] - shots.position[s + c];
+      }
+      auto& nearest = plate.position[i + up] - moved[i + up] < -1e-9 ? lower : upper;
+      nearest = std::min(nearest, arm.norm());
+      arm[dim - 1] = 0;
+      aside = std::min(aside, arm.norm());
     }
-    EXPECT_LT(nearest, 1e-3);
-    lost += height > 0 && v[s + up] > plate_speed ? 0 : 1;
+    EXPECT_LT(aside, 1e-3);
+    lost += upper < lower && v[s + up] > plate_speed ? 0 : 1;
   }
   return lost;
 }
@@ -125,14 +128,12 @@ void expect_none_lost(int dim, bool held, Real thick, Real mach, Real degrees) {
                                      << " mm, mach " << mach << ", " << degrees << " degrees";
 }
 
-// At 5 c, half of the plate's own speed of sound, a free plate of half a spacing is squeezed as it
-// is hit, its middle nearer than its depth at time 0, and one in nine passes: it is shot at with 2
-// c at most.
+// At 5 c, half of the plate's own speed of sound, a free plate of half a spacing is squeezed to a
+// tenth as it is hit: what comes out belongs to the side that it touched.
 void shoot(int dim, const std::vector<Real>& machs) {
   for (const bool held : {true, false}) {
     for (const Real thick : {0.5, 1.0, 2.0}) {
       for (const Real mach : machs) {
-        if (!held && thick == 0.5 && mach > 2) continue;
         for (const Real degrees : {0.0, 45.0}) expect_none_lost(dim, held, thick, mach, degrees);
       }
       expect_none_lost(dim, held, thick, 5, 80);
@@ -148,13 +149,13 @@ TEST(ThinPlate, NothingPassesInSpace) { shoot(3, {2, 5}); }
 
 // The step follows the depth of the thinnest face of all, whatever is listed.
 TEST(ThinPlate, KeepsItsBits) {
-  const auto run = shot(3, false, 0.5, 2, 45);
+  const auto run = shot(3, false, 0.5, 5, 0);
   RunVariation threads, lists, halves;
   threads.threads = 2;
   lists.rearrange_every_step = true;
   halves.split_at = run.steps / 2;
   for (const auto& variation : {threads, lists, halves}) {
-    EXPECT_EQ(shot(3, false, 0.5, 2, 45, variation).hashes, run.hashes);
+    EXPECT_EQ(shot(3, false, 0.5, 5, 0, variation).hashes, run.hashes);
   }
 }
 
@@ -238,8 +239,11 @@ void expect_none_below(int dim, Plate plate, bool file, Real thick, Real mach, R
   ASSERT_EQ(run.failure, "");
   ASSERT_EQ(run.bodies.at("shots").position.size(), 27u);
   EXPECT_EQ(count_below(run, dim), 0) << name;
-  std::printf("%s: steps %ld drift %.2e pairs %.2e of %.2e\n", name.c_str(), (long)run.steps,
-              run.worst_drift, run.last("energy.contact.pairs"), run.largest_energy());
+  EXPECT_LT(run.worst_drift, 1e-12) << name;  // rounding of a hundred steps
+  // Steps foresee their way into the barrier and are no longer than half of what is stable there:
+  // each of nine bounces, in another phase, gives or takes up to (w dt)^2/8 = 0.12 of its energy.
+  const Real bounce = 0.5 * 9 * (dim == 2 ? 1e-3 : 1e-6) * std::pow(mach * 100, 2);
+  EXPECT_LT(std::fabs(run.last("energy.contact.pairs")), 0.12 / 3 * bounce) << name;
 }
 
 void shoot_at_rigid(int dim, const std::vector<Real>& machs) {
@@ -256,7 +260,21 @@ void shoot_at_rigid(int dim, const std::vector<Real>& machs) {
 }
 
 TEST(ThinRigid, NothingPassesInThePlane) { shoot_at_rigid(2, {0.2, 1, 2, 5}); }
-TEST(ThinRigid, NothingPassesInSpace) { shoot_at_rigid(3, {1, 5}); }
+TEST(ThinRigid, NothingPassesInSpace) { shoot_at_rigid(3, {0.2, 1, 5}); }
+
+TEST(ThinRigid, KeepsItsBits) {
+  const auto shot = [](const RunVariation& variation) {
+    return rigid_shot(3, Plate::free, true, 0.5, 5, 45, variation);
+  };
+  const auto run = shot({});
+  RunVariation threads, lists, halves;
+  threads.threads = 2;
+  lists.rearrange_every_step = true;
+  halves.split_at = run.steps / 2;
+  for (const auto& variation : {threads, lists, halves}) {
+    EXPECT_EQ(shot(variation).hashes, run.hashes);
+  }
+}
 
 }  // namespace
 }  // namespace brunt::test
