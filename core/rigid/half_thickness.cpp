@@ -12,10 +12,12 @@ namespace {
 constexpr Real kOpposite = 0.866;
 /// Places along a facet, at most.
 constexpr Real kMostPlaces = 8;
-/// Boxes that stand for a ray: along a diagonal one would be far wider than the ray.
-constexpr std::size_t kBoxes = 4;
-/// Rays that are looked at together.
-constexpr std::size_t kRaysAtOnce = 50000;
+/// A ray is looked at in boxes of so many sizes of facets, as along a diagonal one would be far
+/// wider than the ray, but in no more than so many.
+constexpr Real kFacetsInBox = 3;
+constexpr Real kMostBoxes = 64;
+/// Boxes that are looked at together.
+constexpr std::size_t kBoxesAtOnce = 200000;
 /// Edges belong to both facets, up to rounding.
 constexpr Real kOnEdge = 1e-9;
 
@@ -103,23 +105,39 @@ void take_exit(const Facet<3>& facet, std::span<const Vec<3>> x, Ray<3>& ray) {
   if (facet.n_nodes() == 4) take_exit(a, c, corner_of(facet, x, 3), ray);
 }
 
-/// Lets some rays of a given length leave.
+/// Boxes [1] for a ray of a given length [m] among facets of given boxes.
 template <int Dim>
-void follow(std::span<const Vec<Dim>> x, Real length, std::span<const Facet<Dim>> facets,
-            std::vector<SearchBox<Dim>> boxes, std::span<Ray<Dim>> rays) {
+std::size_t boxes_of_a_ray(Real length, std::span<const SearchBox<Dim>> facets) {
+  std::vector<Real> size;
+  for (const auto& box : facets) {
+    Real widest = 0;
+    for (std::size_t c = 0; c < Dim; ++c) widest = std::max(widest, box.hi[c] - box.lo[c]);
+    size.push_back(widest);
+  }
+  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
+  std::nth_element(size.begin(), middle, size.end());
+  const Real wanted = *middle > 0 ? length / (kFacetsInBox * *middle) : kMostBoxes;
+  return static_cast<std::size_t>(std::clamp(std::ceil(wanted), 1.0, kMostBoxes));
+}
+
+/// Lets some rays of a given length leave, each looked at in so many boxes.
+template <int Dim>
+void follow(std::span<const Vec<Dim>> x, Real length, std::size_t n_boxes,
+            std::span<const Facet<Dim>> facets, std::vector<SearchBox<Dim>> boxes,
+            std::span<Ray<Dim>> rays) {
   const std::size_t n = facets.size();
   boxes.resize(n);
   for (const auto& ray : rays) {
     const auto at = [&](std::size_t k) {
-      const Real part = static_cast<Real>(k) / kBoxes;
+      const Real part = static_cast<Real>(k) / static_cast<Real>(n_boxes);
       return SearchBox<Dim>::about(ray.from + part * length * ray.along, kOnEdge * length);
     };
-    for (std::size_t k = 0; k < kBoxes; ++k) {
+    for (std::size_t k = 0; k < n_boxes; ++k) {
       boxes.push_back(at(k));
       boxes.back().enclose(at(k + 1));
     }
   }
-  const auto ray_of = [n](LocalIndex box) { return (static_cast<std::size_t>(box) - n) / kBoxes; };
+  const auto ray_of = [&](LocalIndex box) { return (static_cast<std::size_t>(box) - n) / n_boxes; };
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto f = static_cast<std::size_t>(i);
     if (f >= n || static_cast<std::size_t>(j) < n) return false;
@@ -144,9 +162,11 @@ void find_half_thickness(std::span<const Vec<Dim>> x, Real most, std::span<Facet
   }
   const Real length = most * (1 + kOpposite) / kOpposite;
   const std::span<Ray<Dim>> all(rays);
-  for (std::size_t first = 0; first < rays.size(); first += kRaysAtOnce) {
-    const std::size_t n = std::min(kRaysAtOnce, rays.size() - first);
-    follow<Dim>(x, length, facets, boxes, all.subspan(first, n));
+  const std::size_t n_boxes = rays.empty() ? 1 : boxes_of_a_ray<Dim>(length, boxes);
+  const std::size_t at_once = kBoxesAtOnce / n_boxes;
+  for (std::size_t first = 0; first < rays.size(); first += at_once) {
+    const std::size_t n = std::min(at_once, rays.size() - first);
+    follow<Dim>(x, length, n_boxes, facets, boxes, all.subspan(first, n));
   }
   for (auto& facet : facets) facet.half_thickness = kInfinity;
   for (const auto& ray : rays) {
