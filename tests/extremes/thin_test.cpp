@@ -262,6 +262,26 @@ void shoot_at_rigid(int dim, const std::vector<Real>& machs) {
 TEST(ThinRigid, NothingPassesInThePlane) { shoot_at_rigid(2, {0.2, 1, 2, 5}); }
 TEST(ThinRigid, NothingPassesInSpace) { shoot_at_rigid(3, {0.2, 1, 5}); }
 
+// Eighteen shots at once on a light plate, deep in its barrier: with damping nothing can leave with
+// more energy than came. Steps that know of one shot alone gave 2 to 10 % more.
+TEST(ThinRigid, ManyAtOnceGainNoEnergy) {
+  for (const auto& light : {std::pair("100 kg/m^3", "5 MPa"), std::pair("300 kg/m^3", "10 MPa"),
+                            std::pair("50 kg/m^3", "1 MPa")}) {
+    auto overrides = flight(5, 0);
+    overrides.push_back(std::string("materials.hard.density=") + light.first);
+    overrides.push_back(std::string("materials.hard.elastic.E=") + light.second);
+    overrides.push_back(
+        "bodies.shots.shape={brick-wall: {bricks: [18, 1], brick: [1 mm, 1 mm], gap: 0.03 mm, "
+        "origin: [0, 0.1 mm]}}");
+    const auto run = simulate_text(kDeck + kShots[0] + "  plate:\n    rigid: true\n" +
+                                       "    material: hard\n" + box_text(2, 0.5, 20),
+                                   overrides);
+    ASSERT_EQ(run.failure, "");
+    EXPECT_EQ(count_below(run, 2), 0) << light.first;
+    EXPECT_LT(run.last("energy.kinetic"), run.first("energy.kinetic")) << light.first;
+  }
+}
+
 TEST(ThinRigid, KeepsItsBits) {
   const auto shot = [](const RunVariation& variation) {
     return rigid_shot(3, Plate::free, true, 0.5, 5, 45, variation);
