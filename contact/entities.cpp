@@ -50,6 +50,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.capacity = facet.capacity, face.effusivity = facet.effusivity;
   face.specific_heat = facet.specific_heat;
   face.compliance = facet.compliance;
+  face.half_thickness = face.deforms() ? facet.depth : facet.half_thickness;
   face.open = facet.open;
   face.borders = facet.borders;
   return face;
@@ -209,7 +210,7 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   if (!imported.empty()) sort_by_id(faces);
   for (auto& face : faces) {
     if (face.deforms()) face.element_step = std::sqrt(2 * face.areal_mass / face.stiffness);
-    if (!face.rigid()) shallowest = std::min(shallowest, face.depth);
+    shallowest = std::min(shallowest, face.half_thickness);
   }
   planes.resize(faces.size());
   boxes.resize(faces.size());

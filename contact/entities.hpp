@@ -20,16 +20,17 @@ struct ContactFace {
   GlobalId id = 0;
   Label body = 0;
   Label piece = 0;
-  bool owned = true;      ///< pairs in which it is the lower face are evaluated here
-  Real stiffness = 0;     ///< [Pa/m] M/h
-  Real areal_mass = 0;    ///< [kg/m^2]
-  Real depth = 0;         ///< [m]
-  Real element_step = 0;  ///< [s] h/c of what is behind
-  Real area_start = 0;    ///< [m^2] at time 0
-  Real phi = 0;           ///< largest stiffness option with which anything may touch it
-  Real zeta = 0;          ///< largest damping option
-  Real footprint = 0;     ///< [m^2] of the largest particle that may touch it
-  Real capacity = 0;      ///< [J/m^2/K] or [kg/m^2] behind it, as of Facet; 0: takes no heat
+  bool owned = true;                ///< pairs in which it is the lower face are evaluated here
+  Real stiffness = 0;               ///< [Pa/m] M/h
+  Real areal_mass = 0;              ///< [kg/m^2]
+  Real depth = 0;                   ///< [m]
+  Real half_thickness = kInfinity;  ///< [m] before which particles have to turn; infinite: none
+  Real element_step = 0;            ///< [s] h/c of what is behind
+  Real area_start = 0;              ///< [m^2] at time 0
+  Real phi = 0;                     ///< largest stiffness option with which anything may touch it
+  Real zeta = 0;                    ///< largest damping option
+  Real footprint = 0;               ///< [m^2] of the largest particle that may touch it
+  Real capacity = 0;  ///< [J/m^2/K] or [kg/m^2] behind it, as of Facet; 0: takes no heat
   std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
   Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
   Real compliance = 0;  ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
@@ -90,7 +91,7 @@ struct Entities {
   std::vector<char> conducts;   ///< by surface: its points keep the temperature
   StepVote constant_vote;       ///< bound from the springs of particles
   Real deepest = 0;             ///< [m] largest depth of a face of any rank
-  Real shallowest = kInfinity;  ///< [m] smallest depth of the faces here but rigid ones
+  Real shallowest = kInfinity;  ///< [m] smallest half thickness of the faces here
   /// [m] smallest penetration at which faces let go, of all ranks
   Real least_limit = kInfinity;
   Real longest_step = kInfinity;  ///< [s] no step is longer: that of the elements behind all faces

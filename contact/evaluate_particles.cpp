@@ -4,6 +4,7 @@
 #include "contact/box_query.hpp"
 #include "contact/evaluate.hpp"
 #include "contact/particle_law.hpp"
+#include "contact/particle_touches.hpp"
 
 namespace brunt {
 
@@ -72,8 +73,8 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
     if (before < -r) closing = -closing;
     before = std::fabs(before);
   }
-  const Real way = std::max(before - r - plane.warp, 0.0) +
-                   0.5 * std::min(r, held_behind(now.particle, entities.faces[f]));
+  const Real way =
+      std::max(before - r - plane.warp, 0.0) + 0.5 * std::min(r, entities.faces[f].half_thickness);
   const Real least = std::min(longest, vote.step);
   // Most take longer, which spares the division; one branch for all that has no vote.
   const bool none =
@@ -140,6 +141,20 @@ void add_hit(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& n
   hit.limit = held_behind(now.particle, face);
 }
 
+/// [N/m] what bounds the step of a particle on a face, as if both moved with their mass in series.
+/// On a free rigid body others may be as deep in the barrier, as many as its faces have room for:
+/// each has its section's part of the body's mass, m''. Springs of all faces at once have a bound
+/// of their own, vote_of_rigid.
+template <int Dim>
+Real stiffness_of(const ParticleSpring& spring, Real overlap, const Present<Dim>& now,
+                  const ContactFace<Dim>& face, Real mass) {
+  const Real tangent = spring.tangent(overlap);
+  if (face.compliance == 0) return tangent;
+  const Real part = face.areal_mass * section_of<Dim>(now.particle) * now.breadth;
+  const Real shared = std::min(mass, in_series(now.mass, part));
+  return spring.linear + (tangent - spring.linear) * mass / shared;
+}
+
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
 void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
@@ -172,7 +187,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
   const ParticleSpring spring{law.stiffness * now.breadth,
-                              barrier_of(law, now.particle, hit.limit) * now.breadth,
+                              barrier_of(law, now.particle, face) * now.breadth,
                               now.particle.radius};
   hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
@@ -180,7 +195,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   record.damping = std::max(hit.share * hit.damping * closing, -record.spring);
   if (mass > 0) {
     const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
-    squared_frequency += hit.share * spring.tangent(coming) / mass;
+    squared_frequency += hit.share * stiffness_of(spring, coming, now, face, mass) / mass;
   }
 }
 
@@ -211,73 +226,17 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
   warm_particle(now.particle, face, step, part);
 }
 
-/// What the particle keeps of a surface; those from `first` on are its own, in the order of
-/// surfaces.
-FirstTouch& touch_of(GlobalId particle, GlobalId surface, std::size_t first,
-                     std::vector<FirstTouch>& touches) {
-  const ContactKey key{1, 0, particle, surface};
-  auto at = touches.begin() + static_cast<std::ptrdiff_t>(first);
-  while (at != touches.end() && at->key < key) ++at;
-  if (at == touches.end() || !(at->key == key)) {
-    at = touches.insert(at, {key, 0, false, false, 0});
-  }
-  return *at;
-}
-
-/// Keeps the sides of open surfaces where the particle touches them.
-template <int Dim>
-void remember_sides(const ContactParticle& particle, std::size_t first,
-                    typename Records<Dim>::Part& part) {
-  for (const auto& hit : part.hits) {
-    if (!hit.kept || hit.side == 0) continue;
-    auto& touch =
-        touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches);
-    if (touch.side == 0) touch.side = hit.side;
-  }
-}
-
-/// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
-/// at time 0 begins with it.
-template <int Dim>
-void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
-                    typename Records<Dim>::Part& part) {
-  if (!step.time_zero && step.before->empty()) return;
-  auto& touches = part.particle_touches;
-  const std::size_t first = touches.size();
-  for (const auto& hit : part.hits) {
-    if (!hit.kept) continue;
-    const bool presses = pairs.of(particle.body, hit.body).initial_overlap == InitialOverlap::press;
-    // A smaller overlap is rounding.
-    const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
-    if (presses || hit.overlap <= least) continue;
-    if (!step.time_zero && !step.before->of_particle(particle.id, hit.body, hit.piece)) continue;
-    auto& touch = touch_of(particle.id, surface_of(hit.body, hit.piece), first, touches);
-    touch.overlap = std::max(touch.overlap, hit.overlap);
-  }
-  for (std::size_t i = first; i < touches.size(); ++i) {
-    auto& touch = touches[i];
-    if (!step.time_zero) {
-      const auto* before =
-          step.before->of_particle(particle.id, static_cast<Label>(touch.key.second >> 32),
-                                   static_cast<Label>(touch.key.second));
-      touch.overlap = std::min(touch.overlap, before->overlap);
-    }
-    for (auto& hit : part.hits) {
-      if (surface_of(hit.body, hit.piece) != touch.key.second) continue;
-      hit.overlap -= touch.overlap;
-      hit.pushes = hit.overlap > 0;
-    }
-  }
-}
-
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFinder& pairs,
                  const Section& section, const EvaluationStep& step, FrictionHistory<Dim>* history,
                  ParticleLoad& load, typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   const std::size_t first_touch = part.particle_touches.size();
+  const bool thin = entities.shallowest < now.particle.radius;
+  if (thin) recall_entries(entities, now.particle, step.touches, part.hits);
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   track_overlaps<Dim>(now.particle, pairs, step.touches, part);
+  if (thin) remember_entries<Dim>(entities, now.particle, first_touch, part);
   if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {

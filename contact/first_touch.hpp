@@ -8,16 +8,20 @@ namespace brunt {
 /// What two faces or particles, or a particle and a surface, remember of how they met (contact.md
 /// 2.9): from time 0 an overlap of which contact takes no notice, which only shrinks, by as much as
 /// they open, and a bond of cohesion and tension, which breaks for good; and from when a particle
-/// came near an open surface the side from which it came, until it leaves.
+/// came near an open surface the side from which it came, until it leaves; and while it
+/// touches a thin plate of elements the face that was nearest.
 struct FirstTouch {
   ContactKey key;       ///< with ordinal 0; of a particle and a surface `second` is the surface
   Real overlap = 0;     ///< [m]
   bool bonded = false;  ///< in the last evaluation
   bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
   int side = 0;         ///< of an open surface: 1 before it, -1 behind it; 0: none
+  GlobalId entry = kNoEntry;  ///< of a thin plate: the face that was nearest to the particle
+
+  static constexpr GlobalId kNoEntry = ~GlobalId{0};
 
   /// False once nothing is left that would make the contact unlike any other.
-  bool matters() const { return overlap > 0 || bonded || side != 0; }
+  bool matters() const { return overlap > 0 || bonded || side != 0 || entry != kNoEntry; }
 };
 
 /// Names the surface that the pieces of a body show to particles.

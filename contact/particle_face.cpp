@@ -130,6 +130,19 @@ void find_side(const Vec<Dim>& x, Real radius, std::span<const ParticleHit<Dim>>
   hit.overlap = radius + (hit.inside ? hit.nearest.distance : -hit.nearest.distance);
 }
 
+/// Drops what lies behind the other side of a plate while the side of entry holds the centre:
+/// squeezed, it may be nearer.
+template <int Dim>
+void keep_side_of_entry(std::span<ParticleHit<Dim>> hits) {
+  for (const auto& own : hits) {
+    if (own.entry <= 0 || !own.kept || !own.inside || own.nearest.distance > own.limit) continue;
+    for (auto& hit : hits) {
+      const bool same_body = hit.body == own.body && hit.piece == own.piece;
+      if (same_body && hit.entry < 0) hit.kept = false;
+    }
+  }
+}
+
 /// A centre behind a surface belongs to the nearest face of that body; outside, to all it overlaps.
 template <int Dim>
 void keep_nearest_side(Real radius, std::span<ParticleHit<Dim>> hits) {
@@ -160,6 +173,7 @@ void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& 
   for (auto& hit : all) {
     if (hit.kept) find_side<Dim>(x, radius, all, hit);
   }
+  keep_side_of_entry(all);
   keep_nearest_side(radius, all);
   for (auto& hit : all) {
     hit.share = 0;

@@ -44,6 +44,9 @@ struct ParticleHit {
   /// Of an open surface: 1 before it, -1 behind it, where the particle belongs; 0: not known yet,
   /// or the particle is beside the rim. Given as it was, it goes out as it is.
   int side = 0;
+  /// Where the particle last touched a thin plate: 1 on the side of this face, -1 on the other; 0:
+  /// on neither.
+  int entry = 0;
   NearestPoint<Dim> nearest;
   bool inside = false;  ///< the particle's centre lies behind the surface, or on its other side
   bool kept = true;     ///< one of the contacts of this particle, or it just touches
@@ -61,9 +64,10 @@ struct ParticleHit {
 /// those that push the same way, as two bricks side by side do, share:
 /// share_i = d_i / sum_j d_j max(0, n_i . n_j), which is 1 alone or at right angles.
 /// A gap of a millionth of a diameter counts as touching, for heat: it has no share.
-/// An open surface is touched from both sides: a particle belongs to the one from which it came.
-/// hits  in order of face id; `plane`, `node`, `body`, `piece`, `limit`, `nearest`, of open
-///       surfaces `open` and `side` given.
+/// In a thin plate that gives way a centre belongs to the side on which it was when it last
+/// touched. An open surface is touched from both sides: a particle belongs to the one from which it
+/// came. hits  in order of face id; `plane`, `node`, `body`, `piece`, `limit`, `nearest`, of open
+///       surfaces `open` and `side`, of thin plates `entry` given.
 template <int Dim>
 void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits);
 

@@ -32,18 +32,28 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
           options.rubs() ? &options : nullptr};
 }
 
-/// How far behind the face the particle is held [m].
+/// How far behind the face the particle is held [m]. In front of a thin rigid body it no longer
+/// overlaps it stands so far behind the other side; nearer it may be where that is thin only
+/// elsewhere.
 template <int Dim>
 Real held_behind(const ContactParticle& particle, const ContactFace<Dim>& face) {
   const Real held = (face.open ? kOpenDepthRadii : kDepthRadii) * particle.radius;
-  return face.rigid() ? held : std::min(held, face.depth);
+  return std::min(held, face.deforms() ? face.depth : 2 * face.half_thickness + particle.radius);
 }
 
-/// b of the barrier of a face that holds the particle up to `held` [m] behind it, per breadth: one
-/// at five times the speed of sound comes to rest by then, 25/2 m c^2 = b held^4/(4 r^2). Where the
-/// plate is thin it would else be nearer to its other side, and pushed out there.
-inline Real barrier_of(const ParticleLaw& law, const ContactParticle& particle, Real held) {
-  const Real radii = held / particle.radius;
+/// Whether the face is that of a plate of elements which, squeezed, may be passed in a step.
+template <int Dim>
+bool thin_for(const ContactParticle& particle, const ContactFace<Dim>& face) {
+  return face.deforms() && face.half_thickness < particle.radius;
+}
+
+/// b of the barrier of a face, per breadth: a particle at five times its speed of sound comes to
+/// rest a half thickness d of the plate behind it, 25/2 m c^2 = b d^4/(4 r^2), from where it would
+/// be nearer to the other side, and pushed out there.
+template <int Dim>
+Real barrier_of(const ParticleLaw& law, const ContactParticle& particle,
+                const ContactFace<Dim>& face) {
+  const Real radii = face.half_thickness / particle.radius;
   return kBarrier * law.own * std::max(1.0, 25 / (radii * radii * radii * radii));
 }
 

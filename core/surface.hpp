@@ -21,6 +21,9 @@ struct Facet {
   /// [m] penetration at which it lets go: depth of the element normal to the face at its birth,
   /// half of it where the element's other face is free too; rigid: 0
   Real depth = 0;
+  /// [m] of a closed rigid body: to the middle between the facet and what lies opposite; infinite:
+  /// thick, open or no rigid body (core/rigid/half_thickness.hpp)
+  Real half_thickness = kInfinity;
   /// [J/m^2/K] rho cp h / 2 of the element behind; [kg/m^2] rho h / 2 where its cp varies; 0: takes
   /// no heat
   Real capacity = 0;

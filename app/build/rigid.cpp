@@ -1,12 +1,15 @@
 #include "app/build/rigid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <span>
 #include <stdexcept>
 
 #include "app/build/materials.hpp"
+#include "contact/particle_face.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/rigid/half_thickness.hpp"
 #include "core/rigid/mass_properties.hpp"
 
 namespace brunt {
@@ -169,6 +172,19 @@ std::vector<Real> mass_shares(std::span<const FreeBody<Dim>> bodies, const Point
   return shares;
 }
 
+template <int Dim>
+void find_half_thicknesses(Scene<Dim>& scene) {
+  Real radius = 0;  // [m] of the largest particle
+  for (const auto& solid : scene.solids) {
+    for (const auto& one : solid->surface().particles) radius = std::max(radius, one.radius);
+  }
+  if (radius == 0) return;
+  for (auto& solid : scene.solids) {
+    auto& surface = solid->surface();
+    find_half_thickness<Dim>(surface.points->x_start, kDepthRadii * radius, surface.facets);
+  }
+}
+
 template RigidMotion<2> motion_of<2>(const deck::Body&, Label, const Vec<2>&);
 template RigidMotion<3> motion_of<3>(const deck::Body&, Label, const Vec<3>&);
 template std::vector<FreeBody<2>> free_bodies_of<2>(const LoadedDeck&, const Scene<2>&, Surface<2>&,
@@ -177,5 +193,7 @@ template std::vector<FreeBody<3>> free_bodies_of<3>(const LoadedDeck&, const Sce
                                                     std::vector<DeckProblem>&);
 template std::vector<Real> mass_shares<2>(std::span<const FreeBody<2>>, const Points<2>&);
 template std::vector<Real> mass_shares<3>(std::span<const FreeBody<3>>, const Points<3>&);
+template void find_half_thicknesses<2>(Scene<2>&);
+template void find_half_thicknesses<3>(Scene<3>&);
 
 }  // namespace brunt

@@ -17,6 +17,11 @@ std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<
                                           Surface<Dim>& surface,
                                           std::vector<DeckProblem>& problems);
 
+/// Tells the facets of rigid bodies how thick the body is behind them, as far as the particles of
+/// the scene ask.
+template <int Dim>
+void find_half_thicknesses(Scene<Dim>& scene);
+
 /// Shares [kg] of the bodies' masses for their points, with the centre of each as their mean: m/n,
 /// and more towards it, as little as squares allow: w = m/n + b.(x - mean), where
 /// sum w x = m center. Other points have none.

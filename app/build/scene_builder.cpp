@@ -155,6 +155,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   check_overlaps(loaded, *scene, problems);
   const ContactOptions options = contact_options(deck);
   if (anything_can_touch(deck, options)) {
+    find_half_thicknesses(*scene);
     std::vector<Surface<Dim>*> surfaces;
     for (auto& solid : scene->solids) surfaces.push_back(&solid->surface());
     scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,

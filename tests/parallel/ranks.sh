@@ -57,6 +57,7 @@ cases=(
   "decks/bricks 1.2_ms"
   "decks/sheet 15_us"
   "decks/solids 0.5_ms"
+  "decks/thin 4_us"
 )
 status=0
 path_of() { case $1 in */*) echo "$1.yaml" ;; *) echo "$1/$1.yaml" ;; esac; }

@@ -51,21 +51,25 @@ TEST(ParticleLaw, HoldsNoDeeperThanTheBody) {
   EXPECT_EQ(held_behind(particle(), one), 1);
   one.stiffness = 0;
   EXPECT_EQ(held_behind(particle(), one), 3);
+  one.open = false;
+  EXPECT_EQ(held_behind(particle(), one), 1.5);
+  one.half_thickness = 0.2;  // in front of it the other side is 0.4 behind
+  EXPECT_EQ(held_behind(particle(), one), 0.9);
 }
 
 // 25/2 m c^2 of a particle at five times its speed of sound, m c^2 = M (2 r)^3, is what the barrier
-// holds where the face lets go, of faces that hold no deeper than 5^(1/2) r; deeper ones stop it
-// there.
-TEST(ParticleLaw, BarrierStopsFiveSpeedsOfSoundBeforeTheFaceLetsGo) {
+// holds at the middle of plates that are no thicker than 2 5^(1/2) r; thicker ones stop it there.
+TEST(ParticleLaw, BarrierStopsFiveSpeedsOfSoundBeforeTheMiddle) {
   PairOptions options;
   options.stiffness = 0.5;
   const ContactParticle one = particle();
   const ParticleLaw law = law_of(one, face(), options);
   const Real energy = 12.5 * 2e9;
-  for (const Real radii : {0.1, 0.5, 1.0, std::sqrt(5.0), 3.0}) {
-    const Real held = radii * one.radius;
-    const ParticleSpring barrier{0, barrier_of(law, one, held), one.radius};
-    const Real stopped = std::min(held, std::sqrt(5.0) * one.radius);
+  for (const Real radii : {0.1, 0.5, 1.0, std::sqrt(5.0), 3.0, kInfinity}) {
+    ContactFace<3> plate = face();
+    plate.half_thickness = radii * one.radius;
+    const ParticleSpring barrier{0, barrier_of(law, one, plate), one.radius};
+    const Real stopped = std::min(radii, std::sqrt(5.0)) * one.radius;
     EXPECT_NEAR(barrier.energy(one.radius + stopped), energy, 1e-12 * energy) << radii;
   }
 }
