@@ -43,19 +43,18 @@ class Clock {
 
   /// Time, step and whose the step was, in the one row of the table "clock".
   void save_state(std::vector<StateTable>& tables) const {
-    save_rows(
-        "clock", 1, only_row, [&](auto& row, std::size_t) { visit(row, *this); }, tables);
+    save_row(
+        "clock", [&](auto& row) { visit(row, *this); }, tables);
   }
   /// `end`, safety and the longest step stay as they are. Throws StateError.
   void load_state(const StateTables& tables) {
-    load_rows(
-        "clock", 1, only_row, [&](auto& row, std::size_t) { visit(row, *this); }, tables);
+    load_row(
+        "clock", [&](auto& row) { visit(row, *this); }, tables);
     last_ = stopped_ = false;
     whose_.reason = "before the restart";
   }
 
  private:
-  static GlobalId only_row(std::size_t) { return 0; }
   template <class Row, class AnyClock>
   static void visit(Row& row, AnyClock& clock) {
     row(clock.time_), row(clock.dt_), row(clock.step_);

@@ -17,7 +17,7 @@ Bytes packed(const std::vector<FramePiece>& pieces) {
   return packer.take();
 }
 
-std::vector<FramePiece> unpacked(const Bytes& bytes) {
+std::vector<FramePiece> pieces_in(const Bytes& bytes) {
   std::vector<FramePiece> pieces;
   Unpacker from(bytes);
   while (!from.done()) {
@@ -71,7 +71,7 @@ class VtkFrames final : public FrameSink {
     for (const auto& body : bodies) names.push_back(body.body);
     std::vector<std::vector<FramePiece>> pieces;
     pieces.reserve(written.size());
-    for (const Bytes& bytes : written) pieces.push_back(unpacked(bytes));
+    for (const Bytes& bytes : written) pieces.push_back(pieces_in(bytes));
     writer().join(time, names, pieces);
   }
 

@@ -186,14 +186,14 @@ void visit_boundary(Row& row, Boundary& boundary, std::size_t k) {
   row(boundary.rate[k]);
   row(boundary.heat[k]);
 }
-std::string table_of(const std::string& boundary) { return "heat." + boundary; }
+std::string heat_table(const std::string& boundary) { return "heat." + boundary; }
 }  // namespace
 
 template <int Dim>
 void HeatBoundaries<Dim>::save_state(std::vector<StateTable>& tables) const {
   for (const auto& boundary : boundaries_) {
     save_chosen(
-        table_of(boundary.name), *boundary.points, boundary.chosen,
+        heat_table(boundary.name), *boundary.points, boundary.chosen,
         [&](auto& row, std::size_t k) { visit_boundary(row, boundary, k); }, tables);
   }
 }
@@ -202,7 +202,7 @@ template <int Dim>
 void HeatBoundaries<Dim>::load_state(const StateTables& tables) {
   for (auto& boundary : boundaries_) {
     load_chosen(
-        table_of(boundary.name), *boundary.points, boundary.chosen,
+        heat_table(boundary.name), *boundary.points, boundary.chosen,
         [&](auto& row, std::size_t k) { visit_boundary(row, boundary, k); }, tables);
   }
 }

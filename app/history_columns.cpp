@@ -9,8 +9,6 @@
 namespace brunt {
 
 namespace {
-constexpr const char* kAxes[] = {"x", "y", "z"};
-
 /// The energy [J] that rounding alone may put into a scene at rest: strains of 1e-12 in all of it,
 /// 1e-24 M V = 1e-24 m c^2. Drift is never measured against less, so that a body to which nothing
 /// happens yet does not drift by its whole energy of rounding.
@@ -226,27 +224,19 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   return row;
 }
 
-namespace {
-GlobalId only_row(std::size_t) { return 0; }
-}  // namespace
-
 template <int Dim>
 void HistoryColumns<Dim>::save_state(std::vector<StateTable>& tables) const {
-  save_rows(
-      "history.drift", 1, only_row,
-      [&](auto& row, std::size_t) {
-        row(first_), row(total_start_), row(largest_), row(largest_heat_);
-      },
+  save_row(
+      "history.drift",
+      [&](auto& row) { row(first_), row(total_start_), row(largest_), row(largest_heat_); },
       tables);
 }
 
 template <int Dim>
 void HistoryColumns<Dim>::load_state(const StateTables& tables) {
-  load_rows(
-      "history.drift", 1, only_row,
-      [&](auto& row, std::size_t) {
-        row(first_), row(total_start_), row(largest_), row(largest_heat_);
-      },
+  load_row(
+      "history.drift",
+      [&](auto& row) { row(first_), row(total_start_), row(largest_), row(largest_heat_); },
       tables);
 }
 

@@ -156,8 +156,6 @@ void Loads<Dim>::add_totals(Totals<Dim>& totals) const {
 }
 
 namespace {
-GlobalId only_row(std::size_t) { return 0; }
-
 template <class Row, class Body>
 void visit_body(Row& row, Body& body, std::size_t i) {
   if (!body.load_work.empty()) row(body.load_work[i]);
@@ -179,15 +177,15 @@ void visit_force(Row& row, Force& force, std::size_t k) {
   row(force.work[k]);
 }
 
-std::string table_of(const std::string& force) { return "force." + force; }
+std::string force_table(const std::string& force) { return "force." + force; }
 }  // namespace
 
 template <int Dim>
 void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
   for (const auto& body : bodies_) {
     const std::uint64_t fresh = body.fresh;
-    save_rows(
-        "loads", 1, only_row, [&](auto& row, std::size_t) { row(fresh); }, tables);
+    save_row(
+        "loads", [&](auto& row) { row(fresh); }, tables);
     if (body.load_work.empty() && body.damping_work.empty()) continue;
     save_rows(
         "loads.points", static_cast<std::size_t>(body.points->n_owned),
@@ -201,7 +199,7 @@ void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
   }
   for (const auto& force : forces_) {
     save_chosen(
-        table_of(force.name), *force.points, force.chosen,
+        force_table(force.name), *force.points, force.chosen,
         [&](auto& row, std::size_t k) { visit_force(row, force, k); }, tables);
   }
 }
@@ -210,8 +208,8 @@ template <int Dim>
 void Loads<Dim>::load_state(const StateTables& tables) {
   for (auto& body : bodies_) {
     std::uint64_t fresh = 0;
-    load_rows(
-        "loads", 1, only_row, [&](auto& row, std::size_t) { row(fresh); }, tables);
+    load_row(
+        "loads", [&](auto& row) { row(fresh); }, tables);
     body.fresh = fresh != 0;
     if (body.load_work.empty() && body.damping_work.empty()) continue;
     load_rows(
@@ -226,7 +224,7 @@ void Loads<Dim>::load_state(const StateTables& tables) {
   }
   for (auto& force : forces_) {
     load_chosen(
-        table_of(force.name), *force.points, force.chosen,
+        force_table(force.name), *force.points, force.chosen,
         [&](auto& row, std::size_t k) { visit_force(row, force, k); }, tables);
   }
 }

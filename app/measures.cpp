@@ -11,10 +11,9 @@ namespace brunt {
 
 namespace {
 int component(const Field& field, const std::string& suffix) {
-  static constexpr const char* vector[] = {"x", "y", "z"};
   static constexpr const char* tensor[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
   for (int c = 0; c < field.components; ++c) {
-    if (suffix == (field.components == 3 ? vector[c] : tensor[c])) return c;
+    if (suffix == (field.components == 3 ? kAxes[c] : tensor[c])) return c;
   }
   if (field.components == 6 && suffix == "xz") return zx;
   throw std::invalid_argument("the field '" + field.name + "' has no component '" + suffix + "'");

@@ -10,7 +10,6 @@ namespace {
 constexpr const char* kWarnings = "warnings";
 constexpr const char* kFrames = "frames";
 
-GlobalId only_row(std::size_t) { return 0; }
 GlobalId number(std::size_t k) { return k; }
 
 /// One value of a list in a table.
@@ -41,8 +40,8 @@ void Monitor<Dim>::visit(Row& row, AnyMonitor& monitor) {
 template <int Dim>
 void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
                               std::map<std::string, std::string>& texts) const {
-  save_rows(
-      "monitor", 1, only_row, [&](auto& row, std::size_t) { visit(row, *this); }, tables);
+  save_row(
+      "monitor", [&](auto& row) { visit(row, *this); }, tables);
   collector_->save_state(tables);
   save_rows(
       "history", rows_.size(), number,
@@ -73,8 +72,8 @@ void Monitor<Dim>::load_state(const StateTables& tables,
                               const std::map<std::string, std::string>& texts, const Clock& clock,
                               const std::filesystem::path& frames) {
   const std::string frame_index = frames_ ? text_of(texts, kFrames) : "";
-  load_rows(
-      "monitor", 1, only_row, [&](auto& row, std::size_t) { visit(row, *this); }, tables);
+  load_row(
+      "monitor", [&](auto& row) { visit(row, *this); }, tables);
   collector_->load_state(tables);
   // A row has a value a column, of which the last is the hash.
   rows_.assign(tables.rows("history").size(), std::vector<Real>(columns_.size() - 1));

@@ -176,7 +176,7 @@ Bytes packed(const PhysicsFailure& failure) {
       .take();
 }
 
-PhysicsFailure unpacked(const Bytes& bytes) {
+PhysicsFailure failure_in(const Bytes& bytes) {
   PhysicsFailure failure;
   Unpacker(bytes) >> failure.time >> failure.body >> failure.entity >> failure.quantity >>
       failure.value >> failure.cause;
@@ -187,7 +187,7 @@ PhysicsFailure unpacked(const Bytes& bytes) {
 void agree(const std::optional<PhysicsFailure>& mine, const Communicator& ranks) {
   if (!ranks.any(mine.has_value())) return;
   for (const Bytes& bytes : ranks.all_gather(mine ? packed(*mine) : Bytes{})) {
-    if (!bytes.empty()) throw PhysicsError(unpacked(bytes));
+    if (!bytes.empty()) throw PhysicsError(failure_in(bytes));
   }
 }
 }  // namespace

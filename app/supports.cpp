@@ -195,7 +195,7 @@ void visit_held(Row& row, Held& held, std::size_t k) {
   row(held.work[k]);
 }
 
-std::string table_of(const std::string& constraint) { return "support." + constraint; }
+std::string support_table(const std::string& constraint) { return "support." + constraint; }
 std::string rigid_table(std::size_t group) {
   return group == 0 ? "rigid" : "rigid." + std::to_string(group);
 }
@@ -212,7 +212,7 @@ void Supports<Dim>::save_state(std::vector<StateTable>& tables) const {
   }
   for (const auto& held : constraints_) {
     save_chosen(
-        table_of(held.name), *held.points, held.chosen,
+        support_table(held.name), *held.points, held.chosen,
         [&](auto& row, std::size_t k) { visit_held(row, held, k); }, tables);
   }
 }
@@ -228,7 +228,7 @@ void Supports<Dim>::load_state(const StateTables& tables) {
   }
   for (auto& held : constraints_) {
     load_chosen(
-        table_of(held.name), *held.points, held.chosen,
+        support_table(held.name), *held.points, held.chosen,
         [&](auto& row, std::size_t k) { visit_held(row, held, k); }, tables);
   }
 }

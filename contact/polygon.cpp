@@ -3,7 +3,7 @@
 namespace brunt {
 
 namespace {
-Real cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+Real plane_cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 }  // namespace
 
 namespace {
@@ -61,7 +61,7 @@ Polygon intersect(const Polygon& a, const Polygon& b) {
 Real area(const Polygon& polygon) {
   Real twice = 0;
   for (int i = 1; i + 1 < polygon.size; ++i) {
-    twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    twice += plane_cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
   }
   return 0.5 * twice;
 }
@@ -74,7 +74,7 @@ FieldIntegrals integrate(const Polygon& polygon, const LinearField& g) {
   for (int i = 1; i + 1 < polygon.size; ++i) {
     const Vec<2>& q = polygon[i];
     const Vec<2>& r = polygon[i + 1];
-    const Real triangle = 0.5 * cross(q - p, r - p);
+    const Real triangle = 0.5 * plane_cross(q - p, r - p);
     const Real at_q = g.at(q), at_r = g.at(r), at_all = at_p + at_q + at_r;
     sum.area += triangle;
     sum.total += triangle * at_all / 3;

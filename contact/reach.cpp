@@ -10,15 +10,6 @@ ContactNodeName name_of(const ContactNodes<Dim>& nodes, LocalIndex node) {
   const auto i = static_cast<std::size_t>(node);
   return {nodes.surface[i], nodes.id[i]};
 }
-
-/// Where the entity with an id stands, in a table that is sorted by id.
-template <class Table>
-std::size_t place_of(const Table& table, GlobalId id) {
-  const auto at =
-      std::lower_bound(table.begin(), table.end(), id,
-                       [](const auto& one, GlobalId wanted) { return one.id < wanted; });
-  return static_cast<std::size_t>(at - table.begin());
-}
 }  // namespace
 
 template <int Dim>
@@ -57,8 +48,8 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
   own.records.visit([&](const ContactRecord<Dim>& record) {
     auto& touch = all.touches.emplace_back();
     touch.of_particle = record.of_particle;
-    touch.evaluator = record.of_particle ? place_of(entities.particles, record.first)
-                                         : place_of(entities.faces, record.first);
+    touch.evaluator = record.of_particle ? entities.particle_with(record.first)
+                                         : entities.face_with(record.first);
     for (std::size_t i = 0; i < static_cast<std::size_t>(record.n_nodes); ++i) {
       touch.node.push_back(name_of(entities.nodes, record.node[i]));
     }

@@ -46,7 +46,6 @@ void visit_common(Row& row, AnyCommon& common) {
   row(common.dt_last);
   row(common.started);
 }
-GlobalId only_row(std::size_t) { return 0; }
 
 }  // namespace
 
@@ -54,8 +53,8 @@ template <int Dim>
 void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
   const auto& own = *implementation_;
   const Common common{own.dt_last, own.started ? 1u : 0u};
-  save_rows(
-      "contact", 1, only_row, [&](auto& row, std::size_t) { visit_common(row, common); }, tables);
+  save_row(
+      "contact", [&](auto& row) { visit_common(row, common); }, tables);
   const auto& nodes = own.entities.nodes;
   for (std::size_t s = 0; s < own.surfaces.size(); ++s) {
     const auto chosen = nodes_of(nodes, s, true);
@@ -71,8 +70,8 @@ template <int Dim>
 void ContactManager<Dim>::load_state(const StateTables& tables) {
   auto& own = *implementation_;
   Common common;
-  load_rows(
-      "contact", 1, only_row, [&](auto& row, std::size_t) { visit_common(row, common); }, tables);
+  load_row(
+      "contact", [&](auto& row) { visit_common(row, common); }, tables);
   auto& nodes = own.entities.nodes;
   for (std::size_t s = 0; s < own.surfaces.size(); ++s) {
     const auto chosen = nodes_of(nodes, s, false);

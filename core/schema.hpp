@@ -94,6 +94,10 @@ class Schema {
 
   /// The geometry of the deck, on which numbers of components and some needs depend.
   virtual Geometry geometry() const { return Geometry::three_d; }
+  /// Its axes: x, y, and z in 3D.
+  std::span<const char* const> axes() const {
+    return {kAxes, geometry() == Geometry::three_d ? 3u : 2u};
+  }
 
   virtual void real(const Key& key, Real& value, const Quantity& quantity) = 0;
   virtual void real(const Key& key, std::optional<Real>& value, const Quantity& quantity) = 0;

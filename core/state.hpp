@@ -157,4 +157,20 @@ void load_rows(const std::string& name, std::size_t n, const Id& id, const Visit
   }
 }
 
+/// Adds the table `name` of one row, with id 0. visit(row) hands every value to row.
+template <class Visit>
+void save_row(const std::string& name, const Visit& visit, std::vector<StateTable>& tables) {
+  save_rows(
+      name, 1, [](std::size_t) { return GlobalId{0}; }, [&](auto& row, std::size_t) { visit(row); },
+      tables);
+}
+
+/// Reads back what save_row wrote; visit as there. Throws StateError.
+template <class Visit>
+void load_row(const std::string& name, const Visit& visit, const StateTables& tables) {
+  load_rows(
+      name, 1, [](std::size_t) { return GlobalId{0}; }, [&](auto& row, std::size_t) { visit(row); },
+      tables);
+}
+
 }  // namespace brunt

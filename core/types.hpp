@@ -32,6 +32,9 @@ inline constexpr Real kPi = 3.14159265358979323846;
 /// What the two coordinates of a 2D deck mean; a 3D deck is three_d.
 enum class Geometry : std::uint8_t { three_d, plane_strain, axisymmetric };
 
+/// Names of the components of a vector.
+inline constexpr const char* kAxes[] = {"x", "y", "z"};
+
 /// Components of a symmetric tensor, in the order in which every array of brunt stores them.
 enum SymmetricIndex : int { xx = 0, yy = 1, zz = 2, xy = 3, yz = 4, zx = 5 };
 

@@ -8,9 +8,9 @@
 namespace brunt {
 
 namespace {
-constexpr Real kHeavy = 0.5;        // of an element or spacing: contact would throw bodies apart
-constexpr Real kSamePlace = 1e-9;   // of a spacing: rounding of lattices that coincide
-constexpr std::size_t kWork = 2e7;  // points times facets that one pair of bodies is worth
+constexpr Real kHeavy = 0.5;       // of an element or spacing: contact would throw bodies apart
+constexpr Real kSamePlace = 1e-9;  // of a spacing: rounding of lattices that coincide
+constexpr std::size_t kMostWork = 2e7;  // points times facets that one pair of bodies is worth
 
 /// The skin of one body at time 0: segments in 2D, triangles in 3D, outward; particles have none.
 template <int Dim>
@@ -138,7 +138,7 @@ Real depth_in(const Skin<Dim>& body, const Skin<Dim>& other) {
     const bool inside = (x - other.low).minCoeff() > 0 && (other.high - x).minCoeff() > 0;
     if (inside || other.plane) near.push_back(x);
   }
-  const std::size_t stride = near.size() * other.simplices.size() / kWork + 1;
+  const std::size_t stride = near.size() * other.simplices.size() / kMostWork + 1;
   Real deepest = 0;
   for (std::size_t i = 0; i < near.size(); i += stride) {
     deepest = std::max(deepest, depth_of(near[i], other));

@@ -5,19 +5,14 @@
 namespace brunt::deck {
 
 namespace {
-constexpr const char* kAxes[] = {"x", "y", "z"};
 constexpr std::array kOverTime{Varying::Over::time, Varying::Over::expression};
-
-std::span<const char* const> axes_of(const Schema& s) {
-  return {kAxes, s.geometry() == Geometry::three_d ? 3u : 2u};
-}
 }  // namespace
 
 void describe(Schema&, WhereAll&) {}
 void describe(Schema&, WhereSurface&) {}
 
 void describe(Schema& s, WherePlane& where) {
-  s.choice({"axis", "axis that the plane cuts", Need::required}, where.axis, axes_of(s));
+  s.choice({"axis", "axis that the plane cuts", Need::required}, where.axis, s.axes());
   s.real({"at", "where it cuts the axis", Need::required}, where.at, {"m"});
 }
 
@@ -59,7 +54,7 @@ void describe(Schema& s, Boundary& boundary) {
   static constexpr const char* kLater[] = {"pressure", "nonreflecting"};
   s.text({"body", "name of a body", Need::required}, boundary.body);
   s.one_of({"where", "which of its points, at time 0", Need::required}, boundary.where);
-  s.words({"fix", "components that do not move"}, boundary.fix, axes_of(s));
+  s.words({"fix", "components that do not move"}, boundary.fix, s.axes());
   s.components({"velocity", "prescribed velocity, each component or free"}, boundary.velocity,
                {"m/s", {}, between(-1e5, 1e5)}, kOverTime);
   s.components({"force", "force in total on all these points, shared by mass"}, boundary.force,

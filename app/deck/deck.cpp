@@ -6,16 +6,6 @@ namespace brunt {
 
 namespace deck {
 
-namespace {
-
-constexpr const char* kAxes[] = {"x", "y", "z"};
-
-std::span<const char* const> axes_of(const Schema& s) {
-  return {kAxes, s.geometry() == Geometry::three_d ? 3u : 2u};
-}
-
-}  // namespace
-
 void describe(Schema& s, Time& time) {
   static constexpr const char* kLater[] = {"mass_scaling", "process_speed"};
   s.real({"end", "time at which the run ends", Need::required}, time.end,
@@ -65,7 +55,7 @@ void describe(Schema& s, AtRest& rest) {
 
 void describe(Schema& s, Beyond& beyond) {
   s.text({"body", "name of a body", Need::required}, beyond.body);
-  s.choice({"axis", "axis along which its centre moves", Need::required}, beyond.axis, axes_of(s));
+  s.choice({"axis", "axis along which its centre moves", Need::required}, beyond.axis, s.axes());
   s.real({"at", "the place that its centre passes", Need::required}, beyond.at, {"m"});
 }
 

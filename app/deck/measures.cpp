@@ -113,10 +113,8 @@ const char* unit_of_field(const std::string& field) {
 const char* unit_of(const Measure& measure) { return std::visit(UnitOfKind{}, measure.kind); }
 
 void describe(Schema& s, ExtentMeasure& measure) {
-  static constexpr const char* kAxes[] = {"x", "y", "z"};
   s.text({"body", "name of a body", Need::required}, measure.body);
-  s.choice({"axis", "axis along which it is measured", Need::required}, measure.axis,
-           std::span(kAxes, s.geometry() == Geometry::three_d ? 3 : 2));
+  s.choice({"axis", "axis along which it is measured", Need::required}, measure.axis, s.axes());
 }
 void describe(Schema& s, MinMeasure& measure) { describe_field(s, measure.body, measure.field); }
 void describe(Schema& s, MaxMeasure& measure) { describe_field(s, measure.body, measure.field); }

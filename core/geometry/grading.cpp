@@ -7,10 +7,9 @@
 namespace brunt {
 
 void describe(Schema& s, Grading& grading) {
-  static constexpr const char* kAxes[] = {"x", "y", "z"};
   static constexpr const char* kEnds[] = {"min", "max", "both"};
   s.choice({"axis", "axis of the deck, before the shape is turned", Need::required}, grading.axis,
-           std::span(kAxes, s.geometry() == Geometry::three_d ? 3 : 2));
+           s.axes());
   s.real({"ratio", "largest over smallest element size along the axis", Need::required},
          grading.ratio, {"1", at_least(1), between(1, 1000)});
   s.choice({"toward", "the end where elements are finer", Need::required}, grading.toward, kEnds);

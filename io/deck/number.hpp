@@ -8,6 +8,8 @@
 
 namespace brunt {
 
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// A number at the beginning of a text. length 0: there is none.
 struct NumberText {
   std::size_t length = 0;

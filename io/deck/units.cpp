@@ -73,7 +73,6 @@ ut_status visit_galilean(const ut_unit*, double, const ut_unit* underlying, doub
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Why the text of a unit is refused before UDUNITS sees it, or "".
 std::string form_problem(std::string_view unit) {

@@ -10,7 +10,6 @@ namespace brunt {
 
 namespace {
 
-constexpr std::array kVector = {"x", "y", "z"};
 constexpr std::array kTensor = {"xx", "yy", "zz", "xy", "yz", "zx"};
 
 Real magnitude(const Real* value, int components) {
@@ -34,7 +33,7 @@ std::optional<int> component_index(const Field& field, const std::string& compon
   if (component.empty() || component == "magnitude") return std::nullopt;
   for (int c = 0; c < field.components; ++c) {
     const auto i = static_cast<std::size_t>(c);
-    if (field.components == 3 && component == kVector[i]) return c;
+    if (field.components == 3 && component == kAxes[i]) return c;
     if (field.components == 6 && component == kTensor[i]) return c;
   }
   throw std::invalid_argument("field " + field.name + " has no component '" + component + "'");

@@ -140,7 +140,6 @@ void draw_length_bar(Overlay& overlay, int width, Real pixel) {
 }
 
 void draw_axes(Overlay& overlay, const ViewAxes& axes) {
-  constexpr std::array<const char*, 3> names = {"x", "y", "z"};
   constexpr std::array<Colour, 3> colours = {{{200, 60, 50}, {60, 150, 60}, {50, 90, 200}}};
   const Real x = 58, y = 52, size = 36;
   for (int c = 0; c < 3; ++c) {
@@ -149,7 +148,7 @@ void draw_axes(Overlay& overlay, const ViewAxes& axes) {
     const auto i = static_cast<std::size_t>(c);
     overlay.line(x, y, x + size * dx, y + size * dy, 2.5, colours[i]);
     const Real beyond = 1 + 12 / (size * std::hypot(dx, dy));
-    overlay.text(names[i], x + size * dx * beyond, y + size * dy * beyond, 15, Anchor::centre);
+    overlay.text(kAxes[i], x + size * dx * beyond, y + size * dy * beyond, 15, Anchor::centre);
   }
 }
 

@@ -4,6 +4,7 @@
 # SHIM: the library of disk_full.c. KILLS: runs that are killed. STRIDE: the disk is full from every
 # so-many-th write on; 1: from each in turn.
 set -euo pipefail
+. "$2/tests/support/expect.sh"
 brunt=$1
 decks=$2/decks
 shim=$3
@@ -16,13 +17,6 @@ export OMP_NUM_THREADS=1
 deck=$decks/bars/bars.yaml
 short=(--quiet --set "time.end=12 us" --set "output.every=3 us" --set "output.history=0.5 us")
 
-fail() { echo "FAILED: $*" >&2; exit 1; }
-expect() {  # expect STATUS COMMAND...
-  local wanted=$1 status=0
-  shift
-  "$@" >out.txt 2>err.txt || status=$?
-  [ "$status" = "$wanted" ] || { cat out.txt err.txt; fail "status $status instead of $wanted: $*"; }
-}
 says() { grep -q "$1" err.txt || { cat err.txt; fail "does not say '$1'"; }; }
 # All that a run says about the physics: wall times and memory aside.
 result() { grep -vE 'wall_seconds|peak_memory|ns_|^    "(step_bound|search|points|elements|particles|contact|ledger|output|balance)"' "$1/summary.json"; }

@@ -2,6 +2,7 @@
 # The program as a user calls it: exit statuses, folders, what is written, the same bytes twice.
 #   run.sh PROGRAM SOURCE
 set -euo pipefail
+. "$2/tests/support/expect.sh"
 brunt=$1
 decks=$2/decks
 work=$(mktemp -d)
@@ -9,14 +10,6 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 deck=$decks/bars/bars.yaml
 short=(--set "time.end=5 us" --set "output.every=2 us" --set "output.history=0.5 us" --quiet)
-
-fail() { echo "FAILED: $*" >&2; exit 1; }
-expect() {  # expect STATUS COMMAND...
-  local wanted=$1 status=0
-  shift
-  "$@" >out.txt 2>err.txt || status=$?
-  [ "$status" = "$wanted" ] || { cat out.txt err.txt; fail "status $status instead of $wanted: $*"; }
-}
 
 expect 0 "$brunt" run "$deck" "${short[@]}"
 for file in deck.resolved.yaml log.txt history.csv summary.json; do

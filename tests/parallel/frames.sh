@@ -4,6 +4,7 @@
 #   frames.sh PROGRAM SOURCE COMPARE SHIM
 # COMPARE: the program of tests/support/compare_frames.cpp. SHIM: the library of disk_full.c.
 set -euo pipefail
+. "$2/tests/support/expect.sh"
 brunt=$1
 deck=$2/decks/drop-on-plate/drop-on-plate.yaml
 compare=$3
@@ -15,13 +16,7 @@ export OMP_NUM_THREADS=1
 short=(--quiet --oversubscribe --set "parameters.size=4 mm" --set "time.end=20 us"
   --set "output.every=4 us")
 
-fail() { echo "FAILED: $*" >&2; exit 1; }
-expect() {  # expect STATUS COMMAND...
-  local wanted=$1 status=0
-  shift
-  timeout 120 "$@" >out.txt 2>err.txt || status=$?
-  [ "$status" = "$wanted" ] || { cat out.txt err.txt; fail "status $status instead of $wanted: $*"; }
-}
+limit=120
 run() { local out=$1 ranks=$2; shift 2; expect 0 "$brunt" run "$deck" "${short[@]}" --out "$out" --ranks "$ranks" "$@"; }
 same() { "$compare" "$1" "$2" || fail "frames of $2"; }
 # Every file in frames/ belongs to a frame of the index.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/force_pulse.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
@@ -19,34 +20,6 @@ const Real kWave = std::sqrt(kModulus / kDensity);
 const Real kContactTime = 2 * kLength / kWave;
 const Real kPlateau = 0.5 * kDensity * kWave * kSpeed * kWidth * kWidth;  // [N]
 
-struct Contact {
-  Real duration = 0, mean = 0, peak = 0;
-};
-
-/// Duration, mean over the middle half, and peak of a force history [N].
-Contact contact_of(const Simulation& run, const std::string& column) {
-  const auto time = run.column("time"), force = run.column(column);
-  Real first = -1, last = 0;
-  Contact contact;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const Real f = std::fabs(force[i]);
-    if (f == 0) continue;
-    if (first < 0) first = time[i];
-    last = time[i];
-    contact.peak = std::max(contact.peak, f);
-  }
-  contact.duration = last - first;
-  Real sum = 0;
-  int count = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const Real s = (time[i] - first) / contact.duration;
-    if (s < 0.25 || s > 0.75) continue;
-    sum += std::fabs(force[i]), ++count;
-  }
-  contact.mean = sum / count;
-  return contact;
-}
-
 // CFL 0.8 means dt = 0.8 h/c here, as in the table of test 9; the contact's vote is 0.926 h/c.
 // (At 0.74 h/c, safety 0.8, an independent 1D chain gives an overshoot of 3.6 % instead.)
 const std::vector<std::string> kTableOfTest9 = {"output.history=0.02 us", "time.safety=0.864"};
@@ -54,7 +27,7 @@ const std::vector<std::string> kTableOfTest9 = {"output.history=0.02 us", "time.
 /// The figures of test 9; plateau [N].
 void expect_test_9(const Simulation& run, Real plateau) {
   ASSERT_EQ(run.failure, "");
-  const Contact contact = contact_of(run, "contact.striker-target.force.x");
+  const ForcePulse contact = force_pulse(run, "contact.striker-target.force.x");
   EXPECT_NEAR(contact.mean, plateau, 1e-3 * plateau);
   EXPECT_NEAR(contact.peak / plateau, 1.047, 0.005);
   EXPECT_NEAR(contact.duration, 1.03 * kContactTime, 0.01 * kContactTime);
@@ -113,7 +86,7 @@ bodies:
 output: {history: 0.02 us}
 )");
   ASSERT_EQ(run.failure, "");
-  const Contact contact = contact_of(run, "contact.bar-wall.force.x");
+  const ForcePulse contact = force_pulse(run, "contact.bar-wall.force.x");
   EXPECT_NEAR(contact.mean, 2 * kPlateau, 0.03 * 2 * kPlateau);
   EXPECT_NEAR(contact.duration, kContactTime, 0.03 * kContactTime);
   EXPECT_NEAR(run.last("body.bar.velocity.x"), 10, 0.3);
@@ -145,7 +118,7 @@ output: {history: 0.02 us}
 )");
   ASSERT_EQ(run.failure, "");
   const Real plateau = 0.5 * kDensity * kWave * kSpeed * 0.01;  // [N] per metre of depth
-  const Contact contact = contact_of(run, "contact.striker-target.force.x");
+  const ForcePulse contact = force_pulse(run, "contact.striker-target.force.x");
   EXPECT_NEAR(contact.mean, plateau, 0.02 * plateau);
   EXPECT_NEAR(contact.duration, kContactTime, 0.06 * kContactTime);
   const Real v1 = run.last("body.striker.velocity.x"), v2 = run.last("body.target.velocity.x");

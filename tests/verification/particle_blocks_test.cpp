@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/force_pulse.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
@@ -46,21 +47,9 @@ void expect_bars(const std::vector<std::string>& overrides) {
   ASSERT_EQ(run.failure, "");
   const Real wave = std::sqrt(kModulus / kDensity);
   const Real plateau = 0.5 * kDensity * wave * kSpeed * 0.01;  // [N] per metre of depth
-  const auto time = run.column("time"), force = run.column("contact.striker-target.force.x");
-  Real first = -1, last = 0, sum = 0;
-  int count = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (force[i] == 0) continue;
-    if (first < 0) first = time[i];
-    last = time[i];
-  }
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const Real s = (time[i] - first) / (last - first);
-    if (s < 0.25 || s > 0.75) continue;
-    sum -= force[i], ++count;
-  }
-  EXPECT_NEAR(sum / count, plateau, 0.02 * plateau);
-  EXPECT_NEAR(last - first, 2 * kLength / wave, 0.06 * 2 * kLength / wave);
+  const ForcePulse contact = force_pulse(run, "contact.striker-target.force.x");
+  EXPECT_NEAR(contact.mean, plateau, 0.02 * plateau);
+  EXPECT_NEAR(contact.duration, 2 * kLength / wave, 0.06 * 2 * kLength / wave);
   const Real v1 = run.last("body.striker.velocity.x"), v2 = run.last("body.target.velocity.x");
   EXPECT_GT((v2 - v1) / kSpeed, 0.95);
   EXPECT_LT((v2 - v1) / kSpeed, 1);

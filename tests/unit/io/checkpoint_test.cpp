@@ -11,22 +11,15 @@
 #include "io/file.hpp"
 #include "io/hash.hpp"
 #include "io/hdf5_image.hpp"
+#include "tests/unit/io/scratch_folder.hpp"
 
 namespace brunt {
 namespace {
 
 namespace fs = std::filesystem;
 
-class CheckpointFiles : public testing::Test {
+class CheckpointFiles : public test::ScratchFolder {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("brunt_checkpoint_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// Writes a checkpoint of two ranks and returns its manifest.
   fs::path write(std::uint64_t step) {
     const CheckpointHeader header{"0.1", "00ff", 1.5e-6 * static_cast<Real>(step), step, 2};
@@ -50,8 +43,6 @@ class CheckpointFiles : public testing::Test {
     content.texts = {{"deck", "time: {end: 1}\n"}, {"empty", ""}, {"bytes", {"\0\n\xff", 3}}};
     return content;
   }
-
-  fs::path folder_;
 };
 
 std::string refusal(const fs::path& manifest) {

@@ -1,67 +1,29 @@
-// Files that are whole or not there. Disk full is made by a limit on the size of files of the
-// process (RLIMIT_FSIZE): write() then fails as it does on a full disk, after taking a part.
-// Expected: MachineError with the file's name, the file as it was, nothing left beside it.
+// Files that are whole or not there. A disk is full where a limit on the size of files stands for
+// it. Expected: MachineError with the file's name, the file as it was, nothing left beside it.
 #include "io/file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
-#include <csignal>
 #include <fstream>
 
-#include "core/errors.hpp"
+#include "tests/unit/io/scratch_folder.hpp"
 
 namespace brunt {
 namespace {
 
-class FileTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("file_") + info->name());
-    std::filesystem::remove_all(folder_);
-    create_folder(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+using test::FileSizeLimit;
+using test::message_of;
+using test::ScratchFolder;
 
+class FileTest : public ScratchFolder {
+ protected:
   std::size_t files_in_folder() const {
     std::size_t n = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++n;
     return n;
   }
-
-  std::filesystem::path folder_;
 };
-
-/// While it lives, no file may grow beyond so many bytes.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    old_signal_ = std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit limit{bytes, old_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &old_);
-    std::signal(SIGXFSZ, old_signal_);
-  }
-
- private:
-  rlimit old_{};
-  void (*old_signal_)(int) = nullptr;
-};
-
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const MachineError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST_F(FileTest, ReplacesAllBytesAndLeavesNothingBeside) {
   const auto path = folder_ / "a.bin";

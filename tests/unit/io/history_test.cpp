@@ -12,6 +12,7 @@
 
 #include "core/errors.hpp"
 #include "io/number.hpp"
+#include "tests/unit/io/scratch_folder.hpp"
 
 namespace brunt {
 namespace {
@@ -50,14 +51,12 @@ TEST(Number, RoundsForPeople) {
   EXPECT_EQ(rounded(1.23456789e-9, 3), "1.23e-09");
 }
 
-class HistoryTest : public testing::Test {
+class HistoryTest : public test::ScratchFolder {
  protected:
   void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(testing::TempDir()) / (std::string("history_") + info->name());
-    std::filesystem::remove(path_);
+    ScratchFolder::SetUp();
+    path_ = folder_ / "history.csv";
   }
-  void TearDown() override { std::filesystem::remove(path_); }
   std::filesystem::path path_;
 };
 

@@ -3,17 +3,21 @@
 #include "io/vtk/pieces.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
 #include "io/vtk/frame_reader.hpp"
 #include "io/vtk/frame_writer.hpp"
+#include "tests/unit/io/same_view.hpp"
+#include "tests/unit/io/scratch_folder.hpp"
 
 namespace brunt {
 namespace {
+
+using test::expect_same;
+using test::FileSizeLimit;
+using test::message_of;
+using test::ScratchFolder;
 
 /// Three quads in a row, 0 to 2, of points 10 to 13 below and 14 to 17 above.
 BodyView whole_bar() {
@@ -92,15 +96,8 @@ ContactView contact(Real pressure, const std::vector<int>& sizes, GlobalId first
   return view;
 }
 
-class PiecesTest : public testing::Test {
+class PiecesTest : public ScratchFolder {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("pieces_") + info->name());
-    std::filesystem::remove_all(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// As several ranks write a frame of the bar.
   void write(FrameWriter& writer, Real time, const std::vector<BodyView>& parts,
              const std::vector<ContactView>& contacts = {}) {
@@ -115,27 +112,9 @@ class PiecesTest : public testing::Test {
   bool there(const std::string& file) const {
     return std::filesystem::exists(folder_ / "frames" / file);
   }
-  std::filesystem::path folder_;
 };
 
-void expect_same(const std::vector<Field>& a, const std::vector<Field>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].name, b[i].name);
-    EXPECT_EQ(a[i].components, b[i].components);
-    EXPECT_EQ(a[i].values, b[i].values) << a[i].name;
-  }
-}
-
-void expect_whole_bar(const BodyView& view) {
-  const BodyView whole = whole_bar();
-  EXPECT_EQ(view.body, whole.body);
-  EXPECT_EQ(view.position, whole.position);
-  EXPECT_EQ(view.corners, whole.corners);
-  EXPECT_EQ(view.connectivity, whole.connectivity);
-  expect_same(view.point_fields, whole.point_fields);
-  expect_same(view.cell_fields, whole.cell_fields);
-}
+void expect_whole_bar(const BodyView& view) { expect_same(view, whole_bar()); }
 
 TEST_F(PiecesTest, MergeToTheWholeBody) {
   FrameWriter writer(folder_);
@@ -220,14 +199,7 @@ TEST_F(PiecesTest, SayWhichOfThemIsMissingOrBroken) {
   FrameWriter writer(folder_);
   write(writer, 0, parts_of_bar());
   const auto frame = read_frame_index(folder_).at(0);
-  const auto message = [&] {
-    try {
-      read_frame(folder_, frame);
-      return std::string();
-    } catch (const MachineError& error) {
-      return std::string(error.what());
-    }
-  };
+  const auto message = [&] { return message_of([&] { read_frame(folder_, frame); }); };
   const auto piece = folder_ / "frames/bar.00000.2.vtu";
   const std::string bytes = read_file(piece);
   testing::internal::CaptureStderr();
@@ -241,21 +213,12 @@ TEST_F(PiecesTest, SayWhichOfThemIsMissingOrBroken) {
 }
 
 TEST_F(PiecesTest, NameTheFileThatDoesNotFitOnTheDisk) {
-  // The limit on file sizes stands for the full disk.
   FrameWriter writer(folder_);
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit old{};
-  getrlimit(RLIMIT_FSIZE, &old);
-  const rlimit limit{100, old.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &limit);
   std::string message;
-  try {
-    write_pieces(folder_, 0, 2, 0, {parts_of_bar()[2]}, nullptr);
-  } catch (const MachineError& error) {
-    message = error.what();
+  {
+    FileSizeLimit limit(100);
+    message = message_of([&] { write_pieces(folder_, 0, 2, 0, {parts_of_bar()[2]}, nullptr); });
   }
-  setrlimit(RLIMIT_FSIZE, &old);
-  std::signal(SIGXFSZ, SIG_DFL);
   EXPECT_NE(message.find("bar.00000.2.vtu"), std::string::npos) << message;
   EXPECT_TRUE(read_frame_index(folder_).empty());
 }

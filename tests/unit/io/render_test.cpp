@@ -17,6 +17,7 @@
 #include "io/vtk/colouring.hpp"
 #include "io/vtk/frame_writer.hpp"
 #include "io/vtk/overlay.hpp"
+#include "tests/unit/io/scratch_folder.hpp"
 
 namespace brunt {
 namespace {
@@ -46,15 +47,8 @@ FrameSource source_of(const std::vector<BodyView>& bodies) {
   return {{0.0}, [bodies](std::size_t) { return bodies; }};
 }
 
-class RenderTest : public testing::Test {
+class RenderTest : public test::ScratchFolder {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("render_") + info->name());
-    std::filesystem::remove_all(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// Colour of a pixel, from the lower left corner.
   static Colour pixel(const std::filesystem::path& path, int x, int y) {
     vtkNew<vtkPNGReader> reader;
@@ -70,8 +64,6 @@ class RenderTest : public testing::Test {
   static void expect_near(Colour a, Colour b) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 3) << "component " << c;
   }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(RenderTest, ColoursCellsWithOneRangeForAllFrames) {

@@ -1,17 +1,21 @@
 // Frames as VTK files: what is written reads back through VTK's own readers bit for bit (appended
 // raw doubles, so no tolerance), and frames.pvd never names a file that is not whole.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
 #include "io/vtk/frame_reader.hpp"
 #include "io/vtk/frame_writer.hpp"
+#include "tests/unit/io/same_view.hpp"
+#include "tests/unit/io/scratch_folder.hpp"
 
 namespace brunt {
 namespace {
+
+using test::expect_same;
+using test::FileSizeLimit;
+using test::message_of;
+using test::ScratchFolder;
 
 BodyView hex_body(Real time) {
   BodyView view;
@@ -58,35 +62,7 @@ ContactView contacts() {
   return view;
 }
 
-class VtkTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("vtk_") + info->name());
-    std::filesystem::remove_all(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
-};
-
-void expect_same(const std::vector<Field>& a, const std::vector<Field>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].name, b[i].name);
-    EXPECT_EQ(a[i].components, b[i].components);
-    EXPECT_EQ(a[i].values, b[i].values) << a[i].name;
-  }
-}
-
-void expect_same(const BodyView& a, const BodyView& b) {
-  EXPECT_EQ(a.body, b.body);
-  EXPECT_EQ(a.position, b.position);
-  EXPECT_EQ(a.connectivity, b.connectivity);
-  EXPECT_EQ(a.corners, b.corners);
-  EXPECT_EQ(a.point_radius, b.point_radius);
-  expect_same(a.point_fields, b.point_fields);
-  expect_same(a.cell_fields, b.cell_fields);
-}
+class VtkTest : public ScratchFolder {};
 
 TEST_F(VtkTest, ReadsBackTheSame) {
   const std::vector<BodyView> bodies = {hex_body(2e-6), quad_and_triangle(), particles()};
@@ -176,7 +152,7 @@ TEST_F(VtkTest, StartsAnewAndGoesOn) {
 }
 
 TEST_F(VtkTest, KeepsTheFramesBeforeOnAFullDisk) {
-  // The limit on file sizes stands for the full disk; a frame of 10,000 points does not fit.
+  // A frame of 10,000 points does not fit.
   BodyView big = particles();
   big.position.clear();
   for (int i = 0; i < 30000; ++i) big.position.push_back(1.0 / (i + 1));
@@ -184,19 +160,11 @@ TEST_F(VtkTest, KeepsTheFramesBeforeOnAFullDisk) {
   big.point_radius.clear();
   FrameWriter writer(folder_);
   writer.write(0, {particles()}, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit old{};
-  getrlimit(RLIMIT_FSIZE, &old);
-  const rlimit limit{20000, old.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &limit);
   std::string message;
-  try {
-    writer.write(1, {big}, nullptr);
-  } catch (const MachineError& error) {
-    message = error.what();
+  {
+    FileSizeLimit limit(20000);
+    message = message_of([&] { writer.write(1, {big}, nullptr); });
   }
-  setrlimit(RLIMIT_FSIZE, &old);
-  std::signal(SIGXFSZ, SIG_DFL);
   EXPECT_NE(message.find("sph.00001.vtu"), std::string::npos) << message;
   ASSERT_EQ(read_frame_index(folder_).size(), 1u);
   EXPECT_EQ(read_frame(folder_, read_frame_index(folder_)[0]).size(), 1u);

@@ -96,25 +96,20 @@ Sums lattice_sums() {
   return sums;
 }
 
+template <class Kernel, int Dim>
+void expect_sums(Real value, Real slope) {
+  const Sums sums = lattice_sums<Kernel, Dim>();
+  EXPECT_NEAR(sums.value, value, 1e-3);
+  EXPECT_NEAR(sums.slope, slope, 1e-3);
+}
+
 TEST(Lattice, SumsOfTheTable) {
-  const Sums plane = lattice_sums<HyperbolicKernel, 2>();
-  EXPECT_NEAR(plane.value, 1.083, 1e-3);
-  EXPECT_NEAR(plane.slope, 0.945, 1e-3);
-  const Sums hyperbolic = lattice_sums<HyperbolicKernel, 3>();
-  EXPECT_NEAR(hyperbolic.value, 1.060, 1e-3);
-  EXPECT_NEAR(hyperbolic.slope, 0.962, 1e-3);
-  const Sums quadratic = lattice_sums<QuadraticKernel, 3>();
-  EXPECT_NEAR(quadratic.value, 1.030, 1e-3);
-  EXPECT_NEAR(quadratic.slope, 0.959, 1e-3);
-  const Sums cubic = lattice_sums<CubicKernel, 3>();
-  EXPECT_NEAR(cubic.value, 1.001, 1e-3);
-  EXPECT_NEAR(cubic.slope, 0.982, 1e-3);
-  const Sums c2 = lattice_sums<WendlandC2Kernel, 3>();
-  EXPECT_NEAR(c2.value, 1.018, 1e-3);
-  EXPECT_NEAR(c2.slope, 0.985, 1e-3);
-  const Sums c4 = lattice_sums<WendlandC4Kernel, 3>();
-  EXPECT_NEAR(c4.value, 1.013, 1e-3);
-  EXPECT_NEAR(c4.slope, 0.984, 1e-3);
+  expect_sums<HyperbolicKernel, 2>(1.083, 0.945);
+  expect_sums<HyperbolicKernel, 3>(1.060, 0.962);
+  expect_sums<QuadraticKernel, 3>(1.030, 0.959);
+  expect_sums<CubicKernel, 3>(1.001, 0.982);
+  expect_sums<WendlandC2Kernel, 3>(1.018, 0.985);
+  expect_sums<WendlandC4Kernel, 3>(1.013, 0.984);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace brunt {
 namespace {
 
-constexpr Real kDp = 1e-3;         // [m]
-constexpr Real kDensity = 7850.0;  // [kg/m^3]
+using test::kDensity;
+using test::kDp;
 
 // What no velocity foretells: from one step to the next, supports put particles wherever they are
 // told to, one half of a block through the other or far away and back. update_state checks the

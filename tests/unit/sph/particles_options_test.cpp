@@ -13,18 +13,11 @@ namespace brunt {
 namespace {
 
 using test::elastic_material;
+using test::elastic_options;
+using test::kDensity;
+using test::kDp;
 using test::lattice;
 using test::particles;
-
-constexpr Real kDp = 1e-3;         // [m]
-constexpr Real kDensity = 7850.0;  // [kg/m^3]
-
-SphOptions elastic_options() {
-  SphOptions options;
-  options.artificial_stress = 0;
-  options.viscosity = {0, 0};
-  return options;
-}
 
 // In 2D the depth is contained in the masses: twice the mass and the depth give twice the force and
 // the same accelerations, whatever the channel. Factors of 2 are exact.

@@ -13,18 +13,11 @@ namespace brunt {
 namespace {
 
 using test::elastic_material;
+using test::elastic_options;
+using test::kDensity;
+using test::kDp;
 using test::lattice;
 using test::particles;
-
-constexpr Real kDp = 1e-3;         // [m]
-constexpr Real kDensity = 7850.0;  // [kg/m^3]
-
-SphOptions elastic_options() {
-  SphOptions options;
-  options.artificial_stress = 0;
-  options.viscosity = {0, 0};
-  return options;
-}
 
 // The corrected gradient of a linear field is exact on any particles: v = A x gives L = A.
 // Round-off of 60 terms times the condition of the moment matrix, below 10 at a corner: 1e-12 of

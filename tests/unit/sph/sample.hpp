@@ -9,6 +9,9 @@
 
 namespace brunt::test {
 
+inline constexpr Real kDp = 1e-3;         // [m]
+inline constexpr Real kDensity = 7850.0;  // [kg/m^3]
+
 inline std::unique_ptr<Material> elastic_material(Real density, Real E, Real nu) {
   auto material = std::make_unique<Material>();
   material->name = "elastic";
@@ -18,6 +21,14 @@ inline std::unique_ptr<Material> elastic_material(Real density, Real E, Real nu)
   material->strength = make_strength(NoStrength{}, {material->shear, 0, 0});
   material->eos = make_eos(LinearEos{}, {density, material->bulk});
   return material;
+}
+
+/// Nothing but elasticity: no viscosity, no artificial stress.
+inline SphOptions elastic_options() {
+  SphOptions options;
+  options.artificial_stress = 0;
+  options.viscosity = {0, 0};
+  return options;
 }
 
 /// OFHC copper of Johnson & Cook 1983, adiabatic.
