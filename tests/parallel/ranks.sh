@@ -57,6 +57,7 @@ cases=(
   "decks/bricks 1.2_ms"
   "decks/sheet 15_us"
   "decks/solids 0.5_ms"
+  "decks/fast 30_us"
   "decks/thin 4_us"
 )
 status=0
