@@ -17,7 +17,7 @@ struct FaceBarrier {
   /// Cosines of the angle between the faces from which it fades in, up to the whole of it. Faces
   /// that meet at an angle may reach far behind each other, and begin to do so where a barrier is
   /// highest.
-  static constexpr Real kFacing = 0.2, kFullFacing = 0.6;
+  static constexpr Real kFadesIn = 0.2, kIsWhole = 0.6;
   Real onset = 0;             ///< [m] g0; 0: there is none
   Real strength = kStrength;  ///< b
   Real growth = 0;            ///< derivative of ln b by the cosine
@@ -25,9 +25,9 @@ struct FaceBarrier {
   static FaceBarrier before(Real limit) { return {kOnset * limit}; }
   /// The same between faces at an angle, by its cosine.
   FaceBarrier at(Real facing) const {
-    const Real s = std::clamp((facing - kFacing) / (kFullFacing - kFacing), 0.0, 1.0);
+    const Real s = std::clamp((facing - kFadesIn) / (kIsWhole - kFadesIn), 0.0, 1.0);
     if (s == 0) return {};
-    const Real slope = 6 * s * (1 - s) / (kFullFacing - kFacing), part = s * s * (3 - 2 * s);
+    const Real slope = 6 * s * (1 - s) / (kIsWhole - kFadesIn), part = s * s * (3 - 2 * s);
     return {onset, part * strength, slope / part};
   }
   Real beyond(Real g) const { return onset > 0 ? std::max(g - onset, 0.0) : 0.0; }

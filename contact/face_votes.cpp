@@ -8,7 +8,7 @@
 namespace brunt {
 
 namespace {
-/// Of g0, the way of a step where faces are deep.
+/// The way of a step where faces are deep, of g0; of what they are beyond it where they open.
 constexpr Real kLeastWay = 0.5;
 /// How far one step may bring faces that overlap by g [m].
 Real way_of(const FaceBarrier& barrier, Real g) {
