@@ -170,7 +170,7 @@ template <int Dim>
 Real Candidates<Dim>::way_of_faces(const Entities<Dim>& entities) const {
   const Real way = speed_ * entities.longest_step;
   // Nearer than that nothing votes; what has no bound votes nothing.
-  const Real least = 0.5 * FaceBarrier::before(entities.least_limit).onset;
+  const Real least = FaceBarrier::before(entities.least_limit).least_way();
   return std::isfinite(way) && way > least ? way : 0.0;
 }
 

@@ -27,12 +27,6 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Face
   return true;
 }
 
-/// cos(th/2) of the angle between the faces: G over g.
-template <int Dim>
-Real half_cosine(const CommonPlane<Dim>& plane) {
-  return std::sqrt(0.5 * (1 + plane.facing));
-}
-
 /// True if every corner of the upper face, warped by no more than it is, lies above the lower.
 template <int Dim>
 bool apart(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Vec<Dim>& n,
@@ -122,7 +116,7 @@ Real set_spring(Real total, Real mean, const Deep& deep, bool whole, CommonPlane
     beside = plane.area * barrier.pressure(mean);
     energy = plane.area * barrier.energy(mean);
   } else if (deep.squared > 0) {
-    beside = half_cosine(plane) * barrier.steepness() * deep.squared;
+    beside = plane.half_cosine() * barrier.steepness() * deep.squared;
     energy = barrier.steepness() / 3 * deep.cubed;
   }
   plane.volume = plane.ramp * (total + beside);
@@ -157,7 +151,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
 
   DeepArea deep;
   if (!needs.whole) {
-    deep = deep_area(plane.polygon, penetration, half_cosine(plane), plane.deepest, plane.barrier);
+    deep = deep_area(plane.polygon, penetration, plane.half_cosine(), plane.deepest, plane.barrier);
   }
   const OverlapArea area{below, above, penetration, sum, deep, needs.opening};
   const bool pushes = needs.pushes && !needs.whole;
@@ -230,7 +224,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
 
   DeepLine deep;
   if (!needs.whole) {
-    const Real c = half_cosine(plane);
+    const Real c = plane.half_cosine();
     deep = deep_line({from, to}, {c * depth[0], c * depth[1]}, plane.barrier, breadth);
   }
   const OverlapLine line{{below.s0, below.s1},

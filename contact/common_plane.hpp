@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 
 #include "contact/face_barrier.hpp"
 #include "contact/face_plane.hpp"
@@ -56,6 +57,9 @@ struct CommonPlane {
   Polygon polygon;  ///< 3D: the area under pressure, about origin, along axis_1 and axis_2
   Vec<Dim> origin;  ///< [m]
   Vec<Dim> axis_1, axis_2;
+
+  /// cos(th/2) of the angle th between the faces: G over g.
+  Real half_cosine() const { return std::sqrt(0.5 * (1 + facing)); }
 };
 
 /// What is asked of common planes beside their pressure.

@@ -8,11 +8,9 @@
 namespace brunt {
 
 namespace {
-/// The way of a step where faces are deep, of g0; of what they are beyond it where they open.
-constexpr Real kLeastWay = 0.5;
 /// How far one step may bring faces that overlap by g [m].
 Real way_of(const FaceBarrier& barrier, Real g) {
-  return std::max(barrier.onset - g, kLeastWay * barrier.onset);
+  return std::max(barrier.onset - g, barrier.least_way());
 }
 
 /// Of the corners of a face along n, from a place: the largest height [m] and speed [m/s].
@@ -73,7 +71,7 @@ void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candi
   if (!(steeper > 1)) return;
   const Real opening = -closing, back = plane.deepest - barrier.onset;
   if (opening > 0 && back > 0) {
-    const Real way = std::max(kLeastWay * back, 0.5 * kLeastWay * barrier.onset);
+    const Real way = 0.5 * std::max(back, barrier.least_way());
     const auto& face = entities.faces[static_cast<std::size_t>(candidate.lower)];
     vote.take({way / opening, "contact speed", face.body, face.id});
   }

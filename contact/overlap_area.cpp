@@ -54,10 +54,7 @@ Edge border_of(const OverlapArea& overlap, bool of_upper, int c) {
 class AreaGradient {
  public:
   AreaGradient(const OverlapArea& overlap, const BorderFade<3>& fade, const CommonPlane<3>& plane)
-      : overlap_(overlap),
-        plane_(plane),
-        density_(fade, plane),
-        c_(std::sqrt(0.5 * (1 + plane.facing))) {
+      : overlap_(overlap), plane_(plane), density_(fade, plane), c_(plane.half_cosine()) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(fade.n); ++k) {
       const auto& pair = fade.pair[k];
       rooms_[n_rooms_++] = {border_of(overlap, false, pair.lower),
@@ -164,7 +161,7 @@ BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
   BorderFade<3> fade;
   if (lower.borders == 0 || upper.borders == 0) return fade;
   const auto& sum = overlap.sum;
-  const Real volume = std::sqrt(0.5 * (1 + plane.facing)) * sum.total;
+  const Real volume = plane.half_cosine() * sum.total;
   const auto room_of = [&](const Edge& edge) {
     return edge.inward().dot(sum.first - sum.area * edge.from);
   };

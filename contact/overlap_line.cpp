@@ -23,7 +23,7 @@ class LineGradient {
         plane_(plane),
         fade_(fade),
         density_(fade, plane),
-        c_(std::sqrt(0.5 * (1 + plane.facing))) {
+        c_(plane.half_cosine()) {
     const Real m = overlap.middle();
     const Real first = overlap.first + m * overlap.area,
                moment = overlap.moment + m * overlap.total;
@@ -121,7 +121,7 @@ class LineGradient {
 BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
                       const OverlapLine& overlap, const CommonPlane<2>& plane) {
   BorderFade<2> fade;
-  const Real volume = std::sqrt(0.5 * (1 + plane.facing)) * overlap.total;
+  const Real volume = plane.half_cosine() * overlap.total;
   const auto room_of = [&](const End& end) {
     return end.into * (overlap.first + (overlap.middle() - end.at) * overlap.area);
   };

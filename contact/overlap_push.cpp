@@ -85,7 +85,7 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real r
 template <int Dim>
 void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening, Real share,
             const OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane) {
-  const Real c = std::sqrt(0.5 * (1 + plane.facing));  // cos(th/2)
+  const Real c = plane.half_cosine();
   const Vec<Dim> outlines = gradient.by_normal + turn_of_outline(lower, plane, gradient.lower) +
                             turn_of_outline(upper, plane, gradient.upper);
   // By n = (n_l - n_u) / 2c, and by c itself in what of G is no distance of the faces.

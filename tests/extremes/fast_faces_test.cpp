@@ -146,15 +146,15 @@ TEST(FastFaces, HoldTheShockAtFiveTimesTheirSound) {
   expect_small_remainder(run, 0.01);
 }
 
-TEST(FastFaces, ReturnWhereTheyAreFreeAside) {
-  // A block on a wider plate. From 0.7 times the speed of sound on, elements without strength fold
-  // at the corners of the block, and their faces with them: they let go there.
-  const std::string deck = R"(
+/// A block on a wider plate; what the block is besides.
+std::string block_on_plate(const std::string& kind) {
+  return R"(
 geometry: plane-strain
 parameters: {speed: 10 m/s}
 bodies:
   flying:
-    material: soft
+    )" + kind +
+         R"(material: soft
     shape: {box: {min: [3 mm, 0.3 mm], max: [13 mm, 6.3 mm]}}
     size: 1 mm
     velocity: [0, = -$speed]
@@ -163,6 +163,12 @@ bodies:
     shape: {box: {min: [0, -6 mm], max: [16 mm, 0]}}
     size: 1 mm
 )";
+}
+
+TEST(FastFaces, ReturnWhereTheyAreFreeAside) {
+  // From 0.7 times the speed of sound on, elements without strength fold
+  // at the corners of the block, and their faces with them: they let go there.
+  const std::string deck = block_on_plate("");
   for (const Real mach : {0.1, 0.3, 0.5, 0.6}) {
     const auto run = meet(deck, mach, {"time.end=0.5 ms"});
     ASSERT_EQ(run.failure, "") << mach;
@@ -175,21 +181,7 @@ bodies:
 
 TEST(FastFaces, HoldARigidBody) {
   // A free rigid block of the same mass falls on the plate, and one that is held is hit by it.
-  const std::string deck = R"(
-geometry: plane-strain
-parameters: {speed: 10 m/s}
-bodies:
-  flying:
-    rigid: true
-    material: soft
-    shape: {box: {min: [3 mm, 0.3 mm], max: [13 mm, 6.3 mm]}}
-    size: 1 mm
-    velocity: [0, = -$speed]
-  standing:
-    material: soft
-    shape: {box: {min: [0, -6 mm], max: [16 mm, 0]}}
-    size: 1 mm
-)";
+  const std::string deck = block_on_plate("rigid: true\n    ");
   for (const Real mach : {0.1, 0.5, 1.0}) {
     const auto run = meet(deck, mach, {"time.end=0.6 ms"});
     ASSERT_EQ(run.failure, "") << mach;

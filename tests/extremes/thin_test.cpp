@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/stl_box.hpp"
 
 namespace brunt::test {
 namespace {
@@ -162,29 +162,6 @@ TEST(ThinPlate, KeepsItsBits) {
 // Rigid plates: those that are driven come as fast as shots would that here stand still.
 enum class Plate { held, driven, free };
 
-/// A box of twelve triangles from (-3, -2, -thick) to (far, 2, 0) mm; the name of the file.
-std::string write_plate(Real thick, Real far) {
-  const auto corner = [&](int k) {
-    return Vec3((k & 1) != 0 ? far : -3, (k & 2) != 0 ? 2 : -2, (k & 4) != 0 ? 0 : -thick);
-  };
-  const std::array<int, 4> sides[] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  const std::string path = testing::TempDir() + "thin_plate.stl";
-  std::ofstream file(path);
-  file << "solid plate\n";
-  for (const auto& side : sides) {
-    for (const auto& three : {std::array{0, 1, 2}, {0, 2, 3}}) {
-      file << "facet normal 0 0 0\nouter loop\n";
-      for (const int i : three) {
-        file << "vertex " << corner(side[static_cast<std::size_t>(i)]).transpose() << "\n";
-      }
-      file << "endloop\nendfacet\n";
-    }
-  }
-  file << "endsolid plate\n";
-  return path;
-}
-
 /// How many of the shots are not above the plane of the plate's upper side, or are beside it.
 int count_below(const Simulation& run, int dim) {
   const auto &shots = run.bodies.at("shots"), &plate = run.bodies.at("plate");
@@ -218,7 +195,8 @@ Simulation rigid_shot(int dim, Plate plate, bool file, Real thick, Real mach, Re
   const Real far = far_end(mach, degrees * kPi / 180);
   const std::string zero = dim == 3 ? "0, " : "";
   std::string text = "  plate:\n    rigid: true\n";
-  text += file ? "    file: " + write_plate(thick, far) + "\n    scale: 1 mm\n"
+  text += file ? "    file: " + write_stl_box("thin_plate", {-3, -2, -thick}, {far, 2, 0}) +
+                     "\n    scale: 1 mm\n"
                : box_text(dim, thick, far);
   auto overrides = flight(mach, degrees);
   if (plate == Plate::driven) {

@@ -7,35 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/stl_box.hpp"
 
 namespace brunt::test {
 namespace {
-
-/// Writes a box of [-30, 30] x [-30, 30] x [-20, 0] mm; the name of the file.
-std::string write_box() {
-  const auto corner = [](int k) {
-    return Vec3((k & 1) != 0 ? 30 : -30, (k & 2) != 0 ? 30 : -30, (k & 4) != 0 ? 0 : -20);
-  };
-  const std::array<int, 4> sides[] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  const std::string path = testing::TempDir() + "box.stl";
-  std::ofstream file(path);
-  file << "solid box\n";
-  for (const auto& side : sides) {
-    for (const auto& three : {std::array{0, 1, 2}, {0, 2, 3}}) {
-      file << "facet normal 0 0 0\nouter loop\n";
-      for (const int i : three) {
-        file << "vertex " << corner(side[static_cast<std::size_t>(i)]).transpose() << "\n";
-      }
-      file << "endloop\nendfacet\n";
-    }
-  }
-  file << "endsolid box\n";
-  return path;
-}
 
 const std::string kDeck = R"(
 parameters: {x: 0 mm, y: 0 mm}
@@ -60,7 +37,7 @@ bodies:
 /// The block on a box of triangles or quads, held or free.
 Simulation hit(bool triangles, bool free, const std::vector<std::string>& overrides) {
   const std::string shape =
-      triangles ? "file: " + write_box() + ", scale: 1 mm"
+      triangles ? "file: " + write_stl_box("box", {-30, -30, -20}, {30, 30, 0}) + ", scale: 1 mm"
                 : "shape: {box: {min: [-30 mm, -30 mm, -20 mm], max: [30 mm, 30 mm, 0]}}";
   const std::string material = free ? "material: oak, velocity: [0, 0, 0.2 m/s], " : "";
   return simulate_text(kDeck + kBodies + material + shape + "}\n", overrides);
