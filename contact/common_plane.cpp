@@ -112,10 +112,13 @@ Real set_spring(Real total, Real mean, const Deep& deep, bool whole, CommonPlane
   const auto& barrier = plane.barrier;
   const Real linear = 0.25 * (1 + plane.facing) * total * mean;
   Real beside = 0, energy = 0;
+  plane.mean_slope = 1;
   if (whole) {
+    plane.mean_slope = barrier.tangent(mean);
     beside = plane.area * barrier.pressure(mean);
     energy = plane.area * barrier.energy(mean);
   } else if (deep.squared > 0) {
+    plane.mean_slope = 1 + 2 * barrier.steepness() * deep.linear / plane.area;
     beside = plane.half_cosine() * barrier.steepness() * deep.squared;
     energy = barrier.steepness() / 3 * deep.cubed;
   }

@@ -43,6 +43,7 @@ struct CommonPlane {
   Real energy_by_facing = 0;  ///< [m^4] by `facing`, of what fades in with it
   Real penetration = 0;       ///< [m] at `point`
   Real deepest = 0;           ///< [m] largest penetration
+  Real mean_slope = 1;        ///< of the pressure, over k: its mean over the area; 1: no barrier
   std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
   /// The centre of the area under pressure with its weights, where asked for: friction acts there,

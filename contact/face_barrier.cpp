@@ -35,6 +35,7 @@ DeepArea deep_area(const Polygon& overlap, const LinearField& penetration, Real 
     const Real a = value(0), b = value(i), c = value(i + 1);
     const Vec<2> pq = q - p, pr = r - p;
     const Real twice = pq[0] * pr[1] - pq[1] * pr[0];
+    deep.linear += twice / 6 * (a + b + c);
     deep.squared += twice / 12 * complete_sum<3>(2, {a, b, c});
     deep.cubed += twice / 20 * complete_sum<3>(3, {a, b, c});
     deep.moment += twice / 60 *

@@ -52,7 +52,8 @@ struct FaceBarrier {
 struct DeepArea {
   Polygon polygon;                 ///< its sides keep their names; u is 0 on those named kCut
   LinearField u;                   ///< [m]
-  Real squared = 0;                ///< [m^4] integral of u^2; 0: nothing is deep
+  Real linear = 0;                 ///< [m^3] integral of u
+  Real squared = 0;                ///< [m^4] of u^2; 0: nothing is deep
   Real cubed = 0;                  ///< [m^5] of u^3
   Vec<2> moment = Vec<2>::Zero();  ///< [m^5] of u^2 p
 };
@@ -69,7 +70,8 @@ SideMeans cubic_means(Real a, Real b);
 /// The same in 2D, between two places [m] along a line; areas are lengths times breadth.
 struct DeepLine {
   std::array<Real, 2> end{}, u{};  ///< [m]
-  Real squared = 0;                ///< [m^4] integral of u^2; 0: nothing is deep
+  Real linear = 0;                 ///< [m^3] integral of u
+  Real squared = 0;                ///< [m^4] of u^2; 0: nothing is deep
   Real cubed = 0;                  ///< [m^5] of u^3
   Real moment = 0;                 ///< [m^5] of u^2 s
   Real cubed_by_length = 0;        ///< [m^4] of u^3, without the breadth
@@ -96,6 +98,7 @@ DeepLine deep_line(const std::array<Real, 2>& end, const std::array<Real, 2>& de
     const Real s = deep.end[0] + share * length;
     const Real u = deep.u[0] + share * (deep.u[1] - deep.u[0]);
     const Real squared = kShare[i] * length * u * u;
+    deep.linear += kShare[i] * length * u * breadth(s);
     deep.squared += squared * breadth(s);
     deep.moment += squared * breadth(s) * s;
     deep.cubed += squared * u * breadth(s);

@@ -13,6 +13,18 @@ Real way_of(const FaceBarrier& barrier, Real g) {
   return std::max(barrier.onset - g, barrier.least_way());
 }
 
+/// Slope of the pressure over k, 1 or more, that bounds the step of one side, faces a way `coming`
+/// [m] deeper in each other than they are. A rigid body feels the whole overlap, and so its mean. A
+/// node of elements has half (2D) or a quarter (3D) of its faces' mass, and all of the slope may
+/// lie beside it: there the mean excess counts as often, but no more than the largest.
+template <int Dim>
+Real slope_of(const ContactFace<Dim>& face, const FaceBarrier& barrier,
+              const CommonPlane<Dim>& plane, Real coming) {
+  const Real mean = plane.mean_slope - 1 + 2 * barrier.steepness() * coming;
+  const Real share = face.deforms() ? 1 << (Dim - 1) : 1;
+  return std::min(barrier.tangent(plane.deepest + coming), 1 + share * mean);
+}
+
 /// Of the corners of a face along n, from a place: the largest height [m] and speed [m/s].
 struct Front {
   Real height = -kInfinity, speed = -kInfinity;
@@ -67,28 +79,28 @@ void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candi
   const FaceBarrier barrier = candidate.barrier();
   const Real coming =
       std::min(std::max(closing, 0.0) * step.longest_of_faces, way_of(barrier, plane.deepest));
-  const Real steeper = barrier.tangent(plane.deepest + coming);
-  if (!(steeper > 1)) return;
+  if (!(barrier.tangent(plane.deepest + coming) > 1)) return;
   const Real opening = -closing, back = plane.deepest - barrier.onset;
   if (opening > 0 && back > 0) {
     const Real way = 0.5 * std::max(back, barrier.least_way());
     const auto& face = entities.faces[static_cast<std::size_t>(candidate.lower)];
     vote.take({way / opening, "contact speed", face.body, face.id});
   }
-  // A step at the limit of stability swings across the slope: what the mean of both forces does is
-  // not what the spring holds. Half of it errs a quarter as much.
-  const Real exact = 0.5 * (1 + 1 / std::sqrt(steeper));
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[static_cast<std::size_t>(place)];
     if (face.rigid() || face.held || !(face.area_start > 0)) continue;
-    Real longest = step.longest_of_rigid / std::sqrt(steeper);
+    const Real steeper = slope_of(face, barrier, plane, coming), root = std::sqrt(steeper);
+    Real longest = step.longest_of_rigid / root;
     if (face.deforms()) {
       const Real area =
           std::max(entities.planes[static_cast<std::size_t>(place)].area, face.footprint);
       // The damper stays as it is: its part of critical falls.
-      longest = face.element_step * surface_step_ratio(face.phi * steeper * area / face.area_start,
-                                                       face.zeta / std::sqrt(steeper));
+      longest = face.element_step *
+                surface_step_ratio(face.phi * steeper * area / face.area_start, face.zeta / root);
     }
+    // A step at the limit of stability swings across the slope: what the mean of both forces does
+    // is not what the spring holds. Half of it errs a quarter as much.
+    const Real exact = 0.5 * (1 + 1 / root);
     vote.take({exact * longest, "contact stiffness", face.body, face.id});
   }
 }

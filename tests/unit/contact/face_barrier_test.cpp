@@ -2,7 +2,7 @@
 // integrals over overlaps are those of polynomials: exact, here by
 //   int over a simplex x^i y^j dA = i! j!/(i + j + 2)!  (triangle (0,0), (1,0), (0,1)),
 // and, where a face leans, by integrals along the wedge: u from 0 to u1 over a length l has
-//   int u^2 = l u1^2/3, int u^3 = l u1^3/4, int u^2 s = l^2 u1^2/4.
+//   int u = l u1/2, int u^2 = l u1^2/3, int u^3 = l u1^3/4, int u^2 s = l^2 u1^2/4.
 // Tolerances are those of sums of ten numbers.
 #include "contact/face_barrier.hpp"
 
@@ -62,6 +62,7 @@ TEST(FaceBarrier, IntegratesOverATriangle) {
   const Polygon overlap = polygon_of({{0, 0}, {1, 0}, {0, 1}, {-1, 1}, {-1, 0}});
   const LinearField g{0.2, {1, 0}};
   const DeepArea deep = deep_area(overlap, g, 1, 1.2, {0.2});
+  EXPECT_NEAR(deep.linear, 1.0 / 6, 1e-16);
   EXPECT_NEAR(deep.squared, 1.0 / 12, 1e-16);
   EXPECT_NEAR(deep.cubed, 1.0 / 20, 1e-16);
   EXPECT_NEAR(deep.moment[0], 1.0 / 20, 1e-16);
@@ -84,6 +85,7 @@ TEST(FaceBarrier, MeansAlongASide) {
 TEST(FaceBarrier, IntegratesAlongALine) {
   // G = 0.1 + s over 0 .. 1, g0 = 0.3: u = s - 0.2 from 0 to 0.8; breadths 1 and s.
   const auto deep = deep_line({0, 1}, {0.1, 1.1}, {0.3}, [](Real) { return 1.0; });
+  EXPECT_NEAR(deep.linear, 0.64 / 2, 1e-16);
   EXPECT_NEAR(deep.squared, 0.8 * 0.64 / 3, 1e-16);
   EXPECT_NEAR(deep.cubed, 0.8 * 0.512 / 4, 1e-16);
   EXPECT_NEAR(deep.moment, 0.64 * 0.64 / 4 + 0.2 * deep.squared, 1e-16);
@@ -126,6 +128,7 @@ void expect_flush() {
       EXPECT_NEAR(plane.volume, depth + b * u * u / barrier.onset, 1e-13) << depth;
       EXPECT_NEAR(plane.energy, 0.5 * depth * depth + b * u * u * u / (3 * barrier.onset), 1e-13);
       EXPECT_NEAR(plane.penetration, depth, 1e-15);
+      EXPECT_NEAR(plane.mean_slope, barrier.tangent(depth), 1e-13);
     }
   }
 }
