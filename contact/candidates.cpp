@@ -15,49 +15,6 @@ constexpr Real kWorkPerListed = 5;
 // Bounds of a chosen skin, in sizes.
 constexpr Real kThinnest = 0.02, kFirst = 0.2, kWidest = 0.5;
 
-/// Bounds that prove the lists complete (contact.md 2.3): extremes, by component, of displacement
-/// since they were built and of velocity.
-template <int Dim>
-struct MotionBounds {
-  Vec<Dim> u_min = Vec<Dim>::Constant(kInfinity), u_max = Vec<Dim>::Constant(-kInfinity);
-  Vec<Dim> v_min = Vec<Dim>::Constant(kInfinity), v_max = Vec<Dim>::Constant(-kInfinity);
-
-  void take(const Vec<Dim>& u, const Vec<Dim>& v) {
-    u_min = u_min.cwiseMin(u), u_max = u_max.cwiseMax(u);
-    v_min = v_min.cwiseMin(v), v_max = v_max.cwiseMax(v);
-  }
-  void take(const MotionBounds& other) {
-    u_min = u_min.cwiseMin(other.u_min), u_max = u_max.cwiseMax(other.u_max);
-    v_min = v_min.cwiseMin(other.v_min), v_max = v_max.cwiseMax(other.v_max);
-  }
-  /// Largest relative displacement [m] of any two nodes, any component; 0 where there are none.
-  Real relative_displacement() const {
-    Real widest = 0;
-    for (int c = 0; c < Dim; ++c) widest = std::max(widest, u_max[c] - u_min[c]);
-    return widest;
-  }
-  /// Largest relative speed [m/s] of any two nodes.
-  Real relative_speed() const {
-    const Vec<Dim> widest = v_max - v_min;
-    return widest.norm();
-  }
-};
-
-/// Bounds over n nodes; take(i, bounds) adds node i.
-template <int Dim, class Take>
-MotionBounds<Dim> bounds_of(std::size_t n, const Take& take) {
-  MotionBounds<Dim> all;
-#pragma omp parallel if (n > kWorthThreads)
-  {
-    MotionBounds<Dim> part;
-#pragma omp for schedule(static) nowait
-    for (std::size_t i = 0; i < n; ++i) take(i, part);
-#pragma omp critical(brunt_contact_bounds)
-    all.take(part);
-  }
-  return all;
-}
-
 /// The bounds and a largest value over all ranks.
 template <int Dim>
 MotionBounds<Dim> over_ranks(const Communicator& ranks, const MotionBounds<Dim>& mine,
@@ -157,9 +114,7 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
   std::vector<LocalIndex> row_particles, row_faces;
   find_particles(entities, pairs, row_particles, row_faces);
   find_pairs(entities, pairs);
-  x_built_ = nodes.x;
-  warp_built_.resize(entities.faces.size());
-  for (std::size_t f = 0; f < warp_built_.size(); ++f) warp_built_[f] = entities.planes[f].warp;
+  entities.mark_planes();
   find_clearances(entities, row_particles, row_faces);
   moved_ = warped_ = turned_ = 0;
   steps_ = 0;
@@ -270,10 +225,6 @@ void Candidates<Dim>::find_clearances(const Entities<Dim>& entities,
                                       const std::vector<LocalIndex>& row_faces) {
   clearances_.resize(row_faces.size());
   row_clearances_.resize(row_particles.size());
-  normal_built_.resize(row_clearances_.empty() ? 0 : entities.planes.size());
-  for (std::size_t f = 0; f < normal_built_.size(); ++f) {
-    normal_built_[f] = entities.planes[f].normal;
-  }
 #pragma omp parallel for schedule(static) if (row_clearances_.size() > kWorthThreads)
   for (std::size_t row = 0; row < row_clearances_.size(); ++row) {
     const auto& particle = entities.particles[static_cast<std::size_t>(row_particles[row])];
@@ -298,23 +249,11 @@ ParticleRows Candidates<Dim>::particle_rows(const PairTable& pairs, Real longest
 template <int Dim>
 bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest,
                                const Communicator& ranks) {
-  const auto& nodes = entities.nodes;
-  auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
-    part.take(nodes.x[i] - x_built_[i], nodes.v[i]);
-  });
-  Real warp = 0, turn_square = 0;
-#pragma omp parallel for schedule(static) \
-    reduction(max                         \
-              : warp, turn_square) if (warp_built_.size() > kWorthThreads)
-  for (std::size_t f = 0; f < warp_built_.size(); ++f) {
-    const auto& plane = entities.planes[f];
-    warp = std::max(warp, plane.warp - warp_built_[f]);
-    if (normal_built_.empty()) continue;
-    turn_square = std::max(turn_square, (plane.normal - normal_built_[f]).squaredNorm());
-  }
+  // What is imported moves among the points of its owner.
+  Real warp = entities.warped;
   warped_ = warp;
-  turned_ = std::sqrt(turn_square);
-  bounds = over_ranks(ranks, bounds, warp);
+  turned_ = entities.turned;
+  const auto bounds = over_ranks(ranks, entities.nodes.motion, warp);
   speed_ = bounds.relative_speed();
   Real growth = 2 * kReachPerWarp * warp;  // of reaches since the lists were built
   Real farther = std::max(0.0, way_of_faces(entities) - face_reach_);

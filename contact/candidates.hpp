@@ -111,17 +111,14 @@ class Candidates {
   std::vector<Clearance> row_clearances_;
   std::vector<PairCandidate> pairs_;
   std::vector<std::size_t> pair_starts_;
-  std::vector<Vec<Dim>> x_built_;       // [m]
-  std::vector<Real> warp_built_;        // [m]
-  std::vector<Vec<Dim>> normal_built_;  // empty without rows of particles
-  Real speed_reach_ = 0;                // [m] of motion that the particles' boxes foresee
-  Real face_reach_ = 0;                 // [m] the same of faces, both sides together
-  Real speed_ = 0;                      // [m/s] largest relative speed now
-  Real moved_ = 0;                      // [m] largest relative displacement since
-  Real warped_ = 0;                     // [m] largest growth of a warp since
-  Real turned_ = 0;                     // largest change of a normal since
-  Real skin_ = 0;                       // [m]
-  std::size_t steps_ = 0;               // since the lists were built
+  Real speed_reach_ = 0;   // [m] of motion that the particles' boxes foresee
+  Real face_reach_ = 0;    // [m] the same of faces, both sides together
+  Real speed_ = 0;         // [m/s] largest relative speed now
+  Real moved_ = 0;         // [m] largest relative displacement since
+  Real warped_ = 0;        // [m] largest growth of a warp since
+  Real turned_ = 0;        // largest change of a normal since
+  Real skin_ = 0;          // [m]
+  std::size_t steps_ = 0;  // since the lists were built
   std::size_t builds_ = 0;
 };
 

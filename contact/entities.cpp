@@ -270,21 +270,71 @@ void Entities<Dim>::read_materials(const std::vector<Surface<Dim>*>& surfaces) {
 }
 
 template <int Dim>
-void Entities<Dim>::refresh_planes() {
-#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto& face = faces[f];
-    auto& plane = planes[f];
-    plane.n_corners = face.n_nodes;
-    plane.borders = face.borders;
-    for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
-      const auto k = static_cast<std::size_t>(c);
-      const bool there = c < face.n_nodes;
-      plane.corner[k] = there ? nodes.x[static_cast<std::size_t>(face.node[k])] : Vec<Dim>::Zero();
-    }
-    refresh(plane);
-    boxes[f] = box_of(plane, 0.0);
+void Entities<Dim>::Seen::take(const Seen& other) {
+  vote.take(other.vote);
+  warped = std::max(warped, other.warped);
+  turned_square = std::max(turned_square, other.turned_square);
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_plane(std::size_t f) {
+  const auto& face = faces[f];
+  auto& plane = planes[f];
+  plane.n_corners = face.n_nodes;
+  plane.borders = face.borders;
+  for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const bool there = c < face.n_nodes;
+    plane.corner[k] = there ? nodes.x[static_cast<std::size_t>(face.node[k])] : Vec<Dim>::Zero();
   }
+  refresh(plane);
+  boxes[f] = box_of(plane, 0.0);
+}
+
+template <int Dim>
+void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
+  const auto& plane = planes[f];
+  if (!shapes.empty()) {
+    seen.warped = std::max(seen.warped, plane.warp - shapes[f].warp);
+    const Real turn_square = (plane.normal - shapes[f].normal).squaredNorm();
+    seen.turned_square = std::max(seen.turned_square, turn_square);
+  }
+  const auto& face = faces[f];
+  if (!face.deforms() || face.held || !(face.area_start > 0)) return;
+  const Real area = std::max(plane.area, face.footprint);
+  const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);
+  seen.vote.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_planes() {
+  // A few at a time: the roots of a face wait for nothing of its neighbours, and what is looked at
+  // is still in the cache.
+  constexpr std::size_t kBlock = 64;
+  const std::size_t n = faces.size();
+  Seen all;
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    Seen part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t first = 0; first < n; first += kBlock) {
+      const std::size_t last = std::min(first + kBlock, n);
+      for (std::size_t f = first; f < last; ++f) refresh_plane(f);
+      for (std::size_t f = first; f < last; ++f) look_at(f, part);
+    }
+#pragma omp critical(brunt_contact_vote)
+    all.take(part);
+  }
+  surface_vote = all.vote;
+  warped = all.warped;
+  turned = std::sqrt(all.turned_square);
+}
+
+template <int Dim>
+void Entities<Dim>::mark_planes() {
+  shapes.clear();
+  shapes.reserve(planes.size());
+  for (const auto& plane : planes) shapes.push_back({plane.normal, plane.warp});
 }
 
 template <int Dim>
@@ -300,20 +350,7 @@ void Entities<Dim>::refresh_reaches() {
 template <int Dim>
 StepVote Entities<Dim>::stiffness_vote() const {
   StepVote vote = constant_vote;
-#pragma omp parallel if (faces.size() > kWorthThreads)
-  {
-    StepVote part;
-#pragma omp for schedule(static) nowait
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const auto& face = faces[f];
-      if (!face.deforms() || face.held || !(face.area_start > 0)) continue;
-      const Real area = std::max(planes[f].area, face.footprint);
-      const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);
-      part.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
-    }
-#pragma omp critical(brunt_contact_vote)
-    vote.take(part);
-  }
+  vote.take(surface_vote);
   return vote;
 }
 

@@ -51,6 +51,13 @@ struct FaceTraction {
   Real growth = 1;                    ///< [1] of its area in the last step
 };
 
+/// What of a face's plane says how it turned and warped.
+template <int Dim>
+struct FaceShape {
+  Vec<Dim> normal;
+  Real warp;  ///< [m]
+};
+
 struct ContactParticle {
   LocalIndex node = 0;
   LocalIndex surface = 0;
@@ -83,6 +90,9 @@ struct Entities {
   std::vector<ContactFace<Dim>> faces;
   std::vector<ContactParticle> particles;
   std::vector<FacePlane<Dim>> planes;        ///< of each face, at nodes.x
+  std::vector<FaceShape<Dim>> shapes;        ///< of each face when its lists were built
+  Real warped = 0;                           ///< [m] largest growth of a warp since then
+  Real turned = 0;                           ///< largest change of a normal since then
   std::vector<SearchBox<Dim>> boxes;         ///< of planes
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
@@ -90,6 +100,7 @@ struct Entities {
   std::vector<SurfaceMaterial> materials;
   std::vector<char> conducts;   ///< by surface: its points keep the temperature
   StepVote constant_vote;       ///< bound from the springs of particles
+  StepVote surface_vote;        ///< the same of faces, at the last planes
   Real deepest = 0;             ///< [m] largest depth of a face of any rank
   Real shallowest = kInfinity;  ///< [m] smallest half thickness of the faces here
   /// [m] smallest penetration at which faces let go, of all ranks
@@ -114,13 +125,16 @@ struct Entities {
   void read_materials(const std::vector<Surface<Dim>*>& surfaces);
   /// Takes over what the same faces remember in an older table.
   void inherit_tractions(const Entities& old);
-  /// Planes and boxes of all faces at nodes.x.
+  /// Planes and boxes of all faces at nodes.x, and what they say of steps and of motion.
   void refresh_planes();
+  /// Lists are built now: `shapes` of the planes.
+  void mark_planes();
   /// `reaches` of all faces, once their planes are there.
   void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
-  /// Bound from the springs of faces and particles, before anything touches (physics.md A5).
+  /// Bound from the springs of faces and particles at the last planes, before anything touches
+  /// (physics.md A5).
   StepVote stiffness_vote() const;
   /// [m/s] mean over the corners of a face.
   Vec<Dim> face_velocity(std::size_t face) const {
@@ -131,6 +145,16 @@ struct Entities {
     }
     return sum / one.n_nodes;
   }
+
+ private:
+  /// What planes say as a whole.
+  struct Seen {
+    StepVote vote;
+    Real warped = 0, turned_square = 0;
+    void take(const Seen& other);
+  };
+  void refresh_plane(std::size_t face);
+  void look_at(std::size_t face, Seen& seen) const;
 };
 
 }  // namespace brunt

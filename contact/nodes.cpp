@@ -26,6 +26,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   id.push_back(of);
   mass.push_back(m);
   x.push_back(at);
+  x_made.push_back(at);
   v.push_back(velocity);
   for (auto* field : {&spring, &damping, &spring_last, &damping_last}) {
     field->push_back(Vec<Dim>::Zero());
@@ -56,14 +57,15 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
   for (const auto* from : surfaces) of.push_back({from->points->x.data(), from->points->v.data()});
   const LocalIndex *const place = point.data(), *const whose = surface.data();
   Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
-  const std::size_t n = size();
-#pragma omp parallel for schedule(static) if (n > kWorthThreads)
-  for (std::size_t i = 0; i < n; ++i) {
-    if (place[i] < 0) continue;
+  const Vec<Dim>* const from_x = x_made.data();
+  motion = bounds_of<Dim>(size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+    if (place[i] < 0) return;
     const Motion& from = of[static_cast<std::size_t>(whose[i])];
-    to_x[i] = from.x[place[i]];
-    to_v[i] = from.v[place[i]];
-  }
+    const Vec<Dim> now = from.x[place[i]], velocity = from.v[place[i]];
+    to_x[i] = now;
+    to_v[i] = velocity;
+    part.take(now - from_x[i], velocity);
+  });
   if (turns || asks_material || warm) read_matter(surfaces);
 }
 

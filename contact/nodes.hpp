@@ -1,12 +1,28 @@
 #pragma once
 #include <vector>
 
+#include "contact/motion_bounds.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
 
 /// Entities below which a team of threads costs more than it saves.
 inline constexpr std::size_t kWorthThreads = 1000;
+
+/// Bounds over n nodes; take(i, bounds) adds node i.
+template <int Dim, class Take>
+MotionBounds<Dim> bounds_of(std::size_t n, const Take& take) {
+  MotionBounds<Dim> all;
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    MotionBounds<Dim> part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t i = 0; i < n; ++i) take(i, part);
+#pragma omp critical(brunt_contact_bounds)
+    all.take(part);
+  }
+  return all;
+}
 
 /// The points that contact moves, of all groups, side by side, with what must outlive a step.
 /// Corners of imported faces may be points that this rank does not have.
@@ -16,10 +32,12 @@ struct ContactNodes {
   std::vector<LocalIndex> point;    ///< index there; -1: only another rank has it
   std::vector<char> owned;          ///< this rank sums and books its forces
   std::vector<GlobalId> id;
-  std::vector<Real> mass;                           ///< [kg]
-  std::vector<Vec<Dim>> x;                          ///< [m] at the last evaluation
-  std::vector<Vec<Dim>> v;                          ///< [m/s] at the last evaluation
-  std::vector<Vec<Dim>> spring, damping;            ///< [N] forces of this evaluation
+  std::vector<Real> mass;                 ///< [kg]
+  std::vector<Vec<Dim>> x;                ///< [m] at the last evaluation
+  std::vector<Vec<Dim>> x_made;           ///< [m] when they were added here
+  std::vector<Vec<Dim>> v;                ///< [m/s] at the last evaluation
+  MotionBounds<Dim> motion;               ///< since then, of the points that are here, as last read
+  std::vector<Vec<Dim>> spring, damping;  ///< [N] forces of this evaluation
   std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
   /// Whether anything gave them a force in this evaluation, and in the one before: where nothing
   /// did it is 0, friction too.
@@ -44,7 +62,7 @@ struct ContactNodes {
   /// A point of another rank; [kg], [m], [m/s].
   LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
                         const Vec<Dim>& velocity);
-  /// Takes x, v and spin of the points that are here from the groups.
+  /// Takes x, v and spin of the points that are here from the groups, and how they moved.
   void read_motion(const std::vector<Surface<Dim>*>& surfaces);
   /// `temperature` of owned points now, before heat of this step is known.
   void read_temperatures(const std::vector<Surface<Dim>*>& surfaces);

@@ -1,0 +1,34 @@
+// Blocks from two large pages on begin at one, smaller ones do not care, and what cannot be had is
+// said as anywhere: std::bad_alloc. The address sanitizer has an operator new of its own.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace brunt {
+namespace {
+
+constexpr std::size_t kPage = std::size_t{1} << 21;
+
+#ifndef __SANITIZE_ADDRESS__
+TEST(LargeBlocks, BeginAtAPage) {
+  for (const std::size_t bytes : {2 * kPage, 2 * kPage + 1, 7 * kPage - 1}) {
+    std::vector<char> block(bytes, 1);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block.data()) % kPage, 0U) << bytes;
+    block.resize(bytes + kPage, 2);
+    EXPECT_EQ(block.front() + block[bytes - 1] + block.back(), 4);
+  }
+}
+#endif
+
+TEST(LargeBlocks, SayThatThereIsNoRoom) {
+  // Close to the end of all addresses, where rounding up would begin anew.
+  volatile std::size_t bytes = SIZE_MAX - 5;
+  EXPECT_THROW(::operator delete(::operator new(bytes)), std::bad_alloc);
+  bytes = SIZE_MAX / 4;
+  EXPECT_THROW(::operator delete(::operator new(bytes)), std::bad_alloc);
+}
+
+}  // namespace
+}  // namespace brunt
