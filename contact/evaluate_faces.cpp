@@ -38,13 +38,20 @@ Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate
       .dot(plane.normal);
 }
 
-/// Notes a plane that lets go, or one that pushes from behind.
+/// Notes a plane that lets go, or one that pushes from behind. Slivers, less than a hundredth of
+/// the smaller face, come and go deep at the borders of faces: what they push is next to nothing.
 template <int Dim>
 void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const CommonPlane<Dim>& plane, std::uint32_t how,
                typename Records<Dim>::Part& part) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  constexpr Real kSliver = 0.01;
+  const Real smaller = std::min(entities.planes[static_cast<std::size_t>(candidate.lower)].area,
+                                entities.planes[static_cast<std::size_t>(candidate.upper)].area);
+  // In 2D as a length, as that of faces.
+  const Real pressed = Dim == 3 ? plane.area : plane.polygon[1][0] - plane.polygon[0][0];
+  if (pressed < kSliver * smaller) return;
   part.lost.push_back(
       {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
 }
