@@ -30,7 +30,9 @@ std::string lost_text(const PairReport& pair, int dim) {
            ": the bodies go through each other there;" + remedy;
   }
   return "faces that had gone through each other push again from " + depth + " at " + where +
-         ": elements have folded there, and the push gives energy (energy.contact.pairs);" + remedy;
+         ": elements have folded, or let go before, and the push gives energy "
+         "(energy.contact.pairs);" +
+         remedy;
 }
 
 std::string lost_count_text(const PairReport& pair) {
