@@ -310,6 +310,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
                             : std::vector<fs::path>{};
   write_summary(folder, summary);
 
+  for (const auto& [pair, text] : monitor.lost_contacts()) log->warn("contact: {}", text);
   log->info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
   if (!ended.reason.empty()) log->info("{}", ended.reason);
   log->flush();
