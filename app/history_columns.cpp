@@ -207,6 +207,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   }
   if (scene.contact) {
     for (const auto& pair : scene.contact->reports(scene.origin)) {
+      if (pair.lost.any()) row.lost.push_back(pair);
       for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
       for (int c = first_torque(scene); c < 3; ++c) {
         values.push_back(pair.torque[static_cast<std::size_t>(c)]);

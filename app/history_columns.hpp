@@ -20,6 +20,7 @@ class HistoryColumns {
     std::uint64_t state_hash = 0;    ///< the last column
     Real total = 0;                  ///< [J]
     Real drift = 0;                  ///< (total - total at time 0) / largest column so far
+    std::vector<PairReport> lost;    ///< pairs of bodies in which contacts did not hold
   };
   /// Collects a row; the first call sets what drift is measured against.
   Row collect(const Scene<Dim>& scene, const Clock& clock);

@@ -53,12 +53,15 @@ std::int64_t multiples(Real time, Real every) {
 }
 
 template <int Dim>
-Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet)
+Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet,
+                      Warn warn)
     : deck_(deck),
       history_(history),
       frames_(frames),
       progress_(quiet),
       measured_(deck.measures.size(), false),
+      lost_contacts_(Dim),
+      warn_(std::move(warn)),
       history_every_(deck.output.history.value_or(deck.time.end / 2000)),
       frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
   for (const auto& body : deck.bodies) body_names_.push_back(body.name);
@@ -97,10 +100,21 @@ void Monitor<Dim>::stop(Clock& clock, std::string reason) {
   clock.stop();
 }
 
+/// A row, and what it tells beside its columns.
+template <int Dim>
+typename HistoryColumns<Dim>::Row Monitor<Dim>::collect(Scene<Dim>& scene, const Clock& clock) {
+  auto row = collector_->collect(scene, clock);
+  for (const auto& text : lost_contacts_.take(row.lost)) {
+    progress_.finish();
+    if (warn_) warn_(text);
+  }
+  return row;
+}
+
 template <int Dim>
 void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
   const PhaseTimer timer(scene.phases, Phase::ledger);
-  const auto row = collector_->collect(scene, clock);
+  const auto row = collect(scene, clock);
   if (history_) history_->write_row(history_values(row.values, row.state_hash, row.whole));
   rows_.push_back(row.values);
   hashes_.push_back(row.state_hash);
@@ -157,7 +171,7 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
     rows_due_ = rows;
     write_row(scene, clock);
   } else if (clock.step() % kCheckEvery == 0) {
-    drift_ = collector_->collect(scene, clock).drift;
+    drift_ = collect(scene, clock).drift;
     if (!(std::fabs(drift_) <= deck_.time.max_drift)) write_row(scene, clock);
   }
   const auto frames = multiples(clock.time(), frame_every_);

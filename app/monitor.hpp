@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "app/deck/deck.hpp"
 #include "app/history_columns.hpp"
+#include "app/lost_contacts.hpp"
 #include "app/measures.hpp"
 #include "app/progress.hpp"
 #include "app/time_loop.hpp"
@@ -38,8 +40,9 @@ std::int64_t multiples(Real time, Real every);
 template <int Dim>
 class Monitor final : public Observer<Dim> {
  public:
-  /// history may be null, frames may be null.
-  Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet);
+  using Warn = std::function<void(const std::string& text)>;
+  /// history may be null, frames may be null. warn  what is to be told while the run goes on
+  Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet, Warn warn = {});
 
   void begin(Scene<Dim>& scene, Clock& clock) override;
   /// What begin does before it writes: all that measures and stops remember of the scene at time 0.
@@ -61,6 +64,8 @@ class Monitor final : public Observer<Dim> {
 
   const std::vector<MeasureValue>& measures() const { return measures_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What was lost of contacts as of the last row or check of drift, by pair of bodies.
+  std::map<std::string, std::string> lost_contacts() const { return lost_contacts_.all(); }
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Real>>& rows() const { return rows_; }
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }
@@ -70,6 +75,7 @@ class Monitor final : public Observer<Dim> {
  private:
   template <class Row, class AnyMonitor>
   static void visit(Row& row, AnyMonitor& monitor);
+  typename HistoryColumns<Dim>::Row collect(Scene<Dim>& scene, const Clock& clock);
   void write_row(Scene<Dim>& scene, const Clock& clock);
   void write_frame(Scene<Dim>& scene, Real time);
   BodyView frame_part(const Scene<Dim>& scene, Label body, Real time) const;
@@ -90,6 +96,8 @@ class Monitor final : public Observer<Dim> {
   std::vector<MeasureValue> measures_;
   std::vector<bool> measured_;
   std::vector<std::string> warnings_;
+  LostContactWarnings lost_contacts_;
+  Warn warn_;
   std::string reason_;
   Real history_every_, frame_every_;
   std::int64_t rows_due_ = 0, frames_due_ = 0;

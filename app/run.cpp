@@ -216,6 +216,9 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
         {measure.name, measure.value, measure.unit, measure.reference, error});
   }
   for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
+  for (const auto& [pair, text] : monitor.lost_contacts()) {
+    summary.warnings.push_back({"contact", text});
+  }
   summary.threads = omp_get_max_threads();
   summary.instruction_set = BRUNT_ISA;
 }
@@ -275,7 +278,13 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   std::optional<HistoryWriter> history;
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);
-  Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root);
+  const auto warn = [&](const std::string& text) {
+    log->warn("contact: {}", text);
+    log->flush();
+    if (root) std::fprintf(stderr, "warning: contact: %s\n", text.c_str());
+  };
+  Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
+                       warn);
   if (restart) {
     log->info("goes on from {}, t = {} s", restart->point().manifest.string(),
               restart->point().header.time);
@@ -301,6 +310,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
                             : std::vector<fs::path>{};
   write_summary(folder, summary);
 
+  for (const auto& [pair, text] : monitor.lost_contacts()) log->warn("contact: {}", text);
   log->info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
   if (!ended.reason.empty()) log->info("{}", ended.reason);
   log->flush();

@@ -71,7 +71,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
     if (scene.contact) {
       {
         const PhaseTimer timer(phases, Phase::contact);
-        scene.contact->add_forces(dt);
+        scene.contact->add_forces(dt, clock.time() + dt);
       }
       phases.rebook(Phase::contact, Phase::search, scene.contact->take_list_time());
     }

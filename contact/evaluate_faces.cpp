@@ -21,10 +21,45 @@ Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& fac
   return velocity;
 }
 
+/// How fast two faces close at the centre of their pressure [m/s].
+template <int Dim>
+Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const CommonPlane<Dim>& plane) {
+  const auto velocity = [&](LocalIndex place, const auto& weight) {
+    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      sum += weight[c] * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+    }
+    return sum;
+  };
+  return (velocity(candidate.lower, plane.lower_weight) -
+          velocity(candidate.upper, plane.upper_weight))
+      .dot(plane.normal);
+}
+
+/// Notes a plane that lets go, or one that pushes from behind. Slivers, less than a hundredth of
+/// the smaller face, come and go deep at the borders of faces: what they push is next to nothing.
+template <int Dim>
+void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const CommonPlane<Dim>& plane, std::uint32_t how,
+               typename Records<Dim>::Part& part) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  constexpr Real kSliver = 0.01;
+  const Real smaller = std::min(entities.planes[static_cast<std::size_t>(candidate.lower)].area,
+                                entities.planes[static_cast<std::size_t>(candidate.upper)].area);
+  // In 2D as a length, as that of faces.
+  const Real pressed = Dim == 3 ? plane.area : plane.polygon[1][0] - plane.polygon[0][0];
+  if (pressed < kSliver * smaller) return;
+  part.lost.push_back(
+      {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
+}
+
 template <int Dim>
 ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
                              const CommonPlane<Dim>& plane, const FirstTouch& touch,
-                             const EvaluationStep& step, StepVote& vote) {
+                             const EvaluationStep& step, typename Records<Dim>::Part& part) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
   ContactRecord<Dim> record;
@@ -40,7 +75,13 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   const Real closing = (v_lower - v_upper).dot(plane.normal);
   record.spring = candidate.stiffness * plane.volume;
   record.stored = candidate.stiffness * plane.energy;
-  take_barrier_vote<Dim>(entities, candidate, plane, closing, step, vote);
+  take_barrier_vote<Dim>(entities, candidate, plane, closing, step, part.vote);
+  // Faces that meet from before begin to push where they touch, those that turn to each other or
+  // come over each other where their pressure fades in. From beyond the limit a contact begins at
+  // its highest: its faces have gone through each other elsewhere, or where they did not face.
+  if (plane.penetration - closing * step.dt > candidate.limit) {
+    note_lost(entities, candidate, plane, kFromBehind, part);
+  }
   record.damping = candidate.damping * plane.ramp * plane.area * closing;
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
@@ -222,8 +263,16 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
-      if (plane.penetration > candidate.limit) continue;
-      part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part.vote));
+      if (plane.penetration > candidate.limit) {
+        // By the way of the step it was within the limit at the last evaluation, and pushed. What
+        // is seen from behind was beyond it then too, and what opens comes nearer.
+        const Real way = closing_speed(entities, candidate, plane) * step.dt;
+        if (plane.penetration - way <= candidate.limit) {
+          note_lost(entities, candidate, plane, kLetGo, part);
+        }
+        continue;
+      }
+      part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
       if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
       if (candidate.rubs == nullptr || history == nullptr) continue;

@@ -199,6 +199,25 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   }
 }
 
+/// Keeps a contact that pushes a centre behind its face, if the next step may bring that farther
+/// than it is held. Where it was then is told by the next evaluation (contact/lost.hpp).
+/// longest  [s] that the next step may be
+template <int Dim>
+void note_deep(const Entities<Dim>& entities, const ParticleHit<Dim>& hit, Real longest,
+               typename Records<Dim>::Part& part) {
+  const auto& record = part.particle_on_face.back();
+  const auto& v = entities.nodes.v;
+  Vec<Dim> velocity = Vec<Dim>::Zero();  // of the face
+  for (std::size_t k = 1; k < static_cast<std::size_t>(record.n_nodes); ++k) {
+    velocity -= record.weight[k] * v[static_cast<std::size_t>(record.node[k])];
+  }
+  const Vec<Dim> relative = velocity - v[static_cast<std::size_t>(record.node[0])];
+  const Real closing = relative.dot(hit.direction);
+  if (!(closing > 0) || hit.nearest.distance + closing * longest <= hit.limit) return;
+  part.deep.push_back({key_of(record), record.lower_body, record.upper_body, hit.direction,
+                       hit.nearest.point, velocity, hit.limit});
+}
+
 template <int Dim>
 void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
                   const ParticleHit<Dim>& hit, const Section& section, Real dt,
@@ -245,6 +264,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
                             pairs.of(now.particle.body, hit.body));
     fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
+    if (hit.inside) note_deep(entities, hit, step.longest, part);
     if (law.rubs != nullptr && history != nullptr) {
       add_friction(entities, now, law, hit, section, dt, *history, part);
     }

@@ -1,5 +1,6 @@
 #pragma once
 #include "contact/evaluate.hpp"
+#include "contact/lost.hpp"
 #include "contact/manager.hpp"
 #include "core/errors.hpp"
 
@@ -30,6 +31,10 @@ struct ContactManager<Dim>::Implementation {
   /// Records and votes of the lists at the present motion; friction goes on from its past, or is
   /// left out where there is none: at time 0, and where the last evaluation is repeated.
   void evaluate(Real dt, const StepVote& longest, Real ahead, FrictionHistory<Dim>* past);
+  /// Remembers the contacts that the evaluation at `time` after a step dt has lost.
+  void remember_lost(Real dt, Real time);
+  void save_lost(std::vector<StateTable>& tables) const;
+  void load_lost(const StateTables& tables);
   /// Reads what friction asks of materials at the start of the step. Collective among neighbours.
   void read_materials();
   /// Makes the records of the last step the past of this one, and books their work at nodes.v.
@@ -75,8 +80,10 @@ struct ContactManager<Dim>::Implementation {
   std::vector<ParticleLoad> loads;  // by particle; empty where no row of pairs is there
   std::vector<PairSide> sides;      // by candidate of pairs; empty where nothing conducts
   FrictionHistory<Dim> history;
-  std::vector<EndedHeat> ended_heat;  // of the step under way
-  FirstTouches touches;               // as the last evaluation left them
+  std::vector<EndedHeat> ended_heat;    // of the step under way
+  FirstTouches touches;                 // as the last evaluation left them
+  LostContacts<Dim> lost;               // since time 0
+  std::vector<DeepParticle<Dim>> deep;  // of the last evaluation
   /// The first coefficient of friction of the last evaluation that is none, with its contact.
   std::optional<PhysicsFailure> wrong_friction;
   Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]

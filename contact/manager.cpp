@@ -153,7 +153,7 @@ void ContactManager<Dim>::start() {
 }
 
 template <int Dim>
-void ContactManager<Dim>::add_forces(Real dt) {
+void ContactManager<Dim>::add_forces(Real dt, Real time) {
   auto& own = *implementation_;
   auto& nodes = own.entities.nodes;
   const auto read_motion = [&] {
@@ -175,6 +175,7 @@ void ContactManager<Dim>::add_forces(Real dt) {
   own.imports.refresh_tractions(own.entities);
   own.read_materials();
   own.evaluate(dt, longest, ahead, &own.history);
+  own.remember_lost(dt, time);
   const auto elsewhere = own.imports.send_home(own.records, nodes);
   apply<Dim>(own.records, elsewhere, dt, own.surfaces, nodes);
   own.end_friction();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/lost.hpp"
 #include "contact/options.hpp"
 #include "contact/reach.hpp"
 #include "core/ledger.hpp"
@@ -31,6 +32,7 @@ struct PairReport {
   Real temperature_max = 0, temperature_mean = 0;
   Real max_penetration = 0;  ///< [m]
   std::int64_t planes = 0;   ///< common planes and particle contacts that carry force
+  LostReport lost;           ///< is told in a warning, and has no column
 };
 
 /// Contacts of a pair of bodies that overlap at time 0 and are not felt until they have opened.
@@ -77,8 +79,8 @@ class ContactManager {
   /// energy of their springs. Collective.
   void start();
   /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping. Lists that may miss
-  /// a contact there are rebuilt first.
-  void add_forces(Real dt);
+  /// a contact there are rebuilt first. time  [s] of x(n+1), for what is told of lost contacts
+  void add_forces(Real dt, Real time = 0);
   /// What add_forces has spent on its lists since the last call: a part of its own wall time.
   WallTime take_list_time();
   /// Heat of the contacts of this step, after all other heat but that which holds temperatures.

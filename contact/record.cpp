@@ -70,6 +70,8 @@ void Records<Dim>::clear() {
     part.face_touches.clear();
     part.particle_touches.clear();
     part.pair_touches.clear();
+    part.lost.clear();
+    part.deep.clear();
     part.past = 0;
     part.vote = StepVote{};
   }
@@ -87,6 +89,12 @@ void Records<Dim>::collect_touches(FirstTouches& touches) const {
   for (const auto& part : parts_) {
     for (const auto& touch : part.pair_touches) touches.add(touch);
   }
+}
+
+template <int Dim>
+void Records<Dim>::collect_deep(std::vector<DeepParticle<Dim>>& deep) const {
+  deep.clear();
+  for (const auto& part : parts_) deep.insert(deep.end(), part.deep.begin(), part.deep.end());
 }
 
 template <int Dim>

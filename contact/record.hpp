@@ -5,6 +5,7 @@
 
 #include "contact/first_touch.hpp"
 #include "contact/heat.hpp"
+#include "contact/lost.hpp"
 #include "contact/particle_pair.hpp"
 #include "core/step_vote.hpp"
 
@@ -81,6 +82,8 @@ class Records {
     std::vector<PairHeatPath<Dim>> pair_heat;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     std::vector<LocalIndex> near;                   ///< room to work: faces
+    std::vector<LostContact<Dim>> lost;             ///< without their times; nearly always empty
+    std::vector<DeepParticle<Dim>> deep;            ///< the same
     std::vector<ParticleMeeting<Dim>> meetings;     ///< room to work
     std::size_t past = 0;                           ///< where its frictions look for theirs
     StepVote vote;
@@ -144,6 +147,14 @@ class Records {
       for (auto& pair : part.pair_heat) change_pair(pair);
     }
   }
+  /// visit(contact) for each lost contact that the evaluation itself has noted.
+  template <class Visit>
+  void visit_lost(const Visit& visit) const {
+    for (const auto& part : parts_) {
+      for (const auto& contact : part.lost) visit(contact);
+    }
+  }
+  void collect_deep(std::vector<DeepParticle<Dim>>& deep) const;
   /// What pairs keep from time 0, in the order of keys.
   void collect_touches(FirstTouches& touches) const;
   /// name(record) names the nodes and places of each contact anew.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <span>
+#include <tuple>
 
 #include "contact/implementation.hpp"
 #include "contact/slide.hpp"
@@ -33,7 +34,16 @@ struct PairSums {
   Warmth touching, passing;        // of contacts with force; of those through which heat passes
   Real max_penetration = 0;        // [m]
   std::int64_t planes = 0;
+  LostReport lost;
 };
+
+/// Keeps the first of two.
+void merge(LostReport& into, const LostReport& from) {
+  const std::int64_t let_go = into.let_go + from.let_go;
+  const std::int64_t from_behind = into.from_behind + from.from_behind;
+  if (std::tie(from.time, from.key) < std::tie(into.time, into.key)) into = from;
+  into.let_go = let_go, into.from_behind = from_behind;
+}
 
 void merge(PairSums& into, const PairSums& from) {
   for (std::size_t c = 0; c < 3; ++c) {
@@ -47,6 +57,7 @@ void merge(PairSums& into, const PairSums& from) {
   into.passing.add(from.passing);
   into.max_penetration = std::max(into.max_penetration, from.max_penetration);
   into.planes += from.planes;
+  merge(into.lost, from.lost);
 }
 
 template <int Dim>
@@ -183,7 +194,18 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     const Label told = own.pairs.told()[known->second];
     sums[known->second].through.add(flow.upper_body == told ? flow.through : -flow.through);
   });
-  own.ranks.all->reduce_all(std::span(sums), merge);
+  for (const auto& contact : own.lost.all()) {
+    const auto known = place.find(std::minmax({contact.lower_body, contact.upper_body}));
+    if (known == place.end()) continue;
+    LostReport one{0, 0, contact.time, contact.depth, {}, contact.key};
+    for (int c = 0; c < Dim; ++c) {
+      one.point[static_cast<std::size_t>(c)] = origin[c] + contact.point[c];
+    }
+    ++(contact.key.ordinal == kLetGo ? one.let_go : one.from_behind);
+    merge(sums[known->second].lost, one);
+  }
+  own.ranks.all->reduce_all(std::span(sums),
+                            [](PairSums& into, const PairSums& from) { merge(into, from); });
   std::vector<PairReport> reports;
   for (std::size_t p = 0; p < sums.size(); ++p) {
     auto& report = reports.emplace_back();
@@ -203,6 +225,7 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     }
     report.max_penetration = sums[p].max_penetration;
     report.planes = sums[p].planes;
+    report.lost = sums[p].lost;
   }
   return reports;
 }

@@ -64,6 +64,7 @@ void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
   }
   if (nodes.rubs) own.save_friction(tables);
   own.save_touches(tables);
+  own.save_lost(tables);
 }
 
 template <int Dim>
@@ -84,11 +85,13 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   own.started = common.started != 0;
   if (!own.started) return rearrange();
   own.load_touches(tables);
+  own.load_lost(tables);
   rearrange();
   const StepVote longest = own.longest_after(own.dt_last);
   own.ahead_last = own.look_ahead(own.dt_last, longest);
   own.renew(own.ahead_last, false);
   own.evaluate(own.dt_last, longest, own.ahead_last, nullptr);
+  own.records.collect_deep(own.deep);
   if (nodes.rubs) own.load_friction(tables);
 }
 

@@ -47,6 +47,19 @@ expect 3 "$brunt" run "$deck" "${short[@]}" --set "time.min_step=1 s" --out brok
 grep -q '"status": *3' broken/summary.json || fail "no status in the summary"
 grep -q 'min_step' err.txt || fail "no cause"
 
+# Contacts that do not hold: said once for each pair, on the screen and in the log; counted at the end.
+expect 0 "$brunt" run "$2/tests/parallel/decks/lost.yaml" --quiet --out lost
+for pair in weak flying-standing; do
+  [ "$(grep -c "^warning: contact: $pair: .* at t = \|^warning: contact: $pair: .*since t = " err.txt)" = 1 ] ||
+    { cat err.txt; fail "$pair is not told once"; }
+  grep -q "warning.* contact: $pair: .*; in all [0-9]* contacts let go, and [0-9]* pushed" lost/log.txt ||
+    fail "no count of $pair in the log"
+  grep -q "\"text\": \"$pair: .*; in all [0-9]* contacts let go, and [0-9]* pushed" lost/summary.json ||
+    fail "no count of $pair in the summary"
+done
+grep -q '"text": "weak: .*; in all 8 contacts let go, and 0 pushed' lost/summary.json ||
+  { grep text lost/summary.json; fail "eight shots are not eight contacts"; }
+
 # --json prints the summary; check, plan, table, explain, schema answer.
 expect 0 "$brunt" run "$deck" "${short[@]}" --json --out json
 grep -q '"measures"' out.txt || fail "--json"

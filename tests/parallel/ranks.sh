@@ -2,7 +2,8 @@
 # The same history, byte for byte, state hashes and all, and the same frames, bit for bit, on any
 # number of ranks and threads: every shipped deck, shortened; with another skin; dealt out again
 # every few steps; and split in two by a restart on other ranks. Decks of contact alone besides, which
-# stand beside this file: all that a contact remembers moves with its points.
+# stand beside this file: all that a contact remembers moves with its points. Warnings are the same
+# too, with the place and time of the first contact that did not hold and how many followed it.
 #   ranks.sh PROGRAM SOURCE COMPARE STATE_DIFFERENCE RANDOM_DEAL RANKS...
 # COMPARE: the program of tests/support/compare_frames.cpp, or true where there are no frames.
 # RANDOM_DEAL: the program with points dealt by a hash, so that nearly every contact is shared by
@@ -59,6 +60,7 @@ cases=(
   "decks/solids 0.5_ms"
   "decks/fast 30_us"
   "decks/thin 4_us"
+  "decks/lost 0.14_ms"
 )
 status=0
 path_of() { case $1 in */*) echo "$1.yaml" ;; *) echo "$1/$1.yaml" ;; esac; }
@@ -79,6 +81,8 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
 }
 same() {  # same DECK A B
   "$compare" "$2" "$3" >frames.txt || { echo "FAILED: $1: frames differ"; cat frames.txt; status=1; }
+  cmp -s <(grep '"text"' "$2/summary.json") <(grep '"text"' "$3/summary.json") ||
+    { echo "FAILED: $1: $3 warns of something else than $2"; status=1; }
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
   diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4 || true

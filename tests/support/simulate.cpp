@@ -87,14 +87,15 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   }
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
-  Monitor<Dim> monitor(deck, nullptr, nullptr, true);
+  Simulation result;
+  Monitor<Dim> monitor(deck, nullptr, nullptr, true,
+                       [&](const std::string& text) { result.warnings.push_back(text); });
   const std::int64_t stop_at = restart == nullptr ? variation.split_at : 0;
   std::int64_t steps = 0;
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart, [&] {
     return Requests{false, ++steps == stop_at};
   });
   Watcher<Dim> observer(checkpointing, variation.rearrange_every_step, hooks);
-  Simulation result;
   try {
     run_time_loop(*scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), observer);
     monitor.end(*scene, clock);
@@ -108,6 +109,11 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   for (const auto& measure : monitor.measures()) result.measures[measure.name] = measure.value;
   for (std::size_t b = 0; b < scene->body_names.size(); ++b) {
     result.bodies[scene->body_names[b]] = scene->view(static_cast<Label>(b));
+  }
+  if (scene->contact) {
+    for (const auto& pair : scene->contact->reports(scene->origin)) {
+      if (pair.lost.any()) result.lost[pair.name] = pair.lost;
+    }
   }
   result.steps = clock.step();
   result.steps_here = clock.step() - checkpointing.first_step();

@@ -31,6 +31,8 @@ struct Simulation {
   std::vector<std::uint64_t> hashes;    ///< state hash of each row
   std::map<std::string, Real> measures;
   std::map<std::string, BodyView> bodies;  ///< at the end
+  std::map<std::string, LostReport> lost;  ///< by pair of bodies, where contacts did not hold
+  std::vector<std::string> warnings;       ///< told while it ran
   std::int64_t steps = 0;
   std::int64_t steps_here = 0;  ///< without those before a restart
   Real worst_drift = 0;

@@ -1,0 +1,62 @@
+#include "app/lost_contacts.hpp"
+
+#include "app/deck/findings.hpp"
+
+namespace brunt {
+
+namespace {
+std::string place_text(const LostReport& lost, int dim) {
+  std::string text = "t = " + deck::time_text(lost.time) + ", at (";
+  for (int c = 0; c < dim; ++c) {
+    text += (c == 0 ? "" : ", ") + deck::short_text(lost.point[static_cast<std::size_t>(c)]);
+  }
+  return text + ") m";
+}
+}  // namespace
+
+std::string lost_text(const PairReport& pair, int dim) {
+  const auto& lost = pair.lost;
+  const std::string where = place_text(lost, dim), depth = deck::length_text(lost.depth);
+  const std::string remedy =
+      " try finer elements, a higher contact `stiffness`, a smaller `time.safety`, or a "
+      "`strength` where elements have none";
+  if (lost.key.of_particle == 1) {
+    return "a particle came " + depth + " behind a face and is given up since " + where +
+           ": it goes through; try a higher contact `stiffness`, a smaller `time.safety`, or "
+           "particles and elements of more equal size";
+  }
+  if (lost.key.ordinal == kLetGo) {
+    return "faces came " + depth + " into each other and let go at " + where +
+           ": the bodies go through each other there;" + remedy;
+  }
+  return "faces that had gone through each other push again from " + depth + " at " + where +
+         ": elements have folded, or let go before, and the push gives energy "
+         "(energy.contact.pairs);" +
+         remedy;
+}
+
+std::string lost_count_text(const PairReport& pair) {
+  const auto& lost = pair.lost;
+  return "in all " + std::to_string(lost.let_go) + " contacts let go, and " +
+         std::to_string(lost.from_behind) + " pushed from behind";
+}
+
+std::vector<std::string> LostContactWarnings::take(const std::vector<PairReport>& pairs) {
+  std::vector<std::string> texts;
+  for (const auto& pair : pairs) {
+    const bool first = told_.count(pair.name) == 0;
+    told_[pair.name] = pair;
+    if (first) texts.push_back(pair.name + ": " + lost_text(pair, dim_));
+  }
+  return texts;
+}
+
+std::map<std::string, std::string> LostContactWarnings::all() const {
+  std::map<std::string, std::string> texts;
+  for (const auto& [name, pair] : told_) {
+    texts[name] = name + ": " + lost_text(pair, dim_) + "; " + lost_count_text(pair);
+  }
+  return texts;
+}
+
+}  // namespace brunt

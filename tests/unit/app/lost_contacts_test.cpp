@@ -1,0 +1,48 @@
+// What a user reads of contacts that did not hold: once for each pair of bodies while the run goes
+// on, with where, when and how deep, and at the end how many there were.
+#include "app/lost_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brunt {
+namespace {
+
+PairReport pair_with(const std::string& name, std::int64_t let_go, std::int64_t from_behind,
+                     ContactKey key) {
+  PairReport pair;
+  pair.name = name;
+  pair.lost = {let_go, from_behind, 12.5e-6, 1.02e-3, {1e-3, -2e-3, 3e-3}, key};
+  return pair;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(LostContactWarnings, TellOfEachPairOnce) {
+  LostContactWarnings warnings(3);
+  EXPECT_TRUE(warnings.take({}).empty());
+  const auto first = warnings.take({pair_with("a-b", 1, 0, {0, kLetGo, 1, 2})});
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_TRUE(has(first[0], "a-b: faces came 1.02 mm into each other")) << first[0];
+  EXPECT_TRUE(has(first[0], "t = 12.5 us, at (0.001, -0.002, 0.003) m")) << first[0];
+  const auto second = warnings.take(
+      {pair_with("a-b", 5, 2, {0, kLetGo, 1, 2}), pair_with("a-c", 0, 1, {0, kFromBehind, 1, 3})});
+  ASSERT_EQ(second.size(), 1u);
+  EXPECT_TRUE(has(second[0], "a-c: faces that had gone through each other")) << second[0];
+  const auto all = warnings.all();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_TRUE(has(all.at("a-b"), "5 contacts let go, and 2 pushed from behind")) << all.at("a-b");
+  EXPECT_TRUE(has(all.at("a-c"), "0 contacts let go, and 1 pushed from behind")) << all.at("a-c");
+}
+
+TEST(LostContactWarnings, NameParticlesAndAsManyCoordinatesAsThereAre) {
+  LostContactWarnings warnings(2);
+  const auto told = warnings.take({pair_with("shot-wall", 1, 0, {1, kLetGo, 1, 2})});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(has(told[0], "shot-wall: a particle came 1.02 mm behind a face")) << told[0];
+  EXPECT_TRUE(has(told[0], "at (0.001, -0.002) m")) << told[0];
+}
+
+}  // namespace
+}  // namespace brunt
