@@ -29,16 +29,16 @@ std::string lost_text(const PairReport& pair, int dim) {
     return "faces came " + depth + " into each other and let go at " + where +
            ": the bodies go through each other there;" + remedy;
   }
-  return "faces that had gone through each other push again from " + depth + " at " + where +
-         ": elements have folded, or let go before, and the push gives energy "
-         "(energy.contact.pairs);" +
+  return "faces that had gone through each other came back to " + depth + " at " + where +
+         ": elements have folded, or let go before, and feel each other again once they have "
+         "opened;" +
          remedy;
 }
 
 std::string lost_count_text(const PairReport& pair) {
   const auto& lost = pair.lost;
   return "in all " + std::to_string(lost.let_go) + " contacts let go, and " +
-         std::to_string(lost.from_behind) + " pushed from behind";
+         std::to_string(lost.from_behind) + " came back";
 }
 
 std::vector<std::string> LostContactWarnings::take(const std::vector<PairReport>& pairs) {

@@ -56,6 +56,18 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
       {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
 }
 
+/// True where the faces were beyond their limit at the last evaluation, by the way of the step:
+/// they have gone through each other elsewhere, or where they did not face each other. Those that
+/// meet from before begin to push where they touch, those that turn to each other or come over each
+/// other where their pressure fades in. Where they come out far enough none of their barrier is
+/// left.
+template <int Dim>
+bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                       const CommonPlane<Dim>& plane, Real dt) {
+  if (plane.deepest <= plane.barrier.onset) return false;
+  return plane.deepest - closing_speed(entities, candidate, plane) * dt > candidate.limit;
+}
+
 template <int Dim>
 ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
                              const CommonPlane<Dim>& plane, const FirstTouch& touch,
@@ -76,12 +88,6 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   record.spring = candidate.stiffness * plane.volume;
   record.stored = candidate.stiffness * plane.energy;
   take_barrier_vote<Dim>(entities, candidate, plane, closing, step, part.vote);
-  // Faces that meet from before begin to push where they touch, those that turn to each other or
-  // come over each other where their pressure fades in. From beyond the limit a contact begins at
-  // its highest: its faces have gone through each other elsewhere, or where they did not face.
-  if (plane.penetration - closing * step.dt > candidate.limit) {
-    note_lost(entities, candidate, plane, kFromBehind, part);
-  }
   record.damping = candidate.damping * plane.ramp * plane.area * closing;
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
@@ -193,6 +199,16 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   return touch;
 }
 
+/// Largest penetration of planes 0 .. n - 1 [m], 0 at least.
+template <int Dim>
+Real deepest_of(const Planes<Dim>& planes, int n) {
+  Real deepest = 0;
+  for (int i = 0; i < n; ++i) {
+    deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
+  }
+  return deepest;
+}
+
 /// True where a bond opens beyond its strength.
 template <int Dim>
 bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
@@ -220,11 +236,7 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
     touch.slips = false;
   }
   int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
-  Real deepest = 0;
-  for (int i = 0; i < n; ++i) {
-    deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
-  }
-  touch.overlap = std::min(touch.overlap, deepest);
+  touch.overlap = std::min(touch.overlap, deepest_of<Dim>(planes, n));
   touch.bonded = touch.bonded && n > 0;
   if (touch.bonded) {
     n = common_planes<Dim>(
@@ -271,6 +283,11 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
           note_lost(entities, candidate, plane, kLetGo, part);
         }
         continue;
+      }
+      if (comes_from_behind(entities, candidate, plane, step.dt) && !touch.matters()) {
+        touch.overlap = deepest_of<Dim>(planes, n);
+        note_lost(entities, candidate, plane, kFromBehind, part);
+        break;
       }
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;

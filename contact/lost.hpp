@@ -11,7 +11,7 @@ namespace brunt {
 inline constexpr std::uint32_t kLetGo = 0, kFromBehind = 1;
 
 /// A contact that did not keep its bodies apart: it let go, since it was deeper than it is held, or
-/// it pushes what had gone through it, from behind.
+/// its faces come back from beyond that, and are left alone until they have opened.
 template <int Dim>
 struct LostContact {
   ContactKey key;  ///< as of its record; its ordinal is one of these two
@@ -47,7 +47,7 @@ class LostContacts {
 /// them where and when.
 struct LostReport {
   std::int64_t let_go = 0;       ///< deeper in each other than contacts are held
-  std::int64_t from_behind = 0;  ///< of faces that push what had gone through them
+  std::int64_t from_behind = 0;  ///< of faces that came back from beyond that
   Real time = kInfinity;         ///< [s]
   Real depth = 0;                ///< [m]
   std::array<Real, 3> point{};   ///< [m]

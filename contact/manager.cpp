@@ -9,8 +9,9 @@
 namespace brunt {
 
 namespace {
-/// How much longer than the last a step may be where particles look ahead for what is near.
-constexpr Real kStepGrowth = 4;
+/// How much longer than the last a step may be where particles look ahead for what is near. That is
+/// a vote: of less than half a step's it leaves room for twice the step.
+Real step_growth(Real safety) { return std::max(4.0, 2 / safety); }
 
 /// Friction between particles needs to know how the material about them turns; some friction, how
 /// hot and hard what rubs is.
@@ -29,14 +30,14 @@ StepVote ContactManager<Dim>::Implementation::longest_after(Real dt) const {
   longest.take(rigid_vote);
   if (dt > 0 && !entities.particles.empty()) {
     const auto& first = entities.particles.front();
-    longest.take({kStepGrowth * dt, "contact look-ahead", first.body, first.id});
+    longest.take({step_growth(options.safety) * dt, "contact look-ahead", first.body, first.id});
   }
   return longest;
 }
 
 template <int Dim>
 Real ContactManager<Dim>::Implementation::look_ahead(Real dt, const StepVote& longest) const {
-  if (dt > 0) return kStepGrowth * dt;
+  if (dt > 0) return step_growth(options.safety) * dt;
   return -ranks.all->max(-longest.step);
 }
 

@@ -139,6 +139,7 @@ struct ContactOptions {
   std::set<std::pair<Label, Label>> turned;  ///< those whose name puts the second body first
   SearchMode search = SearchMode::grid;
   std::optional<Real> skin;  ///< [m]; none: tuned on counted work
+  Real safety = 1;           ///< fraction of its votes that a step is
 };
 
 }  // namespace brunt

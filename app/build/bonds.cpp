@@ -17,6 +17,7 @@ ContactOptions named_options(const Deck& deck) {
   options.fallback = deck.contact.fallback;
   options.search = deck.contact.search;
   options.skin = deck.contact.skin;
+  options.safety = deck.time.safety;
   for (const auto& [name, pair] : deck.contact.pairs) {
     const Label first = *label_of(deck, pair.between[0]);
     for (Label other = 0; other < deck.bodies.size(); ++other) {

@@ -167,7 +167,7 @@ bodies:
 
 TEST(FastFaces, ReturnWhereTheyAreFreeAside) {
   // From 0.7 times the speed of sound on, elements without strength fold at the corners of the
-  // block, and their faces go through each other: lost_contacts_test.cpp.
+  // block, and faces go through each other there: lost_contacts_test.cpp.
   const std::string deck = block_on_plate("");
   for (const Real mach : {0.1, 0.3, 0.5, 0.6}) {
     const auto run = meet(deck, mach, {"time.end=0.5 ms"});

@@ -32,8 +32,8 @@ TEST(LostContactWarnings, TellOfEachPairOnce) {
   EXPECT_TRUE(has(second[0], "a-c: faces that had gone through each other")) << second[0];
   const auto all = warnings.all();
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_TRUE(has(all.at("a-b"), "5 contacts let go, and 2 pushed from behind")) << all.at("a-b");
-  EXPECT_TRUE(has(all.at("a-c"), "0 contacts let go, and 1 pushed from behind")) << all.at("a-c");
+  EXPECT_TRUE(has(all.at("a-b"), "5 contacts let go, and 2 came back")) << all.at("a-b");
+  EXPECT_TRUE(has(all.at("a-c"), "0 contacts let go, and 1 came back")) << all.at("a-c");
 }
 
 TEST(LostContactWarnings, NameParticlesAndAsManyCoordinatesAsThereAre) {

@@ -76,6 +76,14 @@ void expect_told_of_faces() {
   EXPECT_EQ(lost(scene).let_go, pairs);
   EXPECT_EQ(lost(scene).from_behind, pairs);
   EXPECT_EQ(lost(scene).time, kBeyond * kStep) << "the first";
+  // They come out without a push, and are felt by what they close again: 98 mm to 91 mm and back.
+  EXPECT_EQ(scene.contact->reports().at(0).planes, 0);
+  move(scene, along<Dim>(Dim - 1, kDown), ++step);
+  EXPECT_EQ(scene.contact->reports().at(0).planes, 0);
+  move(scene, along<Dim>(Dim - 1, -kDown), ++step);
+  EXPECT_EQ(scene.contact->reports().at(0).planes, pairs);
+  EXPECT_NEAR(scene.contact->reports().at(0).max_penetration, kDown, kRounding);
+  EXPECT_EQ(lost(scene).from_behind, pairs);
 }
 
 TEST(LostContacts, AreToldOfFaces) {

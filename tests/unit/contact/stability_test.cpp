@@ -91,5 +91,21 @@ TEST(ContactStability, HoldsBelowTheLimitAndDivergesAboveIt) {
   }
 }
 
+// Particles look some steps ahead for what is near, and vote for no longer one. A step is `safety`
+// of its vote: however small that is, the next may be twice as long.
+TEST(Stability, StepsMayGrowWhateverTheSafety) {
+  for (const Real safety : {0.9, 0.5, 0.24, 0.01}) {
+    ContactScene<3> scene;
+    scene.options.safety = safety;
+    scene.add_face(scene.add_group(), {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 0, 0, 0);
+    scene.add_particle(scene.add_group(), {0.5, 0.5, 0.6}, 0.5, kModulus, 1);
+    auto& contact = scene.start();
+    constexpr Real kTiny = 1e-9;  // [s] of 1e-4 s, what its spring would allow
+    contact.add_forces(kTiny);
+    EXPECT_GE(safety * contact.stable_step(kTiny).step, 2 * kTiny * (1 - 1e-15)) << safety;
+    EXPECT_LE(safety * contact.stable_step(kTiny).step, 4 * kTiny) << safety;
+  }
+}
+
 }  // namespace
 }  // namespace brunt
