@@ -26,7 +26,8 @@ void* block(std::size_t bytes) {
 }
 }  // namespace
 
-void* operator new(std::size_t bytes) {
+// Not inlined: the compiler would find that what a caller frees came from new.
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
   for (;;) {
     if (void* const at = block(bytes)) return at;
     const std::new_handler handler = std::get_new_handler();
@@ -34,7 +35,7 @@ void* operator new(std::size_t bytes) {
     handler();
   }
 }
-void operator delete(void* at) noexcept { std::free(at); }
-void operator delete(void* at, std::size_t) noexcept { std::free(at); }
+[[gnu::noinline]] void operator delete(void* at) noexcept { std::free(at); }
+[[gnu::noinline]] void operator delete(void* at, std::size_t) noexcept { std::free(at); }
 // NOLINTEND(cppcoreguidelines-no-malloc, cppcoreguidelines-owning-memory)
 #endif
