@@ -57,8 +57,8 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
 }
 
 /// True where the faces were beyond their limit at the last evaluation, where they are deepest, by
-/// the way of the step: they have gone through each other elsewhere, or where they did not face each
-/// other, and would begin at the top of their barrier. Those that meet from before begin to push
+/// the way of the step: they have gone through each other elsewhere, or where they did not face
+/// each other, and would begin at the top of their barrier. Those that meet from before push first
 /// where they touch, those that turn to each other or come over each other where their pressure
 /// fades in. What has come out as far as the barrier's onset has nothing left to be spared.
 template <int Dim>
