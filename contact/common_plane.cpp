@@ -17,11 +17,13 @@ template <int Dim>
 bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const FaceBarrier& barrier,
             CommonPlane<Dim>& plane) {
   const Real facing = -lower.normal.dot(upper.normal);
-  if (!(facing > kFacing)) return false;
+  const FacingRamp<Dim> ramp(lower, upper);
+  if (!(facing > ramp.none)) return false;
   plane.facing = facing;
   plane.share = 0;
   plane.barrier = barrier.at(facing);
-  plane.ramp = std::min((facing - kFacing) / (kFullFacing - kFacing), 1.0);
+  plane.ramp = ramp.at(facing);
+  plane.ramp_growth = ramp.growth(facing);
   plane.normal = (lower.normal - upper.normal).normalized();
   plane.origin = 0.5 * (lower.center + upper.center);
   return true;
@@ -38,8 +40,8 @@ bool apart(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Vec<D
   for (int i = 0; i < upper.n_corners; ++i) {
     bottom = std::min(bottom, n.dot(upper.corner[static_cast<std::size_t>(i)] - origin));
   }
-  // The planes lean against n by less than 43 degrees: their corners are nearer than 1.4 warps.
-  return bottom - top >= 1.4 * (lower.warp + upper.warp) + opening;
+  // The planes lean against n by 45 degrees at most: their corners are nearer than 1.42 warps.
+  return bottom - top >= 1.42 * (lower.warp + upper.warp) + opening;
 }
 
 /// Mean plane of a face as a height along n over the common plane.
@@ -124,8 +126,7 @@ Real set_spring(Real total, Real mean, const Deep& deep, bool whole, CommonPlane
   }
   plane.volume = plane.ramp * (total + beside);
   plane.energy = plane.ramp * (linear + energy);
-  const Real ramp_growth = plane.facing < kFullFacing ? 1 / (plane.facing - kFacing) : 0.0;
-  plane.energy_by_facing = ramp_growth * plane.energy + barrier.growth * plane.ramp * energy;
+  plane.energy_by_facing = plane.ramp_growth * plane.energy + barrier.growth * plane.ramp * energy;
   return whole ? 0.0 : beside / (total + beside);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,8 +21,21 @@ struct Section {
   }
 };
 
-/// Cosines of the angle between faces from which their pressure fades in, up to the whole of it.
-inline constexpr Real kFacing = 0.09, kFullFacing = 0.17;
+/// Cosines of the angle between two faces from which their pressure fades in, up to the whole of
+/// it. Sides of boxes that lie flat on each other must be without force, and knives whose edges
+/// cross have no faces that oppose each other better than sin(a/2) sin(b/2), a and b their angles:
+/// so that is the scale.
+template <int Dim>
+struct FacingRamp {
+  Real none, whole;
+
+  FacingRamp(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper)
+      : none(0.18 * lower.sharpness * upper.sharpness),
+        whole(0.34 * lower.sharpness * upper.sharpness) {}
+  Real at(Real facing) const { return std::min((facing - none) / (whole - none), 1.0); }
+  /// Derivative of ln at(facing).
+  Real growth(Real facing) const { return facing < whole ? 1 / (facing - none) : 0.0; }
+};
 
 /// One common plane between two faces (Vorobiev, simple common plane; contact.md 2.5).
 /// The pressure of a spring of k [Pa/m], and of its barrier where faces are deep, has the resultant
@@ -30,12 +44,13 @@ inline constexpr Real kFacing = 0.09, kFullFacing = 0.17;
 template <int Dim>
 struct CommonPlane {
   static constexpr int kCorners = Facet<Dim>::kNodes;
-  Vec<Dim> normal;  ///< unit, from the lower to the upper face
-  Vec<Dim> point;   ///< [m] centre of pressure, on the common plane
-  Real facing = 0;  ///< cosine of the angle between the faces, 1 where they are parallel
-  Real ramp = 0;    ///< 0 .. 1: fades where the faces stop opposing each other
-  Real area = 0;    ///< [m^2] under pressure
-  Real volume = 0;  ///< [m^3] integral of the penetration and barrier, times ramp
+  Vec<Dim> normal;       ///< unit, from the lower to the upper face
+  Vec<Dim> point;        ///< [m] centre of pressure, on the common plane
+  Real facing = 0;       ///< cosine of the angle between the faces, 1 where they are parallel
+  Real ramp = 0;         ///< 0 .. 1: fades where the faces stop opposing each other
+  Real ramp_growth = 0;  ///< derivative of ln ramp by `facing`
+  Real area = 0;         ///< [m^2] under pressure
+  Real volume = 0;       ///< [m^3] integral of the penetration and barrier, times ramp
   /// What the spring holds, per k: ramp int (G^2/2 + barrier) dA [m^4], G = cos(th/2) g: along the
   /// plane's normal g grows by 1, but a corner that goes into a face goes along that face's normal,
   /// half the angle away (test 8: k d^3/(6 sin)).

@@ -53,6 +53,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.half_thickness = face.deforms() ? facet.depth : facet.half_thickness;
   face.open = facet.open;
   face.borders = facet.borders;
+  face.sharpness = facet.sharpness;
   return face;
 }
 
@@ -282,6 +283,7 @@ void Entities<Dim>::refresh_plane(std::size_t f) {
   auto& plane = planes[f];
   plane.n_corners = face.n_nodes;
   plane.borders = face.borders;
+  plane.sharpness = face.sharpness;
   for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
     const auto k = static_cast<std::size_t>(c);
     const bool there = c < face.n_nodes;

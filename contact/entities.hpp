@@ -37,10 +37,11 @@ struct ContactFace {
   bool held = false;    ///< votes no step
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told
   bool deforms() const { return stiffness > 0 && compliance == 0; }
-  bool everywhere = false;   ///< it stands on every rank
-  bool open = false;         ///< of a surface with a rim, which has two sides for particles
-  std::uint8_t borders = 0;  ///< as of Facet
-  LocalIndex facet = -1;     ///< its place in its surface; -1: only another rank has it
+  bool everywhere = false;         ///< it stands on every rank
+  bool open = false;               ///< of a surface with a rim, which has two sides for particles
+  std::uint8_t borders = 0;        ///< as of Facet
+  Real sharpness = kBoxSharpness;  ///< as of Facet
+  LocalIndex facet = -1;           ///< its place in its surface; -1: only another rank has it
 };
 
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.

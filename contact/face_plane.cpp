@@ -115,6 +115,7 @@ SplitFace split(const FacePlane<3>& face) {
   for (std::size_t p = 0; p < 2; ++p) {
     auto& part = halves.part[p];
     part.n_corners = 3;
+    part.sharpness = face.sharpness;
     for (std::size_t c = 0; c < 3; ++c) {
       part.corner[c] = x[static_cast<std::size_t>(halves.corners[p][c])];
     }

@@ -13,6 +13,7 @@ struct FacePlane {
   std::array<Vec<Dim>, kCorners> corner;  ///< [m]
   int n_corners = kCorners;
   std::uint8_t borders = 0;            ///< as of Facet
+  Real sharpness = kBoxSharpness;      ///< as of Facet
   Vec<Dim> center = Vec<Dim>::Zero();  ///< [m] mean of the corners
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit, out of the body (Newell); 0 if degenerate
   Real area = 0;                       ///< [m^2]; 2D: length [m]; 0 if degenerate
@@ -23,8 +24,8 @@ struct FacePlane {
 /// A quad whose corners leave their mean plane by more than this times sqrt(area) is split.
 inline constexpr Real kWarpLimit = 0.05;
 
-/// Fills all but `corner`, `n_corners` and `borders`. A face without area or with a NaN gets area
-/// 0.
+/// Fills all but `corner`, `n_corners`, `borders` and `sharpness`. A face without area or with a
+/// NaN gets area 0.
 template <int Dim>
 void refresh(FacePlane<Dim>& face);
 

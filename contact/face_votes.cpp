@@ -55,7 +55,7 @@ void take_approach_vote(const Entities<Dim>& entities, const FaceCandidate& cand
   const auto l = static_cast<std::size_t>(candidate.lower);
   const auto u = static_cast<std::size_t>(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
-  if (!(-lower.normal.dot(upper.normal) > kFacing)) return;
+  if (!(-lower.normal.dot(upper.normal) > FacingRamp<Dim>(lower, upper).none)) return;
   const Vec<Dim> n = (lower.normal - upper.normal).normalized();
   if (n.dot(lower.center - upper.center) > candidate.limit) return;
   const Front below = front_of<Dim>(entities, candidate.lower, n, lower.center);

@@ -1,6 +1,7 @@
 #include "core/open_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>
@@ -98,9 +99,40 @@ void mark_borders(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x) {
   });
 }
 
+template <int Dim>
+void mark_sharpness(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x) {
+  constexpr Real kSharpest = 0.0043633;                // sine of a quarter of a degree
+  std::vector<std::pair<LocalIndex, std::size_t>> at;  // corners, and facets that have them
+  std::vector<Vec<Dim>> normals;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    facets[f].sharpness = kBoxSharpness;
+    normals.push_back(side_of(facets[f], x).normal);
+    for (int c = 0; c < facets[f].n_nodes(); ++c) {
+      at.emplace_back(facets[f].node[static_cast<std::size_t>(c)], f);
+    }
+  }
+  std::sort(at.begin(), at.end());
+  for (std::size_t k = 0, end = 0; k < at.size(); k = end) {
+    Real least = 0;
+    for (end = k; end < at.size() && at[end].first == at[k].first; ++end) {
+      for (std::size_t other = k; other < end; ++other) {
+        least = std::min(least, normals[at[other].second].dot(normals[at[end].second]));
+      }
+    }
+    if (least == 0) continue;
+    const Real sharpness = std::max(std::sqrt(std::max(0.5 * (1 + least), 0.0)), kSharpest);
+    for (std::size_t i = k; i < end; ++i) {
+      auto& facet = facets[at[i].second];
+      facet.sharpness = std::min(facet.sharpness, sharpness);
+    }
+  }
+}
+
 template void mark_open<2>(std::span<Facet<2>>);
 template void mark_open<3>(std::span<Facet<3>>);
 template void mark_borders<2>(std::span<Facet<2>>, std::span<const Vec<2>>);
 template void mark_borders<3>(std::span<Facet<3>>, std::span<const Vec<3>>);
+template void mark_sharpness<2>(std::span<Facet<2>>, std::span<const Vec<2>>);
+template void mark_sharpness<3>(std::span<Facet<3>>, std::span<const Vec<3>>);
 
 }  // namespace brunt

@@ -16,4 +16,11 @@ void mark_open(std::span<Facet<Dim>> facets);
 template <int Dim>
 void mark_borders(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x);
 
+/// Sets how sharp the body is at the corners of each facet: sin(a/2), a the smallest angle between
+/// two facets that share a corner, cos a = -n1.n2; not above that of a box, nor below that of half
+/// a degree.
+/// x  [m] of the points, at time 0
+template <int Dim>
+void mark_sharpness(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x);
+
 }  // namespace brunt

@@ -6,6 +6,9 @@
 
 namespace brunt {
 
+/// Sharpness of a box: the sine of half a right angle.
+inline constexpr Real kBoxSharpness = 0.70710678118654752440;
+
 /// One outer face: an edge in 2D; in 3D a quad, or a triangle whose fourth node is -1.
 /// Nodes run so that the normal points out of the body: in 3D by the right-hand rule, in 2D the
 /// body lies to the left of the edge from node 0 to node 1 (normal = (dy, -dx)).
@@ -36,6 +39,9 @@ struct Facet {
   bool open = false;  ///< of a surface with a rim: both of its sides can be touched
   /// Bit c: the surface ends at its edge from corner c to the next (2D: at corner c)
   std::uint8_t borders = 0;
+  /// [1] sine of half the sharpest angle of the body at one of its corners; as of a box where that
+  /// is blunter
+  Real sharpness = kBoxSharpness;
   bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told

@@ -133,6 +133,7 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
             [](const Facet<Dim>& a, const Facet<Dim>& b) { return a.id < b.id; });
   halve_plates<Dim>(facets);
   mark_borders<Dim>(facets, points.x);
+  mark_sharpness<Dim>(facets, points.x);
   end_at_no_axis<Dim>(axis, facets);
   return facets;
 }

@@ -285,6 +285,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   }
   mark_open<Dim>(facets);
   mark_borders<Dim>(facets, gathered.points.x);
+  mark_sharpness<Dim>(facets, gathered.points.x);
   if (warm) keep_warm(loaded, gathered.points);
   return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
 }

@@ -54,5 +54,22 @@ TEST(SurfaceBorders, OfATriangleAloneAreAllOfThem) {
   EXPECT_EQ(facets[0].borders, 0b0111);
 }
 
+// A needle of square section whose sides lean by 10 degrees against its axis: sides that share
+// nothing but the point stand opposite each other, and its base has the right angles of a box less
+// those 10 degrees. A box is as sharp as all that is blunter.
+TEST(SurfaceSharpness, IsThatOfTheSharpestCorner) {
+  const Real a = 10 * kPi / 180, h = 1 / std::tan(a);
+  const std::vector<Vec3> x = {{0, 0, h}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  std::vector<Facet<3>> facets = {facet<3>({1, 2, 0, -1}), facet<3>({2, 3, 0, -1}),
+                                  facet<3>({3, 4, 0, -1}), facet<3>({4, 1, 0, -1}),
+                                  facet<3>({1, 4, 3, 2})};
+  mark_sharpness<3>(facets, x);
+  for (std::size_t f = 0; f < 4; ++f) EXPECT_NEAR(facets[f].sharpness, std::sin(a), 1e-15);
+  EXPECT_NEAR(facets[4].sharpness, std::sin(0.5 * (0.5 * kPi - a)), 1e-15);
+  std::vector<Facet<3>> plate = {facet<3>({1, 2, 3, 4})};
+  mark_sharpness<3>(plate, x);
+  EXPECT_EQ(plate[0].sharpness, kBoxSharpness);
+}
+
 }  // namespace
 }  // namespace brunt
