@@ -55,7 +55,7 @@ PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
   }
   if (!std::isfinite(least)) return lost_corner(block, e, points, distortion_advice(block));
   if (!(least > 0)) {
-    return {0, "", entity_text(block, e, where), "volume [m^3]", least, distortion_advice(block)};
+    return {0, "", entity_text(block, e, where), "volume", least, distortion_advice(block)};
   }
   for (int g = 0; g < block.gauss; ++g) {
     const std::size_t k = block.point(e, g);
@@ -65,10 +65,9 @@ PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
     return {0,
             "",
             entity_text(block, e, block.gauss > 1 ? g : -1),
-            "stress that is no number; "
-            "volume over that at time 0",
-            least / block.reference_volume[block.point(e, where < 0 ? 0 : where)],
-            "the step was too long for what the material did; try a smaller time.safety"};
+            "stress",
+            sum,
+            "the step was too long for what the material did: try a smaller time.safety"};
   }
   return {};
 }
