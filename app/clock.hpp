@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <optional>
 
 #include "core/state.hpp"
 #include "core/step_vote.hpp"
@@ -9,7 +10,10 @@ namespace brunt {
 /// Time, step and what bounds the step. Nothing but `end` shortens a step.
 class Clock {
  public:
-  Clock(Real end, Real safety, Real max_step) : end_(end), safety_(safety), max_step_(max_step) {}
+  /// min_step [s]: a shorter vote stops the run; none: kCollapsed of the first step that elements
+  /// or particles bound, and 1e-9 of the end where none do.
+  Clock(Real end, Real safety, Real max_step, std::optional<Real> min_step = {})
+      : end_(end), safety_(safety), max_step_(max_step), min_step_(min_step) {}
 
   bool finished() const { return stopped_ || time_ >= end_; }
   Real time() const { return time_; }  ///< [s]
@@ -18,11 +22,19 @@ class Clock {
   std::int64_t step() const { return step_; }
   const StepVote& whose() const { return whose_; }
   void stop() { stopped_ = true; }
+  /// The first step [s] that elements or particles bound, of which the plan of steps is made; 0:
+  /// none did yet. Contacts and spins may not bound the first step, or bound no other.
+  Real planned_step() const { return planned_step_; }
+  /// The vote [s] below which the step has collapsed.
+  Real least_step() const {
+    return min_step_.value_or(planned_step_ > 0 ? kCollapsed * planned_step_ : 1e-9 * end_);
+  }
 
   /// The step [s] to take: safety times the smallest vote, max_step, what is left to `end`.
   Real limit(const StepVote& vote) {
     whose_ = vote;
     Real dt = safety_ * vote.step;
+    if (planned_step_ == 0 && vote.of_material()) planned_step_ = std::min(dt, max_step_);
     if (dt > max_step_) dt = max_step_, whose_ = {max_step_, "max_step", 0, 0};
     const Real left = end_ - time_;
     if (dt >= left) {
@@ -58,10 +70,15 @@ class Clock {
   template <class Row, class AnyClock>
   static void visit(Row& row, AnyClock& clock) {
     row(clock.time_), row(clock.dt_), row(clock.step_);
+    row(clock.planned_step_);
     row(clock.whose_.step), row(clock.whose_.body), row(clock.whose_.entity);
   }
 
+  static constexpr Real kCollapsed = 1e-3;
+
   Real end_, safety_, max_step_;
+  std::optional<Real> min_step_;
+  Real planned_step_ = 0;
   Real time_ = 0, dt_ = 0;
   std::int64_t step_ = 0;
   bool last_ = false, stopped_ = false;

@@ -42,7 +42,7 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   for (int c = 0; c < kColumns; ++c) {
     names_.push_back("energy." + std::string(column_name(static_cast<Column>(c))));
   }
-  names_.insert(names_.end(), {"energy.total", "energy.drift"});
+  names_.insert(names_.end(), {"energy.total", "energy.drift", "energy.created"});
   for (int c = 0; c < Dim; ++c) names_.push_back(std::string("momentum.") + kAxes[c]);
   const auto rigid = rigid_reports(scene, 0);
   Label label = 0;
@@ -98,6 +98,8 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   }
   names_.push_back("state_hash");
   largest_ = energy_of_rounding(scene);
+  energies_ = EnergyWatch(scene.body_names.size());
+  energies_.start(largest_);
   for (std::size_t c = 0; c < names_.size(); ++c) {
     const auto& name = names_[c];
     if (name == "step" || name == "dt_body" || name.ends_with(".planes")) whole_.push_back(c);
@@ -158,7 +160,7 @@ void HistoryColumns<Dim>::add_heat(const Totals<Dim>& totals, std::vector<Real>&
 
 template <int Dim>
 typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>& scene,
-                                                               const Clock& clock) {
+                                                               const Clock& clock, bool keeps) {
   const Totals<Dim> totals = scene.totals(clock.dt());
   Row row;
   auto& values = row.values;
@@ -175,7 +177,10 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   if (first_) total_start_ = row.total;
   first_ = false;
   row.drift = largest_ > 0 ? (row.total - total_start_) / largest_ : 0.0;
-  values.insert(values.end(), {row.total, row.drift});
+  row.energies = energy_look(totals);
+  if (keeps) energies_.keep(row.energies);
+  row.created = energies_.created(row.energies);
+  values.insert(values.end(), {row.total, row.drift, sum(row.created)});
 
   for (int c = 0; c < Dim; ++c) {
     ExactSum momentum;
@@ -206,8 +211,12 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     add(report.force, 0, Dim), add(report.torque, first_torque(scene), 3);
   }
   if (scene.contact) {
+    Real deepest = 0;
     for (const auto& pair : scene.contact->reports(scene.origin)) {
       if (pair.lost.any()) row.lost.push_back(pair);
+      if (pair.max_penetration > deepest) {
+        deepest = pair.max_penetration, row.deepest_pair = pair.name;
+      }
       for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
       for (int c = first_torque(scene); c < 3; ++c) {
         values.push_back(pair.torque[static_cast<std::size_t>(c)]);
@@ -228,6 +237,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
 template <int Dim>
 void HistoryColumns<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_row(
+      "history.energies", [&](auto& row) { EnergyWatch::visit(row, energies_); }, tables);
+  save_row(
       "history.drift",
       [&](auto& row) { row(first_), row(total_start_), row(largest_), row(largest_heat_); },
       tables);
@@ -235,6 +246,8 @@ void HistoryColumns<Dim>::save_state(std::vector<StateTable>& tables) const {
 
 template <int Dim>
 void HistoryColumns<Dim>::load_state(const StateTables& tables) {
+  load_row(
+      "history.energies", [&](auto& row) { EnergyWatch::visit(row, energies_); }, tables);
   load_row(
       "history.drift",
       [&](auto& row) { row(first_), row(total_start_), row(largest_), row(largest_heat_); },

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/clock.hpp"
+#include "app/energy_watch.hpp"
 #include "app/scene.hpp"
 
 namespace brunt {
@@ -15,15 +16,20 @@ class HistoryColumns {
   const std::vector<std::string>& names() const { return names_; }
 
   struct Row {
-    std::vector<Real> values;        ///< one a column, state_hash aside
-    std::vector<std::size_t> whole;  ///< indices of whole numbers: step, planes
-    std::uint64_t state_hash = 0;    ///< the last column
-    Real total = 0;                  ///< [J]
-    Real drift = 0;                  ///< (total - total at time 0) / largest column so far
-    std::vector<PairReport> lost;    ///< pairs of bodies in which contacts did not hold
+    std::vector<Real> values;            ///< one a column, state_hash aside
+    std::vector<std::size_t> whole;      ///< indices of whole numbers: step, planes
+    std::uint64_t state_hash = 0;        ///< the last column
+    Real total = 0;                      ///< [J]
+    Real drift = 0;                      ///< (total - total at time 0) / largest column so far
+    EnergyLook energies;                 ///< what the watch over created energy read
+    std::vector<CreatedEnergy> created;  ///< energy that nobody put in, largest first
+    std::string deepest_pair;            ///< of bodies in contact; empty: none touch
+    std::vector<PairReport> lost;        ///< pairs of bodies in which contacts did not hold
   };
   /// Collects a row; the first call sets what drift is measured against.
-  Row collect(const Scene<Dim>& scene, const Clock& clock);
+  /// keeps  the watch over energies remembers what is largest here: at fixed steps alone
+  Row collect(const Scene<Dim>& scene, const Clock& clock, bool keeps);
+  const EnergyWatch& energies() const { return energies_; }
   /// Indices of whole numbers in a row.
   const std::vector<std::size_t>& whole() const { return whole_; }
 
@@ -38,6 +44,7 @@ class HistoryColumns {
 
   std::vector<std::string> names_;
   std::vector<std::size_t> whole_;
+  EnergyWatch energies_;
   bool first_ = true;
   Real total_start_ = 0;
   Real largest_ = 0;

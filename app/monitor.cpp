@@ -6,12 +6,19 @@
 #include <span>
 #include <stdexcept>
 
+#include "app/frame_check.hpp"
 #include "app/frame_piece.hpp"
 
 namespace brunt {
 
 namespace {
 constexpr std::int64_t kCheckEvery = 100;  // steps; a check of every value costs 2 ns each
+constexpr std::int64_t kFirstEvery = 10;   // steps, among the first kCheckEvery: a run may be short
+
+/// The steps at which values and energies are looked at, whatever is written.
+bool is_looked_at(std::int64_t step) {
+  return step % kCheckEvery == 0 || (step < kCheckEvery && step % kFirstEvery == 0);
+}
 
 /// Coordinate [m] of a body's centre of mass, absolute.
 template <int Dim>
@@ -61,6 +68,7 @@ Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frame
       progress_(quiet),
       measured_(deck.measures.size(), false),
       lost_contacts_(Dim),
+      watch_(deck),
       warn_(std::move(warn)),
       history_every_(deck.output.history.value_or(deck.time.end / 2000)),
       frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
@@ -100,21 +108,71 @@ void Monitor<Dim>::stop(Clock& clock, std::string reason) {
   clock.stop();
 }
 
+template <int Dim>
+void Monitor<Dim>::tell(const RunWarning& warning) {
+  progress_.finish();
+  if (warn_) warn_(warning);
+}
+
 /// A row, and what it tells beside its columns.
 template <int Dim>
-typename HistoryColumns<Dim>::Row Monitor<Dim>::collect(Scene<Dim>& scene, const Clock& clock) {
-  auto row = collector_->collect(scene, clock);
-  for (const auto& text : lost_contacts_.take(row.lost)) {
-    progress_.finish();
-    if (warn_) warn_(text);
-  }
+typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const Clock& clock) {
+  auto row = collector_->collect(scene, clock, is_looked_at(clock.step()));
+  refuse_row(scene, row, clock);
+  for (const auto& text : lost_contacts_.take(row.lost)) tell({"contact", text});
+  energies_ = row.energies, created_ = row.created;
   return row;
+}
+
+/// No row with a value that is no finite number is written: the run ends there, and says what broke
+/// where elements or particles know, else which column.
+template <int Dim>
+void Monitor<Dim>::refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Clock& clock) const {
+  const auto is_none = [](Real value) { return !std::isfinite(value); };
+  const auto found = std::find_if(row.values.begin(), row.values.end(), is_none);
+  if (found == row.values.end()) return;
+  scene.check(clock.time());
+  const std::string& column = columns_[static_cast<std::size_t>(found - row.values.begin())];
+  throw PhysicsError({clock.time(), "", "step " + std::to_string(clock.step()),
+                      "step [s] in which column '" + column + "' is no finite number", clock.dt(),
+                      "this row is not written; try a smaller time.safety, and look at the last "
+                      "rows for what grows"});
+}
+
+/// Looks at what goes wrong slowly. At fixed steps, whatever is written.
+template <int Dim>
+void Monitor<Dim>::watch(const HistoryRow& row, const Clock& clock) {
+  const RunLook look{row.energies, row.created, collector_->energies(), row.deepest_pair};
+  for (const auto& warning : watch_.look(look, clock)) tell(warning);
+}
+
+template <int Dim>
+EnergyShares Monitor<Dim>::energy_shares() const {
+  EnergyShares shares;
+  if (!collector_) return shares;
+  const auto& watch = collector_->energies();
+  shares.largest = watch.largest(energies_);
+  shares.created = std::max(watch_.worst_created(), watch.share(energies_, created_).share);
+  const auto share = [&](Real energy) { return shares.largest > 0 ? energy / shares.largest : 0; };
+  for (const auto& one : created_) {
+    const std::string body = one.body ? body_names_[*one.body] + "." : "";
+    shares.sources.emplace_back(body + std::string(source_name(one.source)), share(one.energy));
+  }
+  for (std::size_t b = 0; b < energies_.bodies.size(); ++b) {
+    const Real part = watch.hourglass_share(energies_, static_cast<Label>(b));
+    if (part > 0) shares.hourglass.emplace_back(body_names_[b], part);
+  }
+  for (const Column column : {Column::artificial_stress, Column::contact_pairs}) {
+    const Real taken = share(energies_.column(column));
+    if (taken > 0) shares.taken.emplace_back(column_name(column), taken);
+  }
+  return shares;
 }
 
 template <int Dim>
 void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
   const PhaseTimer timer(scene.phases, Phase::ledger);
-  const auto row = collect(scene, clock);
+  const HistoryRow row = collect(scene, clock);
   if (history_) history_->write_row(history_values(row.values, row.state_hash, row.whole));
   rows_.push_back(row.values);
   hashes_.push_back(row.state_hash);
@@ -127,6 +185,7 @@ void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
                         "the energy balance no longer closes (time.max_drift): an instability; try "
                         "a smaller time.safety or a lower contact stiffness"});
   }
+  if (is_looked_at(clock.step()) || clock.finished()) watch(row, clock);
 }
 
 /// What this rank writes of a body, with the fields that the deck names. Several ranks write `id`
@@ -160,19 +219,22 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   }
   ContactView contact;
   if (scene.contact) contact = scene.own_contacts();
+  refuse_no_numbers(views, contact, *scene.ranks);
   frames_->write(time, views, scene.contact ? &contact : nullptr);
 }
 
 template <int Dim>
 void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
-  if (clock.step() % kCheckEvery == 0) scene.check(clock.time());
+  if (is_looked_at(clock.step())) scene.check(clock.time());
   const auto rows = multiples(clock.time(), history_every_);
   if (rows > rows_due_) {
     rows_due_ = rows;
     write_row(scene, clock);
-  } else if (clock.step() % kCheckEvery == 0) {
-    drift_ = collect(scene, clock).drift;
+  } else if (is_looked_at(clock.step())) {
+    const HistoryRow row = collect(scene, clock);
+    drift_ = row.drift;
     if (!(std::fabs(drift_) <= deck_.time.max_drift)) write_row(scene, clock);
+    watch(row, clock);
   }
   const auto frames = multiples(clock.time(), frame_every_);
   if (frames > frames_due_) {
@@ -265,7 +327,10 @@ void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
 template <int Dim>
 void Monitor<Dim>::write_last_frame(Scene<Dim>& scene, const Clock& clock) {
   progress_.finish();
-  if (collector_ && last_frame_ != clock.time()) write_frame(scene, clock.time());
+  try {
+    if (collector_ && last_frame_ != clock.time()) write_frame(scene, clock.time());
+  } catch (const PhysicsError&) {  // told already, of what the frame would show
+  }
   if (history_) history_->flush();
 }
 

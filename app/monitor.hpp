@@ -11,6 +11,7 @@
 #include "app/lost_contacts.hpp"
 #include "app/measures.hpp"
 #include "app/progress.hpp"
+#include "app/run_watch.hpp"
 #include "app/time_loop.hpp"
 #include "io/history.hpp"
 
@@ -40,7 +41,7 @@ std::int64_t multiples(Real time, Real every);
 template <int Dim>
 class Monitor final : public Observer<Dim> {
  public:
-  using Warn = std::function<void(const std::string& text)>;
+  using Warn = std::function<void(const RunWarning& warning)>;
   /// history may be null, frames may be null. warn  what is to be told while the run goes on
   Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet, Warn warn = {});
 
@@ -66,6 +67,10 @@ class Monitor final : public Observer<Dim> {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// What was lost of contacts as of the last row or check of drift, by pair of bodies.
   std::map<std::string, std::string> lost_contacts() const { return lost_contacts_.all(); }
+  /// What was told of energies and of the step.
+  const std::vector<RunWarning>& told() const { return watch_.told(); }
+  /// Where the energy went that is neither physics nor dissipation, as of the last row.
+  EnergyShares energy_shares() const;
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Real>>& rows() const { return rows_; }
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }
@@ -75,7 +80,11 @@ class Monitor final : public Observer<Dim> {
  private:
   template <class Row, class AnyMonitor>
   static void visit(Row& row, AnyMonitor& monitor);
-  typename HistoryColumns<Dim>::Row collect(Scene<Dim>& scene, const Clock& clock);
+  using HistoryRow = typename HistoryColumns<Dim>::Row;
+  HistoryRow collect(Scene<Dim>& scene, const Clock& clock);
+  void tell(const RunWarning& warning);
+  void watch(const HistoryRow& row, const Clock& clock);
+  void refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Clock& clock) const;
   void write_row(Scene<Dim>& scene, const Clock& clock);
   void write_frame(Scene<Dim>& scene, Real time);
   BodyView frame_part(const Scene<Dim>& scene, Label body, Real time) const;
@@ -97,6 +106,9 @@ class Monitor final : public Observer<Dim> {
   std::vector<bool> measured_;
   std::vector<std::string> warnings_;
   LostContactWarnings lost_contacts_;
+  RunWatch watch_;
+  EnergyLook energies_;  // of the last row
+  std::vector<CreatedEnergy> created_;
   Warn warn_;
   std::string reason_;
   Real history_every_, frame_every_;

@@ -43,6 +43,7 @@ void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
   save_row(
       "monitor", [&](auto& row) { visit(row, *this); }, tables);
   collector_->save_state(tables);
+  watch_.save_state(tables, texts);
   save_rows(
       "history", rows_.size(), number,
       [&](auto& row, std::size_t r) {
@@ -75,6 +76,7 @@ void Monitor<Dim>::load_state(const StateTables& tables,
   load_row(
       "monitor", [&](auto& row) { visit(row, *this); }, tables);
   collector_->load_state(tables);
+  watch_.load_state(tables, texts);
   // A row has a value a column, of which the last is the hash.
   rows_.assign(tables.rows("history").size(), std::vector<Real>(columns_.size() - 1));
   hashes_.assign(rows_.size(), 0);

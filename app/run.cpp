@@ -126,11 +126,10 @@ void log_windows(const Scene<Dim>& scene, const Clock& clock, int heat_every, sp
 
 /// Steps the scene; a broken physics is reported after a last frame.
 template <int Dim>
-Ended step_to_end(Scene<Dim>& scene, Clock& clock, const Deck& deck, Monitor<Dim>& monitor,
+Ended step_to_end(Scene<Dim>& scene, Clock& clock, Monitor<Dim>& monitor,
                   Checkpointing<Dim>& checkpointing, Balance<Dim>& balance) {
   try {
-    run_time_loop(scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), checkpointing,
-                  &balance);
+    run_time_loop(scene, clock, checkpointing, &balance);
     monitor.end(scene, clock);
     return {checkpointing.interrupted() ? kStopped : kDone, monitor.reason()};
   } catch (const PhysicsError& error) {
@@ -162,6 +161,9 @@ void print_summary(const RunSummary& summary, const fs::path& folder,
       std::fprintf(stderr, "   (%+.2f %% of %.6g)", 100 * *measure.error, *measure.reference);
     }
     std::fputc('\n', stderr);
+  }
+  for (const auto& line : energy_lines(summary.energy)) {
+    std::fprintf(stderr, "  %s\n", line.c_str());
   }
   std::fprintf(stderr, "%lld steps in %s, energy drift %.1e. Results are in %s:\n",
                static_cast<long long>(summary.steps), duration_text(summary.wall_seconds).c_str(),
@@ -216,6 +218,9 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
         {measure.name, measure.value, measure.unit, measure.reference, error});
   }
   for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
+  const auto& told = monitor.told();
+  summary.warnings.insert(summary.warnings.end(), told.begin(), told.end());
+  summary.energy = monitor.energy_shares();
   for (const auto& [pair, text] : monitor.lost_contacts()) {
     summary.warnings.push_back({"contact", text});
   }
@@ -273,15 +278,17 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   for (const auto& probe : scene->probes) log->info("{}", place_text(probe));
 
   const Deck& deck = loaded.deck;
-  Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
+  Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
+              deck.time.min_step);
   const auto columns = HistoryColumns<Dim>(*scene).names();
   std::optional<HistoryWriter> history;
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);
-  const auto warn = [&](const std::string& text) {
-    log->warn("contact: {}", text);
+  const auto warn = [&](const RunWarning& warning) {
+    log->warn("{}: {}", warning.id, warning.text);
     log->flush();
-    if (root) std::fprintf(stderr, "warning: contact: %s\n", text.c_str());
+    if (!root) return;
+    std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
   };
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
                        warn);
@@ -290,7 +297,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
               restart->point().header.time);
   }
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
-  const Ended ended = step_to_end(*scene, clock, deck, monitor, checkpointing, balance);
+  const Ended ended = step_to_end(*scene, clock, monitor, checkpointing, balance);
   for (const auto& reason : refused) {
     log->warn("{}", reason);
     summary.warnings.push_back({"checkpoint", reason});
@@ -316,6 +323,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
 
   for (const auto& [pair, text] : monitor.lost_contacts()) log->warn("contact: {}", text);
   log->info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
+  for (const auto& line : energy_lines(summary.energy)) log->info("{}", line);
   if (!ended.reason.empty()) log->info("{}", ended.reason);
   log->flush();
   if (arguments.json) std::printf("%s\n", to_json(summary).c_str());

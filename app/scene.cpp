@@ -114,6 +114,7 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
     const Vec<Dim> half = 0.5 * dt * points.a[i];
     body.kinetic.add(0.5 * m * (points.v[i] - half).dot(points.v[i] + half));
     totals.add(Column::integration, points.integration[i]);
+    body.integration.add(points.integration[i]);
   }
 }
 
@@ -122,7 +123,9 @@ template <int Dim, class Visit>
 void visit_sums(Totals<Dim>& totals, const Visit& visit) {
   for (auto& column : totals.columns) visit(column);
   for (auto& body : totals.bodies) {
-    for (auto* sum : {&body.mass, &body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
+    for (auto* sum :
+         {&body.mass, &body.kinetic, &body.internal, &body.hourglass, &body.heat, &body.stress_work,
+          &body.viscosity, &body.artificial_stress, &body.integration}) {
       visit(*sum);
     }
     for (auto& sum : body.mass_position) visit(sum);
@@ -218,10 +221,30 @@ void Scene<Dim>::check_own(Real time) const {
       if (sum - sum == 0) continue;
       throw PhysicsError({time, body_names[points.body[i]], "point " + std::to_string(points.id[i]),
                           moves ? "temperature" : "position or velocity", sum,
-                          "it is not a finite number any more: try a smaller time.safety, and look "
-                          "at the last frame for an element or particle that collapsed"});
+                          "a force on it was no number: try a smaller time.safety, and look at the "
+                          "last frame for an element or particle that collapsed"});
     }
   }
+}
+
+template <int Dim>
+std::string Scene<Dim>::advice(const StepVote& vote) const {
+  const std::string_view reason = vote.reason;
+  if (reason == "contact stiffness" || reason == "contact speed") {
+    return "contact: faces are deep in each other or very fast there; try finer elements, or a "
+           "lower "
+           "contact `stiffness`";
+  }
+  std::string mine;
+  for (const auto& solid : solids) {
+    if (mine.empty()) mine = solid->advice(vote.entity);
+  }
+  for (const Bytes& bytes : ranks->all_gather((Packer() << mine).take())) {
+    std::string one;
+    Unpacker(bytes) >> one;
+    if (!one.empty()) return one;
+  }
+  return "look at the last frame for what collapsed there";
 }
 
 template <int Dim>

@@ -61,6 +61,8 @@ struct Scene {
   Totals<Dim> totals(Real dt) const;
   /// Throws PhysicsError where a state is no longer a number or an element is inverted.
   void check(Real time) const;
+  /// What may help where a vote has collapsed. Collective.
+  std::string advice(const StepVote& vote) const;
   /// The whole body on the root, absolute positions; elsewhere empty.
   BodyView view(Label body) const;
   /// What this rank has of it, copies of points included; absolute positions. Not collective.

@@ -1,5 +1,7 @@
 #include "app/time_loop.hpp"
 
+#include <sstream>
+
 #include "app/verlet.hpp"
 
 namespace brunt {
@@ -14,15 +16,16 @@ StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
 }
 
 template <int Dim>
-Real choose_step(const StepVote& vote, Scene<Dim>& scene, Clock& clock, Real min_step) {
+Real choose_step(const StepVote& vote, Scene<Dim>& scene, Clock& clock) {
   // A vote that is not a number fails this comparison too.
-  if (!(vote.step >= min_step)) {
+  if (!(vote.step >= clock.least_step())) {
     scene.check(clock.time());  // knows better, where an element is inverted or a value no number
-    throw PhysicsError(
-        {clock.time(), scene.body_names.empty() ? "" : scene.body_names[vote.body],
-         std::string(vote.reason) + " " + std::to_string(vote.entity), "stable step [s]", vote.step,
-         "the step collapsed below time.min_step: an element or particle is crushed; "
-         "refine or soften the contact there, or change its formulation"});
+    std::ostringstream cause;
+    cause << "the step collapsed below " << clock.least_step() << " s (time.min_step) "
+          << "in step " << clock.step() << "; " << scene.advice(vote);
+    throw PhysicsError({clock.time(), scene.body_names.empty() ? "" : scene.body_names[vote.body],
+                        std::string(vote.reason) + " " + std::to_string(vote.entity),
+                        "stable step [s]", vote.step, cause.str()});
   }
   return clock.limit(vote);
 }
@@ -34,7 +37,7 @@ Phase phase_of(const Solid<Dim>& solid) {
 }  // namespace
 
 template <int Dim>
-void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>& observer,
+void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
                    Balance<Dim>* balance) {
   Phases& phases = scene.phases;
   scene.supports.start();
@@ -52,7 +55,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
     const StepHead head = agree(scene, clock, observer);
     observer.answer(head, scene, clock);
     if (clock.finished()) break;
-    const Real dt = choose_step(head.vote, scene, clock, min_step);
+    const Real dt = choose_step(head.vote, scene, clock);
     {
       const PhaseTimer timer(phases, Phase::points);
       for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
@@ -100,7 +103,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Real min_step, Observer<Dim>
   }
 }
 
-template void run_time_loop<2>(Scene<2>&, Clock&, Real, Observer<2>&, Balance<2>*);
-template void run_time_loop<3>(Scene<3>&, Clock&, Real, Observer<3>&, Balance<3>*);
+template void run_time_loop<2>(Scene<2>&, Clock&, Observer<2>&, Balance<2>*);
+template void run_time_loop<3>(Scene<3>&, Clock&, Observer<3>&, Balance<3>*);
 
 }  // namespace brunt

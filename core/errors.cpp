@@ -1,5 +1,6 @@
 #include "core/errors.hpp"
 
+#include <cmath>
 #include <sstream>
 
 namespace brunt {
@@ -28,7 +29,12 @@ std::string sentence(const PhysicsFailure& failure) {
   out << "at t = " << failure.time << " s";
   if (!failure.body.empty()) out << ", body " << failure.body;
   if (!failure.entity.empty()) out << ", " << failure.entity;
-  out << ": " << failure.quantity << " = " << failure.value;
+  out << ": " << failure.quantity;
+  if (std::isfinite(failure.value)) {
+    out << " = " << failure.value;
+  } else {
+    out << " is no finite number any more";
+  }
   if (!failure.cause.empty()) out << "; " << failure.cause;
   return out.str();
 }

@@ -48,14 +48,19 @@ struct HeatSums {
 
 /// Exact sums of one body; what history.csv prints in body.NAME.*.
 /// heat: taken up since time 0, by plastic work and, in bodies that conduct, from elsewhere.
+/// stress_work: internal and plastic heat. viscosity, artificial_stress, integration: its share of
+/// the columns of that name, for the watch over energy that nobody put in.
 template <int Dim>
 struct BodySums {
   ExactSum mass, kinetic, internal, hourglass, heat;
+  ExactSum stress_work, viscosity, artificial_stress, integration;
   std::array<ExactSum, Dim> mass_position, momentum;
 
   void add(const BodySums& part) {
     mass.add(part.mass), kinetic.add(part.kinetic), internal.add(part.internal);
     hourglass.add(part.hourglass), heat.add(part.heat);
+    stress_work.add(part.stress_work), viscosity.add(part.viscosity);
+    artificial_stress.add(part.artificial_stress), integration.add(part.integration);
     for (std::size_t c = 0; c < momentum.size(); ++c) {
       mass_position[c].add(part.mass_position[c]);
       momentum[c].add(part.momentum[c]);

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/ledger.hpp"
@@ -47,6 +48,9 @@ class Solid {
   /// Every 100 steps and at frames: throws PhysicsError on NaN or inversion (with time 0; the
   /// loop fills in time and body's name from label).
   virtual void check(Real time, const std::vector<std::string>& body_names) const = 0;
+  /// What may help where an element or particle is crushed, sheared or torn, as options of its body
+  /// leave it open; empty where it is not owned here.
+  virtual std::string advice(GlobalId) const { return {}; }
   /// Positions, connectivity and all fields of one body.
   virtual BodyView view(Label body) const = 0;
   /// How the motion of copies of points follows their owners; empty where there are none.

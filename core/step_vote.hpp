@@ -1,4 +1,6 @@
 #pragma once
+#include <string_view>
+
 #include "core/types.hpp"
 
 namespace brunt {
@@ -11,6 +13,13 @@ struct StepVote {
   Label body = 0;
   GlobalId entity = 0;
 
+  /// True for bounds of elements, particles, their heat and their springs, which are much the same
+  /// from step to step; those of speeds and spins may be anything.
+  bool of_material() const {
+    const std::string_view why = reason;
+    return why == "element" || why == "particle" || why == "heat of point" ||
+           why == "contact stiffness";
+  }
   bool before(const StepVote& other) const {
     return step < other.step || (step == other.step && entity < other.entity);
   }

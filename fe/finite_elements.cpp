@@ -6,6 +6,7 @@
 
 #include "core/errors.hpp"
 #include "fe/conduction.hpp"
+#include "fe/element_check.hpp"
 #include "fe/outer_facets.hpp"
 
 namespace brunt {
@@ -47,42 +48,6 @@ std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
   }
   hash.add(block.viscous_pressure[e]);
   return hash.value();
-}
-
-/// What is wrong with an element; entity is empty where nothing is.
-template <int Dim>
-PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
-                               const Points<Dim>& points, const Thickness& thickness) {
-  const auto failed = [&](const char* quantity, Real value, const char* cause) -> PhysicsFailure {
-    return {0, "", "element " + std::to_string(block.id[e]), quantity, value, cause};
-  };
-  const auto x = corner_positions(block, e, points);
-  const Real volume = element_volume<Dim>(x, block.gauss == 1, thickness);
-  Real least = volume;
-  if (block.gauss > 1) {
-    for (const Real part : gauss_volumes<Dim>(x, thickness)) {
-      if (!(part > least)) least = part;
-    }
-  }
-  if (!std::isfinite(least)) {
-    return failed("volume", least,
-                  "the position of a corner is not a finite number any more: try a smaller "
-                  "time.safety, and look at the last frame for what collapsed there");
-  }
-  if (!(least > 0)) {
-    return failed("volume", volume,
-                  "the element is inverted: refine the mesh, use q1p0, erode, or reduce the step");
-  }
-  Real sum = block.viscous_pressure[e];
-  for (int g = 0; g < block.gauss; ++g) {
-    const std::size_t k = block.point(e, g);
-    sum += block.state.pressure[k];
-    for (const auto& component : block.state.deviator) sum += component[k];
-  }
-  if (!std::isfinite(sum)) {
-    return failed("stress", sum, "the stress is not a number: the step may be too long");
-  }
-  return {};
 }
 
 }  // namespace
@@ -205,6 +170,7 @@ struct ElementSums {
     if (body >= totals.bodies.size()) return;
     BodySums<Dim>& own = totals.bodies[body];
     add_to(own.internal, own.hourglass);
+    own.stress_work.add(stress_work), own.viscosity.add(viscous);
     if (!conducts) own.heat.add(heat);  // else its points carry it, and what is conducted
   }
 };
@@ -253,6 +219,16 @@ void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_
   const Label body = where->body[element];
   if (body < body_names.size()) failure.body = body_names[body];
   throw PhysicsError(failure);
+}
+
+template <int Dim>
+std::string FiniteElements<Dim>::advice(GlobalId entity) const {
+  for (const auto& block : blocks_) {
+    const auto begin = block.id.begin(), end = begin + block.n;
+    const auto at = std::lower_bound(begin, end, entity);
+    if (at != end && *at == entity) return distortion_advice(block);
+  }
+  return {};
 }
 
 template <int Dim>

@@ -37,6 +37,7 @@ class FiniteElements final : public Solid<Dim> {
   void rearrange() override {}
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
+  std::string advice(GlobalId entity) const override;
   BodyView view(Label body) const override;
   std::size_t n_elements() const override;
   std::size_t n_particles() const override { return 0; }

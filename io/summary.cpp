@@ -59,6 +59,35 @@ std::vector<MeasureResult> measures_from(const Json& all) {
   return measures;
 }
 
+Json shares_json(const std::vector<std::pair<std::string, Real>>& shares) {
+  Json json = Json::object();
+  for (const auto& [name, share] : shares) json[name] = share;
+  return json;
+}
+
+Json energy_json(const EnergyShares& energy) {
+  return {{"largest", energy.largest},
+          {"created", energy.created},
+          {"sources", shares_json(energy.sources)},
+          {"taken", shares_json(energy.taken)},
+          {"hourglass", shares_json(energy.hourglass)}};
+}
+
+EnergyShares energy_from(const Json& json) {
+  EnergyShares energy;
+  energy.largest = real_at(json, "largest", 0);
+  energy.created = real_at(json, "created", 0);
+  const auto read = [&](const char* name, auto& shares) {
+    const Json all = object_at(json, name);
+    for (const auto& [key, unused] : all.items()) {
+      shares.emplace_back(key, real_at(all, key.c_str(), 0));
+    }
+  };
+  read("sources", energy.sources), read("taken", energy.taken);
+  read("hourglass", energy.hourglass);
+  return energy;
+}
+
 RunSummary from_json(const Json& json) {
   RunSummary s;
   s.version = json.at("version").get<std::string>();
@@ -83,6 +112,7 @@ RunSummary from_json(const Json& json) {
   s.ns_particle_step = real_at(json, "ns_particle_step", s.ns_particle_step);
   s.peak_memory = real_at(json, "peak_memory", s.peak_memory);
   s.drift = real_at(json, "drift", s.drift);
+  s.energy = energy_from(object_at(json, "energy"));
   s.measures = measures_from(object_at(json, "measures"));
   const Json warnings = json.value("warnings", Json::array());
   for (const auto& entry : warnings) {
@@ -138,6 +168,7 @@ std::string to_json(const RunSummary& s) {
   json["ns_particle_step"] = s.ns_particle_step;
   json["peak_memory"] = s.peak_memory;
   json["drift"] = s.drift;
+  json["energy"] = energy_json(s.energy);
   json["measures"] = measures_json(s.measures);
   json["warnings"] = Json::array();
   for (const auto& warning : s.warnings) {

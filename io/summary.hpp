@@ -24,6 +24,15 @@ struct RunWarning {
   std::string text;
 };
 
+/// Where energy went that is neither physics nor dissipation, each over the largest energy.
+struct EnergyShares {
+  Real largest = 0;  ///< [J]
+  Real created = 0;  ///< that nobody put in: the largest share at any look
+  std::vector<std::pair<std::string, Real>> sources;    ///< "BODY.COLUMN" or "COLUMN": at the end
+  std::vector<std::pair<std::string, Real>> taken;      ///< by columns that may give it back
+  std::vector<std::pair<std::string, Real>> hourglass;  ///< over the work of a body's stresses
+};
+
 /// What summary.json holds of one run: what a sweep reads. A number that is not known is NaN.
 struct RunSummary {
   std::string version;
@@ -42,6 +51,7 @@ struct RunSummary {
   Real ns_particle_step = 0;                         ///< [ns] of SPH phases a particle and step
   Real peak_memory = 0;                              ///< [byte]
   Real drift = 0;                                    ///< energy.drift at the end
+  EnergyShares energy;
   std::vector<MeasureResult> measures;
   std::vector<RunWarning> warnings;
   int ranks = 1;

@@ -86,8 +86,11 @@ void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
   totals.add(Column::viscosity, state.viscous_work);
   totals.add(Column::artificial_stress, state.artificial_work);
   if (points_.body[i] < totals.bodies.size()) {
-    totals.bodies[points_.body[i]].internal.add(internal);
-    if (!points_.conducts) totals.bodies[points_.body[i]].heat.add(plastic);
+    auto& body = totals.bodies[points_.body[i]];
+    body.internal.add(internal);
+    body.stress_work.add(state.stress_work), body.viscosity.add(state.viscous_work);
+    body.artificial_stress.add(state.artificial_work);
+    if (!points_.conducts) body.heat.add(plastic);
   }
   EntityHash hash(points_.id[i]);
   add_state(block.state, slot, hash);
@@ -127,8 +130,8 @@ void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_na
       const Real stress = von_mises(block.state, slot) + block.state.pressure[slot];
       if (!is_finite(stress)) {
         fail(i, "stress [Pa]", stress,
-             "it is not a finite number any more: look at the last frame for particles that "
-             "left the body or were crushed");
+             "look at the last frame for particles that left the body or were crushed, and try a "
+             "smaller time.safety");
       }
     }
   }

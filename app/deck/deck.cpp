@@ -13,13 +13,19 @@ void describe(Schema& s, Time& time) {
   s.real({"safety", "fraction of the stable step that is used"}, time.safety,
          {"1", {0, 1, true, false}, between(0.1, 1)});
   s.real({"max_step", "no step is longer"}, time.max_step, {"s", positive()});
-  s.real({"min_step", "a shorter step stops the run"}, time.min_step, {"s", positive()});
+  s.real({"min_step",
+          "a shorter step stops the run; default: a thousandth of the first that elements or "
+          "particles bound"}, time.min_step, {"s", positive()});
   s.integer({"heat_every",
              "conduction is evaluated at every N-th step and acts as it was in between: what fades "
              "with a time constant tau fades too fast by the part N dt/(2 tau); 1: at every step"},
             time.heat_every, at_least(1));
   s.real({"max_drift", "energy drift over the largest energy at which the run stops"},
          time.max_drift, {"1", positive(), between(0, 1)});
+  s.real({"max_created",
+          "energy that nobody put in (integration, artificial stress, contact.pairs, ...) over the "
+          "largest energy at which the run stops; at 0.01 it warns"},
+         time.max_created, {"1", positive(), between(0, 1)});
   s.real(
       {"until", "stops here with a checkpoint, at the first step that gets there; no bit changes"},
       time.until, {"s", positive()});

@@ -230,8 +230,9 @@ void FreeBodies<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& group : groups_) {
     for (std::size_t k = 0; k < group.chosen.size(); ++k) {
       if (group.chosen[k] >= group.points->n_owned || group.work[k] == 0) continue;
-      const bool turns = bodies_[group.body_of[k]].turns;
-      totals.add(turns ? Column::integration : Column::boundary, group.work[k]);
+      const auto& body = bodies_[group.body_of[k]];
+      totals.add(body.turns ? Column::integration : Column::boundary, group.work[k]);
+      if (body.turns) totals.bodies[body.body].integration.add(group.work[k]);
     }
   }
 }
@@ -255,6 +256,7 @@ void FreeBodies<Dim>::add_body_totals(Real dt, Totals<Dim>& totals) const {
       sums.momentum[static_cast<std::size_t>(c)].add(state.mass * state.v[c]);
     }
     totals.add(Column::integration, body.integration);
+    sums.integration.add(body.integration);
     totals.add(Column::boundary, body.boundary);
   }
 }

@@ -86,10 +86,12 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
     if (hooks.built) hooks.built(*scene);
   }
   const Deck& deck = loaded.deck;
-  Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
+  Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
+              deck.time.min_step);
   Simulation result;
-  Monitor<Dim> monitor(deck, nullptr, nullptr, true,
-                       [&](const std::string& text) { result.warnings.push_back(text); });
+  Monitor<Dim> monitor(deck, nullptr, nullptr, true, [&](const RunWarning& said) {
+    if (said.id == "contact") result.warnings.push_back(said.text);
+  });
   const std::int64_t stop_at = restart == nullptr ? variation.split_at : 0;
   std::int64_t steps = 0;
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart, [&] {
@@ -97,7 +99,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   });
   Watcher<Dim> observer(checkpointing, variation.rearrange_every_step, hooks);
   try {
-    run_time_loop(*scene, clock, deck.time.min_step.value_or(1e-9 * deck.time.end), observer);
+    run_time_loop(*scene, clock, observer);
     monitor.end(*scene, clock);
   } catch (const PhysicsError& error) {
     result.failure = error.what();
@@ -118,6 +120,8 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   result.steps = clock.step();
   result.steps_here = clock.step() - checkpointing.first_step();
   result.worst_drift = monitor.worst_drift();
+  result.told = monitor.told();
+  result.created = monitor.energy_shares().created;
   return result;
 }
 }  // namespace

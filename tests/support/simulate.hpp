@@ -7,6 +7,7 @@
 #include "app/deck/deck.hpp"
 #include "app/time_loop.hpp"
 #include "core/view.hpp"
+#include "io/summary.hpp"
 
 namespace brunt::test {
 
@@ -32,7 +33,9 @@ struct Simulation {
   std::map<std::string, Real> measures;
   std::map<std::string, BodyView> bodies;  ///< at the end
   std::map<std::string, LostReport> lost;  ///< by pair of bodies, where contacts did not hold
-  std::vector<std::string> warnings;       ///< told while it ran
+  std::vector<std::string> warnings;       ///< of contacts, told while it ran
+  std::vector<RunWarning> told;            ///< of energies and of the step
+  Real created = 0;                        ///< largest share of energy that nobody put in
   std::int64_t steps = 0;
   std::int64_t steps_here = 0;  ///< without those before a restart
   Real worst_drift = 0;

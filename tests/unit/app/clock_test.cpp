@@ -25,6 +25,20 @@ TEST(Clock, MaxStepHasItsName) {
   EXPECT_STREQ(clock.whose().reason, "element");
 }
 
+TEST(Clock, TheStepHasCollapsedAThousandfoldBelowTheFirstThatMaterialBounds) {
+  Clock clock(1.0, 0.5, 1e-2);
+  EXPECT_EQ(clock.least_step(), 1e-9);  // of the end, until there is a plan
+  clock.limit({1e-1, "spin of a rigid body", 0, 0});
+  EXPECT_EQ(clock.planned_step(), 0);
+  clock.limit({1e-3, "contact speed", 0, 0});
+  EXPECT_EQ(clock.planned_step(), 0);
+  clock.limit({4e-3, "element", 0, 0});
+  clock.limit({1e-4, "element", 0, 0});
+  EXPECT_EQ(clock.planned_step(), 2e-3);
+  EXPECT_EQ(clock.least_step(), 2e-6);
+  EXPECT_EQ(Clock(1.0, 0.5, 1e-2, 1e-7).least_step(), 1e-7);
+}
+
 TEST(StepVote, TiesGoToTheSmallerEntity) {
   StepVote vote;
   vote.take({2.0, "b", 0, 7});

@@ -175,7 +175,10 @@ TEST(finite_elements, a_squeezed_element_is_named) {
       FAIL() << "no error";
     } catch (const PhysicsError& error) {
       EXPECT_EQ(error.failure().quantity, "volume");
-      EXPECT_EQ(error.failure().entity, "element 1234");
+      // Elements of several Gauss points name the one that is turned inside out.
+      const bool several = variant.integration != Integration::one_point;
+      EXPECT_EQ(error.failure().entity.rfind("element 1234", 0), 0u);
+      EXPECT_EQ(error.failure().entity.find(", Gauss point ") != std::string::npos, several);
       EXPECT_EQ(error.failure().body, "cube");
       EXPECT_EQ(error.failure().time, 0.5);
       EXPECT_LE(error.failure().value, 0);

@@ -1,0 +1,82 @@
+#include "fe/element_check.hpp"
+
+#include <cmath>
+
+namespace brunt {
+
+namespace {
+/// "element 12", or "element 12, Gauss point 3" of several.
+template <int Dim>
+std::string entity_text(const ElementBlock<Dim>& block, LocalIndex e, int g) {
+  std::string text = "element " + std::to_string(block.id[e]);
+  if (g >= 0) text += ", Gauss point " + std::to_string(g + 1);
+  return text;
+}
+
+/// Corners that are no finite number: none has a volume, and the corner is what can be named.
+template <int Dim>
+PhysicsFailure lost_corner(const ElementBlock<Dim>& block, LocalIndex e, const Points<Dim>& points,
+                           const std::string& advice) {
+  constexpr auto n = static_cast<std::size_t>(Shape<Dim>::kCorners);
+  for (std::size_t I = 0; I < n; ++I) {
+    const LocalIndex node = block.corner[static_cast<std::size_t>(e) * n + I];
+    if (std::isfinite(points.x[node].sum())) continue;
+    return {0,
+            "",
+            entity_text(block, e, -1),
+            "corner without a finite position, id",
+            static_cast<Real>(points.id[node]),
+            "a force on it was no number in one of the last steps; " + advice};
+  }
+  return {};
+}
+}  // namespace
+
+template <int Dim>
+std::string distortion_advice(const ElementBlock<Dim>& block) {
+  std::string text = "the element is crushed, sheared or turned inside out: try ";
+  if (block.options.integration != Integration::q1p0) text += "`element: {integration: q1p0}`, ";
+  text += "finer or coarser elements there";
+  if (!block.material->yields()) text += ", a `strength`, since this material never yields";
+  return text + ", or `method: sph` where the material shall flow so far";
+}
+
+template <int Dim>
+PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
+                               const Points<Dim>& points, const Thickness& thickness) {
+  const auto x = corner_positions(block, e, points);
+  Real least = element_volume<Dim>(x, block.gauss == 1, thickness);
+  int where = -1;
+  if (block.gauss > 1) {
+    const auto part = gauss_volumes<Dim>(x, thickness);
+    for (int g = 0; g < block.gauss; ++g) {
+      if (where < 0 || !(part[g] >= least)) least = part[g], where = g;
+    }
+  }
+  if (!std::isfinite(least)) return lost_corner(block, e, points, distortion_advice(block));
+  if (!(least > 0)) {
+    return {0, "", entity_text(block, e, where), "volume", least, distortion_advice(block)};
+  }
+  for (int g = 0; g < block.gauss; ++g) {
+    const std::size_t k = block.point(e, g);
+    Real sum = block.viscous_pressure[e] + block.state.pressure[k];
+    for (const auto& component : block.state.deviator) sum += component[k];
+    if (std::isfinite(sum)) continue;
+    return {0,
+            "",
+            entity_text(block, e, block.gauss > 1 ? g : -1),
+            "stress",
+            sum,
+            "the step was too long for what the material did: try a smaller time.safety"};
+  }
+  return {};
+}
+
+template std::string distortion_advice(const ElementBlock<2>&);
+template std::string distortion_advice(const ElementBlock<3>&);
+template PhysicsFailure element_failure(const ElementBlock<2>&, LocalIndex, const Points<2>&,
+                                        const Thickness&);
+template PhysicsFailure element_failure(const ElementBlock<3>&, LocalIndex, const Points<3>&,
+                                        const Thickness&);
+
+}  // namespace brunt
