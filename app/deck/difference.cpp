@@ -38,9 +38,10 @@ std::string at(const Leaves& leaves, const std::string& path) {
 }
 }  // namespace
 
-std::vector<std::string> deck_differences(const std::string& checkpoint, const std::string& deck) {
+std::vector<std::string> deck_differences(const std::string& checkpoint, const std::string& deck,
+                                          const std::string& where) {
   Leaves then, now;
-  collect(read_yaml(checkpoint, "deck of the checkpoint"), "", then);
+  collect(read_yaml(checkpoint, "deck of the " + where), "", then);
   collect(read_yaml(deck, "deck"), "", now);
   Leaves all = then;
   all.insert(now.begin(), now.end());
@@ -48,7 +49,8 @@ std::vector<std::string> deck_differences(const std::string& checkpoint, const s
   for (const auto& [path, unused] : all) {
     const auto before = at(then, path), after = at(now, path);
     if (before == after) continue;
-    differences.push_back(path + ": " + before + " in the checkpoint, " + after + " in the deck");
+    differences.push_back(path + ": " + before + " in the " + where + ", " + after +
+                          " in the deck");
   }
   return differences;
 }
