@@ -10,7 +10,7 @@ namespace brunt {
 
 namespace {
 bool may_differ(const std::string& path) {
-  static constexpr const char* kFree[] = {"time.end", "time.until", "title"};
+  static constexpr const char* kFree[] = {"time.end", "time.until", "title", "max_cells"};
   return path.starts_with("output.") || path.starts_with("ranks.") ||
          std::any_of(std::begin(kFree), std::end(kFree),
                      [&](const char* key) { return path == key; });
