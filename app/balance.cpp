@@ -62,6 +62,7 @@ Balance<Dim>::Balance(const deck::Ranks& options, Build build, double cost)
 
 template <int Dim>
 void Balance<Dim>::look(Scene<Dim>& scene, Real time) {
+  threads_.look();
   if (scene.ranks->alone() || !options_.balance || ++steps_ < options_.balance_steps) return;
   steps_ = 0;
   if (is_due(scene)) {

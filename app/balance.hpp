@@ -4,12 +4,14 @@
 
 #include "app/deck/deck.hpp"
 #include "app/scene.hpp"
+#include "app/thread_choice.hpp"
 
 namespace brunt {
 
 /// Watches how evenly the work of a run is spread over its ranks, and deals the points out again
 /// where it has drifted apart. Which rank computes what changes no bit of the answer: dealing is a
-/// restart within the run, by the rows that a checkpoint would write.
+/// restart within the run, by the rows that a checkpoint would write. Beside that it leaves threads
+/// out while other programs have their cores.
 template <int Dim>
 class Balance {
  public:
@@ -24,12 +26,15 @@ class Balance {
 
   Real ratio() const { return ratio_; }  ///< largest over mean work, since the last look but one
   int deals() const { return deals_; }   ///< since the start
+  /// Steps of this rank on one thread, since other programs used the cores of the rest.
+  std::int64_t steps_alone() const { return threads_.steps_alone(); }
 
  private:
   bool is_due(Scene<Dim>& scene);
   std::vector<Real> weights(const Scene<Dim>& scene) const;
   void deal_again(Scene<Dim>& scene);
 
+  ThreadTeam threads_;
   deck::Ranks options_;
   Build build_;
   double cost_;

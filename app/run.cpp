@@ -219,7 +219,6 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   for (const auto& [pair, text] : monitor.lost_contacts()) {
     summary.warnings.push_back({"contact", text});
   }
-  summary.threads = omp_get_max_threads();
   summary.instruction_set = BRUNT_ISA;
 }
 
@@ -241,6 +240,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
       loaded.deck.ranks, [&] { return build_scene<Dim>(loaded); }, build_time.count());
   const auto folder = output_path(arguments);
   RunSummary summary;
+  summary.threads = omp_get_max_threads();
   const bool root = ranks.is_root();
   std::optional<OutputFolder> output;
   if (root) output.emplace(folder, arguments);
@@ -307,6 +307,10 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
   summary.balance = balance.ratio();
   summary.deals = balance.deals();
+  if (balance.steps_alone() > 0) {
+    log->info("{} steps on one thread instead of {}: other programs used the processors",
+              balance.steps_alone(), summary.threads);
+  }
   if (!root) return ended.status;
   const auto pictures = deck.output.pictures && ended.status != kStopped
                             ? draw_pictures(folder, deck.title, summary)

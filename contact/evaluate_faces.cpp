@@ -38,8 +38,8 @@ Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate
       .dot(plane.normal);
 }
 
-/// Notes a plane that lets go, or one that pushes from behind. Slivers, less than a hundredth of
-/// the smaller face, come and go deep at the borders of faces: what they push is next to nothing.
+/// Notes a plane that lets go, or one that comes from behind. Slivers, less than a hundredth of the
+/// smaller face, come and go deep at the borders of faces: what they would push is next to nothing.
 template <int Dim>
 void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const CommonPlane<Dim>& plane, std::uint32_t how,
@@ -56,11 +56,11 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
       {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
 }
 
-/// True where the faces were beyond their limit at the last evaluation, by the way of the step:
-/// they have gone through each other elsewhere, or where they did not face each other. Those that
-/// meet from before begin to push where they touch, those that turn to each other or come over each
-/// other where their pressure fades in. Where they come out far enough none of their barrier is
-/// left.
+/// True where the faces were beyond their limit at the last evaluation, where they are deepest, by
+/// the way of the step: they have gone through each other elsewhere, or where they did not face
+/// each other, and would begin at the top of their barrier. Those that meet from before push first
+/// where they touch, those that turn to each other or come over each other where their pressure
+/// fades in. What has come out as far as the barrier's onset has nothing left to be spared.
 template <int Dim>
 bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
                        const CommonPlane<Dim>& plane, Real dt) {

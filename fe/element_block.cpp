@@ -47,7 +47,7 @@ GaussPlace<Dim> gauss_geometry(const Modal<Dim, Real>& c, int g) {
 Hourglass resolved(const Hourglass& hourglass, const Material& material) {
   if (!std::holds_alternative<AutomaticHourglass>(hourglass)) return hourglass;
   if (material.yields()) return ViscousHourglass{};
-  return StiffnessHourglass{};
+  return AssumedStrainHourglass{};
 }
 
 [[noreturn]] void report_inverted(GlobalId id, Real volume) {
@@ -112,11 +112,22 @@ Real squared_gradients(const Corners<Dim>& x) {
   return Shape<Dim>::kCorners * sum / (volume * volume);
 }
 
+/// Elastic constants of bending (AssumedStrainEnergy), times a coefficient.
+BendingModuli bending_moduli(const Material& material, Real coefficient) {
+  const Real E = 9 * material.bulk * material.shear / (3 * material.bulk + material.shear);
+  const Real nu = E / (2 * material.shear) - 1;
+  return {coefficient * E, coefficient * E / (1 - nu * nu), nu, coefficient * material.shear};
+}
+
 /// Hourglass control of one-point elements: k = kappa mu V sum B B / V^2 of stiffness
 /// (physics.md A4, 2 mu form).
 template <int Dim>
 void start_hourglass(const Points<Dim>& points, ElementBlock<Dim>& block) {
   const auto padded = static_cast<std::size_t>(block.n_padded);
+  if (const auto* bends = std::get_if<AssumedStrainHourglass>(&block.options.hourglass)) {
+    block.bending = bending_moduli(*block.material, bends->coefficient);
+    return;
+  }
   const auto* stiff = std::get_if<StiffnessHourglass>(&block.options.hourglass);
   if (stiff == nullptr) {
     block.hourglass.assign(padded * block.kHourglassValues, 0.0);

@@ -5,6 +5,7 @@
 #include "core/materials/material.hpp"
 #include "core/points.hpp"
 #include "core/step_vote.hpp"
+#include "fe/assumed_strain.hpp"
 #include "fe/options.hpp"
 #include "fe/shape.hpp"
 
@@ -69,6 +70,7 @@ struct ElementBlock {
   /// Viscous control: [N] generalised forces Q at n, kHourglassValues x n_padded.
   std::vector<Real> hourglass;
   std::vector<Real> hourglass_stiffness;  ///< [N/m] stiffness control: of each element
+  BendingModuli bending;                  ///< assumed-strain control
   std::vector<Real> viscous_pressure;     ///< [Pa] bulk viscosity q at n
   std::vector<Real> stress_work;          ///< [J] of each element since time 0
   std::vector<Real> hourglass_work;       ///< [J]

@@ -8,7 +8,7 @@ namespace brunt {
 
 enum class Integration : int { one_point, q1p0, full };
 
-/// Flanagan-Belytschko 1981 hourglass control of one-point elements.
+/// Flanagan & Belytschko 1981 hourglass control of one-point elements: viscous or by stiffness.
 struct ViscousHourglass {
   static constexpr const char* deck_name = "viscous";
   static constexpr const char* deck_help = "resists hourglass rates; for materials that yield";
@@ -19,13 +19,21 @@ struct StiffnessHourglass {
   static constexpr const char* deck_help = "resists hourglass amplitudes; for elastic materials";
   Real coefficient = 0.05;
 };
-/// What the material asks for: viscous 0.1 where it yields, else stiffness 0.05.
+/// Belytschko & Bindeman 1991, 1993: the strains of bending, at their elastic stiffness.
+struct AssumedStrainHourglass {
+  static constexpr const char* deck_name = "assumed_strain";
+  static constexpr const char* deck_help =
+      "bends right with few elements through a thickness; for elastic materials";
+  Real coefficient = 1;
+};
+/// What the material asks for: viscous 0.1 where it yields, else assumed strain 1.
 struct AutomaticHourglass {
   static constexpr const char* deck_name = "auto";
   static constexpr const char* deck_help =
-      "viscous 0.1 where the material yields, else stiffness 0.05";
+      "viscous 0.1 where the material yields, else assumed_strain 1";
 };
-using Hourglass = std::variant<AutomaticHourglass, ViscousHourglass, StiffnessHourglass>;
+using Hourglass =
+    std::variant<AutomaticHourglass, ViscousHourglass, StiffnessHourglass, AssumedStrainHourglass>;
 
 struct BulkViscosity {
   Real linear = 0.06;
@@ -45,6 +53,10 @@ inline void describe(Schema& s, ViscousHourglass& hourglass) {
 }
 inline void describe(Schema& s, StiffnessHourglass& hourglass) {
   s.value(hourglass.coefficient, {"1", at_least(0), between(0, 0.2)}, "stiffness coefficient");
+}
+inline void describe(Schema& s, AssumedStrainHourglass& hourglass) {
+  s.value(hourglass.coefficient, {"1", at_least(0), between(0, 1)},
+          "of the elastic stiffness of bending");
 }
 inline void describe(Schema& s, BulkViscosity& viscosity) {
   s.real({"linear", "linear coefficient of the artificial bulk viscosity"}, viscosity.linear,

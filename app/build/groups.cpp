@@ -113,6 +113,9 @@ bool same_element(const ElementOptions& a, const ElementOptions& b) {
     if (const auto* viscous = std::get_if<ViscousHourglass>(&hourglass))
       return viscous->coefficient;
     if (const auto* stiff = std::get_if<StiffnessHourglass>(&hourglass)) return stiff->coefficient;
+    if (const auto* bends = std::get_if<AssumedStrainHourglass>(&hourglass)) {
+      return bends->coefficient;
+    }
     return 0.0;
   };
   return a.integration == b.integration && a.hourglass.index() == b.hourglass.index() &&

@@ -175,7 +175,7 @@ void check_element(const Deck& deck, const std::string& path, const Body& body,
     findings.warn(path + ".element.hourglass",
                   "'" + material->name +
                       "' does not yield, and hourglass modes of an elastic body "
-                      "grow slowly under viscous control; stiffness: 0.05 is for elastic bodies");
+                      "grow slowly under viscous control; assumed_strain: 1 is for elastic bodies");
   }
 }
 

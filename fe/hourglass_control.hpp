@@ -1,0 +1,204 @@
+#pragma once
+/// Hourglass control of one-point elements: viscous and by stiffness after Flanagan & Belytschko
+/// 1981, by assumed strain after Belytschko & Bindeman 1991, 1993.
+#include "fe/one_point_kinematics.hpp"
+
+namespace brunt {
+
+template <int Dim>
+constexpr Real kRootCorners = Dim == 3 ? 2.82842712474619009760 : 2.0;
+
+/// q_a = u_I gamma_aI / sqrt(corners): hourglass amplitudes [m] of a field of modes u, whose
+/// gradient `at` has. gamma is orthogonal to all fields that are linear over `at`.
+template <int Dim>
+BRUNT_INLINE void hourglass_amplitudes(const OnePointConfiguration<Dim>& at,
+                                       const Modal<Dim, Pack>& u, HourglassModes<Dim>& q) {
+  const Pack inverse = 1.0 / at.measure;
+  Pack L[Dim][Dim];
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) L[i][j] = at.G[i][j] * inverse;
+  }
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) {
+      Pack linear = L[i][0] * at.mode[a][0];
+      for (int j = 1; j < Dim; ++j) linear += L[i][j] * at.mode[a][j];
+      q[a][i] = kRootCorners<Dim> * (u.m[Dim + a][i] - linear);
+    }
+  }
+}
+
+template <int Dim>
+BRUNT_INLINE Pack dot(const HourglassModes<Dim>& Q, const HourglassModes<Dim>& q) {
+  Pack sum = broadcast<Pack>(0);
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) sum += Q[a][i] * q[a][i];
+  }
+  return sum;
+}
+
+/// Modes of the forces that do the work Q . q on amplitudes measured on `at`, to w.hourglass.
+template <int Dim>
+BRUNT_INLINE void set_hourglass_forces(const OnePointConfiguration<Dim>& at,
+                                       const HourglassModes<Dim>& Q, OnePointWork<Dim>& w) {
+  const Pack k = kRootCorners<Dim> / at.measure;
+  for (int i = 0; i < Dim; ++i) {
+    Pack moment[Dim];
+    for (int j = 0; j < Dim; ++j) {
+      moment[j] = Q[0][i] * at.mode[0][j];
+      for (int a = 1; a < Shape<Dim>::kHourglass; ++a) moment[j] += Q[a][i] * at.mode[a][j];
+      moment[j] *= k;
+    }
+    for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
+      Pack force = broadcast<Pack>(0);
+      if (m < Shape<Dim>::kActive) {
+        for (int j = 0; j < Dim; ++j) force += moment[j] * at.E[m][j];
+      }
+      if (m >= Dim) force -= (1.0 / kRootCorners<Dim>)*Q[m - Dim][i];
+      w.hourglass[m][i] = force;
+    }
+  }
+}
+
+/// Viscous control: Q = 2 Q_HG rho c l^2 dq/dt at mid-step.
+template <int Dim>
+BRUNT_INLINE void resist_rates(const OnePointLane<Dim>& lane, Real coefficient,
+                               const OnePointConfiguration<Dim>& old,
+                               const OnePointConfiguration<Dim>& mid, const Modal<Dim, Pack>& u,
+                               OnePointWork<Dim>& w) {
+  ElementBlock<Dim>& block = lane.block;
+  const auto kept = [&](int a, int i) {
+    return block.hourglass.data() + static_cast<std::size_t>(a * Dim + i) * block.n_padded + lane.e;
+  };
+  HourglassModes<Dim> q, Q;
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) Q[a][i] = load(kept(a, i));
+  }
+  hourglass_amplitudes(old, u, q);
+  const Pack old_work = dot<Dim>(Q, q);
+  hourglass_amplitudes(mid, u, q);
+  const Pack size = load(block.reference_size.data() + lane.e);
+  Pack area = size * size;
+  if constexpr (Dim == 2) area = size * w.now.thickness;
+  const Pack k = (2.0 * coefficient / lane.step.dt) * w.rho * w.speed * area;
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) {
+      Q[a][i] = k * q[a][i];
+      store(kept(a, i), Q[a][i]);
+    }
+  }
+  hourglass_amplitudes(w.now, u, q);
+  add_half(block.hourglass_work, lane.e, old_work + dot<Dim>(Q, q));
+  set_hourglass_forces(w.now, Q, w);
+}
+
+/// The positions at time 0, and the gradient of the positions c over them.
+template <int Dim>
+BRUNT_INLINE void at_start(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
+                           OnePointConfiguration<Dim>& start) {
+  Pack node[Shape<Dim>::kCorners][Dim];
+  gather<Dim>(lane.block.corner.data() + lane.e * Shape<Dim>::kCorners, lane.step.x_start, node);
+  evaluate(modes_of<Dim>(node), c, lane.step.thickness, start);
+}
+
+/// Stiffness control: Q = k q of the positions c, gamma and k those of the positions at time 0.
+/// A linear map of the body has no q, a turn turns it with the body, and its energy k q^2/2 is that
+/// of a spring. Forces summed over rates have no potential: where the deformation of an element
+/// comes and goes they keep a rest, of the order of the strain (Joldes, Wittek & Miller 2008).
+template <int Dim>
+BRUNT_INLINE void resist_amplitudes(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
+                                    OnePointWork<Dim>& w) {
+  ElementBlock<Dim>& block = lane.block;
+  OnePointConfiguration<Dim> start;
+  at_start(lane, c, start);
+  HourglassModes<Dim> q, Q;
+  hourglass_amplitudes(start, c, q);
+  const Pack k = load(block.hourglass_stiffness.data() + lane.e);
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) Q[a][i] = k * q[a][i];
+  }
+  store(block.hourglass_work.data() + lane.e, 0.5 * dot<Dim>(Q, q));
+  set_hourglass_forces(start, Q, w);
+}
+
+/// What assumed-strain control reads of a field: its hourglass and its linear modes.
+template <int Dim>
+struct BendingModes {
+  HourglassModes<Dim> h;
+  Pack l[Dim][Dim];
+
+  /// start  the positions at time 0, with the gradient of the field of modes u
+  BRUNT_INLINE BendingModes(const OnePointConfiguration<Dim>& start, const Modal<Dim, Pack>& u) {
+    hourglass_amplitudes(start, u, h);
+    for (int i = 0; i < Dim; ++i) {
+      for (auto& mode : h) mode[i] = (1.0 / kRootCorners<Dim>)*mode[i];
+      for (int m = 0; m < Dim; ++m) l[m][i] = u.m[m][i];
+    }
+  }
+  BRUNT_INLINE void subtract(const BendingModes& other) {
+    for (int i = 0; i < Dim; ++i) {
+      for (int a = 0; a < Shape<Dim>::kHourglass; ++a) h[a][i] -= other.h[a][i];
+      for (int m = 0; m < Dim; ++m) l[m][i] -= other.l[m][i];
+    }
+  }
+  BRUNT_INLINE AssumedStrainEnergy<Dim, Pack> energy(const BendingModuli& moduli,
+                                                     Pack volume) const {
+    return {h, l, moduli, volume};
+  }
+  /// Work [J] on these modes as displacements.
+  BRUNT_INLINE Pack work_of(const AssumedStrainEnergy<Dim, Pack>& u) const {
+    Pack sum = dot<Dim>(u.by_hourglass, h);
+    for (int m = 0; m < Dim; ++m) {
+      for (int i = 0; i < Dim; ++i) sum += u.by_linear[m][i] * l[m][i];
+    }
+    return sum;
+  }
+};
+
+/// Assumed-strain control: minus the gradient of its energy, gamma that of the positions at time 0.
+/// The work is that of the forces at both ends of the step.
+template <int Dim>
+BRUNT_INLINE void resist_bending(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
+                                 const Modal<Dim, Pack>& u, OnePointWork<Dim>& w) {
+  ElementBlock<Dim>& block = lane.block;
+  OnePointConfiguration<Dim> start;
+  at_start(lane, u, start);
+  const BendingModes<Dim> step(start, u);
+  volume_times_gradient<Dim, Pack>(c, start.E, start.G);
+  BendingModes<Dim> modes(start, c);
+  const Pack volume = load(block.element_volume.data() + lane.e);
+  const auto now = modes.energy(block.bending, volume);
+  modes.subtract(step);
+  const auto old = modes.energy(block.bending, volume);
+  add_half(block.hourglass_work, lane.e, step.work_of(old) + step.work_of(now));
+
+  HourglassModes<Dim> Q;
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) Q[a][i] = (1.0 / kRootCorners<Dim>)*now.by_hourglass[a][i];
+  }
+  set_hourglass_forces(start, Q, w);
+  for (int m = 0; m < Dim; ++m) {
+    for (int i = 0; i < Dim; ++i) {
+      w.hourglass[m][i] -= (1.0 / Shape<Dim>::kCorners) * now.by_linear[m][i];
+    }
+  }
+}
+
+/// Adds the control that the block's elements have to w.hourglass, and books its work.
+/// old, mid: configurations of this step; c, u: modes of the positions and of the step.
+template <int Dim>
+BRUNT_INLINE void resist_hourglasses(const OnePointLane<Dim>& lane,
+                                     const OnePointConfiguration<Dim>& old,
+                                     const OnePointConfiguration<Dim>& mid,
+                                     const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u,
+                                     OnePointWork<Dim>& w) {
+  const Hourglass& control = lane.block.options.hourglass;
+  if (const auto* viscous = std::get_if<ViscousHourglass>(&control)) {
+    resist_rates(lane, viscous->coefficient, old, mid, u, w);
+  } else if (std::holds_alternative<AssumedStrainHourglass>(control)) {
+    resist_bending(lane, c, u, w);
+  } else {
+    resist_amplitudes(lane, c, w);
+  }
+}
+
+}  // namespace brunt
