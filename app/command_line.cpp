@@ -2,8 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <exception>
 #include <new>
 #include <thread>
 
@@ -89,7 +93,9 @@ template <class Command>
 int guarded(const ParallelSession& session, Command command) {
   int status = kMachineFailed;
   try {
-    return command();
+    const int done = command();
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return done;
+    throw MachineError(std::string("cannot write to the standard output: ") + std::strerror(errno));
   } catch (const DeckError& error) {
     std::string text;
     for (const auto& problem : error.problems()) text += problem.text() + "\n";
@@ -102,6 +108,8 @@ int guarded(const ParallelSession& session, Command command) {
     say(session, std::string("brunt: ") + error.what() + "\n");
   } catch (const std::bad_alloc&) {
     say(session, "brunt: not enough memory; `brunt plan` says what the deck needs\n");
+  } catch (const std::exception& error) {  // of the system or a library; it names the path
+    say(session, std::string("brunt: ") + error.what() + "\n");
   }
   if (!session.ranks().alone()) session.abort(status);
   return status;
@@ -109,6 +117,7 @@ int guarded(const ParallelSession& session, Command command) {
 }  // namespace
 
 int command_line(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // whoever reads may go; a run goes on
   CLI::App app{
       "brunt: bodies that hit, cut, rub and heat each other. Finite elements, SPH, contact."};
   app.set_version_flag("--version", std::string(BRUNT_VERSION) + " (" + BRUNT_ISA + ")");

@@ -21,7 +21,8 @@ std::vector<std::filesystem::path> draw_run(const std::filesystem::path& folder,
 }
 
 int render_command(const PictureArguments& arguments) {
-  if (!std::filesystem::exists(std::filesystem::path(arguments.folder) / "frames.pvd")) {
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::path(arguments.folder) / "frames.pvd", error)) {
     throw DeckError({{{arguments.folder, 0, 0},
                       "",
                       "has no frames.pvd: name the folder that a run wrote, such as bars.out"}});

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/deck/difference.hpp"
+#include "io/file.hpp"
 #include "io/number.hpp"
 
 namespace brunt {
@@ -17,8 +18,9 @@ namespace {
 
 /// Manifests that a name stands for, the one to use first first.
 std::vector<fs::path> manifests_for(const fs::path& file) {
-  if (!fs::exists(file)) refuse_call(file, "there is no such checkpoint");
-  if (fs::is_directory(file)) {
+  std::error_code error;
+  if (!fs::exists(file, error)) refuse_call(file, "there is no such checkpoint");
+  if (fs::is_directory(file, error)) {
     auto manifests = checkpoints_in(file);
     if (manifests.empty()) refuse_call(file, "there is no checkpoint in this folder");
     return manifests;
@@ -51,6 +53,24 @@ void check_deck(const RestartPoint& point, const LoadedDeck& loaded) {
   later("time.end", loaded.deck.time.end);
   if (loaded.deck.time.until) later("time.until", *loaded.deck.time.until);
   if (!problems.empty()) throw DeckError(problems);
+}
+/// Where a run left no checkpoint, the deck that it began with says whose folder it is.
+void check_resolved(const fs::path& folder, const LoadedDeck& loaded) {
+  const fs::path file = folder / "deck.resolved.yaml";
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return;
+  std::vector<DeckProblem> problems;
+  for (const auto& difference : deck_differences(read_file(file), loaded.resolved, "folder")) {
+    problems.push_back({{file.string(), 0, 0}, "", "is of another deck: " + difference});
+  }
+  if (!problems.empty()) throw DeckError(problems);
+}
+
+[[noreturn]] void refuse_changed(std::vector<DeckProblem> problems) {
+  problems.push_back({problems.front().place, "",
+                      "--resume goes on with the run of this folder alone; --force too begins it "
+                      "anew where the deck has changed"});
+  throw DeckError(std::move(problems));
 }
 }  // namespace
 
@@ -94,8 +114,9 @@ std::unique_ptr<Restart> find_restart(const RunArguments& arguments, const fs::p
     try {
       auto own = std::make_unique<Restart>(checkpoints_in(folder), loaded, report);
       if (own->next()) return own;
+      check_resolved(folder, loaded);
     } catch (const DeckError& error) {
-      // A folder of another deck is written anew, as one without a checkpoint is.
+      if (!arguments.force) refuse_changed(error.problems());
       for (const auto& problem : error.problems()) report(problem.text());
     }
   }
@@ -107,7 +128,8 @@ std::unique_ptr<Restart> find_restart(const RunArguments& arguments, const fs::p
 
 int verify_command(const std::string& file) {
   auto manifests = manifests_for(file);
-  if (!fs::is_directory(file)) manifests.resize(1);
+  std::error_code unread;
+  if (!fs::is_directory(file, unread)) manifests.resize(1);
   int status = kDone;
   for (const auto& manifest : manifests) {
     try {

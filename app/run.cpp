@@ -247,6 +247,9 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   RunSummary summary;
   summary.threads = omp_get_max_threads();
   const bool root = ranks.is_root();
+  std::optional<OutputFolder> output;
+  if (root) output.emplace(folder, arguments);
+  ranks.barrier();  // the root alone holds the folder
   if (arguments.resume && ranks.any(root && is_finished(folder, loaded.hash))) {
     if (!root) return kDone;
     summary = read_summary(folder);
@@ -262,7 +265,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const bool goes_on = restart && restart->lies_in(folder);
   ranks.barrier();  // all have read what the root may replace
   if (root) {
-    prepare_output(folder, arguments, goes_on);
+    output->prepare(goes_on);
     write_file_atomically(folder / "deck.resolved.yaml", loaded.resolved);
   }
   ranks.barrier();  // the folder is there for all

@@ -23,8 +23,13 @@ void on_signal(int signal) {
 }  // namespace
 
 void listen_to_signals() {
-  for (const int signal : {SIGUSR1, SIGUSR2, SIGTERM, SIGINT}) {
+  for (const int signal : {SIGUSR1, SIGUSR2, SIGTERM, SIGINT, SIGHUP}) {
     struct sigaction action {};
+    // Who started the run with nohup wants it to outlive the terminal.
+    if (signal == SIGHUP && sigaction(signal, nullptr, &action) == 0 &&
+        action.sa_handler == SIG_IGN) {
+      continue;
+    }
     action.sa_handler = on_signal;
     action.sa_flags = SA_RESTART;  // a write that was interrupted goes on
     sigemptyset(&action.sa_mask);

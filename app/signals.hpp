@@ -8,7 +8,8 @@ struct Requests {
   bool stop = false;        ///< write one and stop
 };
 
-/// From now on SIGUSR1 asks for a checkpoint; SIGUSR2, SIGTERM and SIGINT for one and the end.
+/// From now on SIGUSR1 asks for a checkpoint; SIGUSR2, SIGTERM, SIGINT and SIGHUP
+/// (unless it is ignored, as nohup does) for one and the end.
 void listen_to_signals();
 
 /// What signals have asked for since the last call; a stop stays asked for.

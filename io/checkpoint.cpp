@@ -145,14 +145,25 @@ CheckpointContent read_part(const fs::path& file, const Manifest& manifest, std:
   return content;
 }
 
-/// The step in the name of a file of a checkpoint.
+/// True for the endings of manifests and parts, and of temporaries of them.
+bool ends_as_written(std::string_view ending) {
+  constexpr std::string_view kTemporary = ".tmp-XXXXXX";
+  const auto cut = ending.size() - std::min(ending.size(), kTemporary.size());
+  if (ending.substr(cut).starts_with(".tmp-")) ending = ending.substr(0, cut);
+  if (ending == kSuffix) return true;
+  if (!ending.starts_with('.') || !ending.ends_with(".h5") || ending.size() < 5) return false;
+  return whole(ending.substr(1, ending.size() - 4)).has_value();
+}
+
+/// The step in the name of a file of a checkpoint; none for names that brunt does not give.
 std::optional<std::uint64_t> step_of(const fs::path& file) {
   const std::string name = file.filename().string();
   std::string_view rest(name);
   if (!rest.starts_with(kPrefix)) return std::nullopt;
   rest.remove_prefix(std::string_view(kPrefix).size());
   const auto digits = rest.substr(0, rest.find('.'));
-  return digits.size() >= kDigits ? whole(digits) : std::nullopt;
+  if (digits.size() < kDigits || !ends_as_written(rest.substr(digits.size()))) return std::nullopt;
+  return whole(digits);
 }
 
 }  // namespace
@@ -228,7 +239,8 @@ void remove_checkpoints_but(const fs::path& folder, const std::vector<std::uint6
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const auto step = step_of(entry.path());
     const bool temporary = entry.path().extension().string().starts_with(".tmp-");
-    if (!step) continue;
+    std::error_code unread;
+    if (!step || entry.symlink_status(unread).type() != fs::file_type::regular) continue;
     if (!temporary && std::find(kept.begin(), kept.end(), *step) != kept.end()) continue;
     (entry.path().extension() == kSuffix ? manifests : others).push_back(entry.path());
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -11,6 +12,7 @@
 namespace brunt {
 
 namespace {
+constexpr std::uintmax_t kMostBytes = 128u << 20;
 constexpr std::size_t kHeader = 80, kCount = 4, kRecord = 50, kNormal = 12;  // [byte]
 
 /// Corners by their places, and triangles by their corners.
@@ -115,9 +117,26 @@ void read_text(const std::string& path, const std::string& bytes, Merger& merger
   }
   if (corners != 0) wrong("the file ends inside a triangle");
 }
+/// Refuses what would not end: pipes, devices, files beyond any surface.
+void require_readable(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto type = fs::status(path, error).type();
+  if (type == fs::file_type::not_found) throw std::runtime_error(path + ": there is no such file");
+  if (type == fs::file_type::none) throw std::runtime_error(path + ": " + error.message());
+  if (type != fs::file_type::regular) {
+    throw std::runtime_error(path + ": is a folder, a pipe or a device; STL is read from a file");
+  }
+  if (fs::file_size(path, error) > kMostBytes) {
+    throw std::runtime_error(path +
+                             ": is larger than 128 MiB, some 2.7 million triangles: "
+                             "reduce it to what the particles or elements can resolve");
+  }
+}
 }  // namespace
 
 StlSurface read_stl(const std::string& path) {
+  require_readable(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(path + ": there is no such file, or it cannot be read");
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};

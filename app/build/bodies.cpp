@@ -61,7 +61,8 @@ StlSurface read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named
 
 /// What a body takes from an STL file: the surface itself where it is rigid, else the particles
 /// that fill it, in a lattice along the axes of the file.
-void take_surface(const deck::Body& body, StlSurface surface, BodyGeometry<3>& geometry) {
+void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
+                  BodyGeometry<3>& geometry) {
   geometry.left_out = surface.degenerate;
   if (body.rigid) {
     geometry.points = std::move(surface.nodes);
@@ -69,6 +70,14 @@ void take_surface(const deck::Body& body, StlSurface surface, BodyGeometry<3>& g
   } else {
     const ClosedSurface closed(std::move(surface.nodes), std::move(surface.triangles),
                                body.size->front());
+    Real count = closed.volume();
+    for (std::size_t c = 0; c < 3; ++c) count /= (*body.size)[std::min(c, body.size->size() - 1)];
+    if (count > max_cells) {
+      throw std::invalid_argument("makes about " + deck::short_text(count) +
+                                  " particles, more than max_cells, " + std::to_string(max_cells) +
+                                  ": look at `scale`, the length of a unit of the file, and "
+                                  "`size`; where so many are meant, raise max_cells");
+    }
     auto filling = fill_surface(closed, *body.size, static_cast<LatticeKind>(body.lattice));
     geometry.points = std::move(filling.points);
     geometry.volume = filling.volume;
@@ -91,7 +100,8 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
           "is a surface, and has no elements inside that could conduct heat: take k out of the "
           "material, or fill a `shape` instead");
     }
-    if constexpr (Dim == 3) take_surface(body, read_surface(loaded, named), geometry);
+    if constexpr (Dim == 3)
+      take_surface(body, read_surface(loaded, named), deck.max_cells, geometry);
     geometry.piece_names = {""};
     piece.assign(body.rigid ? geometry.facets.size() : geometry.points.size(), 0);
   } else if (body.rigid && !conducts) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/deck/checks.hpp"
 
@@ -53,33 +52,40 @@ struct Lengths {
   }
 };
 
-/// A millimetre typed as a micrometre shall not fill the memory before it is told.
-void check_count(const Deck& deck, const std::string& path, const Body& body, Findings& findings) {
+/// A millimetre typed as a micrometre shall not fill the memory before it is told: counted from
+/// sizes alone. Adds what the body makes to `total`; the first that goes beyond the limit is told.
+void check_count(const Deck& deck, const std::string& path, const Body& body, Real& total,
+                 Findings& findings) {
   const std::vector<Real> lengths = std::visit(Lengths{deck.geometry}, body.shape.kind);
-  Real count = 1, volume = 1;
+  Real count = 1, volume = 1, faces = 0;
   for (std::size_t c = 0; c < lengths.size(); ++c) {
     volume *= lengths[c];
-    if (body.cells) count *= (*body.cells)[std::min(c, body.cells->size() - 1)];
+    Real along = 1;
+    if (body.cells) along *= (*body.cells)[std::min(c, body.cells->size() - 1)];
     if (body.size)
-      count *= std::ceil(lengths[c] / (*body.size)[std::min(c, body.size->size() - 1)]);
+      along *= std::ceil(lengths[c] / (*body.size)[std::min(c, body.size->size() - 1)]);
+    count *= along;
+    faces += 2 / along;
   }
+  if (body.rigid) count *= std::min(1.0, faces);  // of its surface alone
   // The mean of sizes in geometric progression is (1 - 1/ratio)/ln(ratio) of the largest.
   for (const Grading& grading : body.grading) {
     const Real r = grading.ratio;
     if (body.size && r > 1) count *= std::log(r) / (1 - 1 / r);
   }
-  constexpr Real kMost = std::numeric_limits<LocalIndex>::max(), kMany = 3e7, kEnough = 1e6;
-  if (!(count > kMany)) return;
+  constexpr Real kEnough = 1e5;
+  const auto limit = static_cast<Real>(deck.max_cells);
+  const Real before = total;
+  total += count;
+  if (!(total > limit) || before > limit) return;
   const Real enough = std::pow(volume / kEnough, 1.0 / static_cast<Real>(lengths.size()));
   const std::string about = "makes about " + short_text(count) +
                             (body.method == Method::sph ? " particles" : " elements");
-  const std::string remedy = "a size of " + length_text(enough) + " makes a million";
+  const std::string remedy = "a size of " + length_text(enough) + " makes a hundred thousand";
   const std::string key = path + (body.cells ? ".cells" : ".size");
-  if (count > kMost) {
-    findings.wrong(key, about + ", and " + short_text(kMost) + " can be counted; " + remedy);
-  } else {
-    findings.warn(key, about + "; " + remedy + ", and brunt plan says what it costs");
-  }
+  const std::string with = before > 0 ? ", " + short_text(total) + " with the bodies before" : "";
+  findings.wrong(key, about + with + ", more than max_cells, " + std::to_string(deck.max_cells) +
+                          "; " + remedy + "; where so many are meant, raise max_cells");
 }
 
 /// x is the radius and y the axis; a shape about an axis stands on it.
@@ -183,6 +189,7 @@ void check_gravity(const Deck& deck, Findings& findings) {
 }  // namespace
 
 void check_bodies(const Deck& deck, Findings& findings) {
+  Real cells = 0;
   for (const auto& [name, body] : deck.bodies) {
     const std::string path = "bodies." + name;
     if (!findings.sound(path)) continue;
@@ -192,7 +199,7 @@ void check_bodies(const Deck& deck, Findings& findings) {
     } else {
       check_element(deck, path, body, findings);
     }
-    check_count(deck, path, body, findings);
+    check_count(deck, path, body, cells, findings);
   }
   check_gravity(deck, findings);
   if (deck.geometry == Geometry::axisymmetric && deck.depth != 1) {

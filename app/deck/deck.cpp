@@ -139,6 +139,10 @@ void describe(Schema& s, Deck& deck) {
   s.object({"stop", "what ends the run before its time"}, deck.stop);
   s.object({"output", "what is written, and when"}, deck.output);
   s.object({"ranks", "how work is spread over several processes"}, deck.ranks);
+  s.integer({"max_cells",
+             "elements and particles that a deck may make; more of them are refused before they "
+             "fill the memory"},
+            deck.max_cells, at_least(1));
   s.later(kLater);
 }
 

@@ -106,6 +106,7 @@ struct Deck {
   deck::Stop stop;
   deck::Output output;
   deck::Ranks ranks;
+  int max_cells = 400'000;  ///< elements and particles together
 };
 
 void describe(Schema& s, Deck& deck);

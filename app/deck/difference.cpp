@@ -10,7 +10,7 @@ namespace brunt {
 
 namespace {
 bool may_differ(const std::string& path) {
-  static constexpr const char* kFree[] = {"time.end", "time.until", "title"};
+  static constexpr const char* kFree[] = {"time.end", "time.until", "title", "max_cells"};
   return path.starts_with("output.") || path.starts_with("ranks.") ||
          std::any_of(std::begin(kFree), std::end(kFree),
                      [&](const char* key) { return path == key; });
@@ -38,9 +38,10 @@ std::string at(const Leaves& leaves, const std::string& path) {
 }
 }  // namespace
 
-std::vector<std::string> deck_differences(const std::string& checkpoint, const std::string& deck) {
+std::vector<std::string> deck_differences(const std::string& checkpoint, const std::string& deck,
+                                          const std::string& where) {
   Leaves then, now;
-  collect(read_yaml(checkpoint, "deck of the checkpoint"), "", then);
+  collect(read_yaml(checkpoint, "deck of the " + where), "", then);
   collect(read_yaml(deck, "deck"), "", now);
   Leaves all = then;
   all.insert(now.begin(), now.end());
@@ -48,7 +49,8 @@ std::vector<std::string> deck_differences(const std::string& checkpoint, const s
   for (const auto& [path, unused] : all) {
     const auto before = at(then, path), after = at(now, path);
     if (before == after) continue;
-    differences.push_back(path + ": " + before + " in the checkpoint, " + after + " in the deck");
+    differences.push_back(path + ": " + before + " in the " + where + ", " + after +
+                          " in the deck");
   }
   return differences;
 }

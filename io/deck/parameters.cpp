@@ -43,6 +43,7 @@ class Resolver {
         parameter.text = text;
         parameter.place = entry.place;
         parameter.node = entry.value;
+        index_.emplace(entry.key, declared_.size());
         declared_.push_back({std::move(parameter), State::waiting});
       }
     }
@@ -86,10 +87,8 @@ class Resolver {
   };
 
   Declared* find(const std::string& name) {
-    for (Declared& declared : declared_) {
-      if (declared.parameter.name == name) return &declared;
-    }
-    return nullptr;
+    const auto found = index_.find(name);
+    return found == index_.end() ? nullptr : &declared_[found->second];
   }
 
   /// The parameter, or null with a problem at `place`.
@@ -109,35 +108,53 @@ class Resolver {
     return declared;
   }
 
-  /// Gives a parameter its node and value, after those that it is made of.
-  void resolve(std::size_t i) {
-    if (declared_[i].state != State::waiting) return;
-    declared_[i].state = State::busy;
-    open_.push_back(i);
-    Parameter& parameter = declared_[i].parameter;
-    const std::string path = "parameters." + parameter.name;
-    if (parameter.node.is_scalar()) {
-      for (const std::string& name : names_in(parameter.node.text)) {
-        Declared* other = find(name);
-        if (!other) continue;
-        used_.insert(name);
-        if (other->state == State::busy) {
-          refuse_circle(static_cast<std::size_t>(other - declared_.data()));
-        } else {
-          resolve(static_cast<std::size_t>(other - declared_.data()));
-        }
-        // What is wrong with the other one is told there.
-        if (other->parameter.failed) parameter.failed = true;
+  /// Gives a parameter its node and value, after those that it is made of. Without recursion: a
+  /// chain may be as long as a deck.
+  void resolve(std::size_t first) {
+    if (declared_[first].state != State::waiting) return;
+    std::vector<std::vector<std::string>> needs;  // of each that is open, the next one last
+    const auto begin = [&](std::size_t i) {
+      declared_[i].state = State::busy;
+      open_.push_back(i);
+      const Node& node = declared_[i].parameter.node;
+      auto names = node.is_scalar() ? names_in(node.text) : std::vector<std::string>{};
+      std::reverse(names.begin(), names.end());
+      needs.push_back(std::move(names));
+    };
+    begin(first);
+    while (!open_.empty()) {
+      const std::size_t i = open_.back();
+      if (needs.back().empty()) {
+        finish_one(declared_[i].parameter);
+        declared_[i].state = State::done;
+        open_.pop_back();
+        needs.pop_back();
+        continue;
       }
+      Declared* other = find(needs.back().back());
+      if (other != nullptr && other->state == State::waiting) {
+        begin(static_cast<std::size_t>(other - declared_.data()));
+        continue;
+      }
+      needs.back().pop_back();
+      if (other == nullptr) continue;
+      used_.insert(other->parameter.name);
+      if (other->state == State::busy) {
+        refuse_circle(static_cast<std::size_t>(other - declared_.data()));
+      }
+      // What is wrong with the other one is told there.
+      if (other->parameter.failed) declared_[i].parameter.failed = true;
     }
-    if (!parameter.failed) {
-      const std::size_t before = problems_.size();
-      substitute(parameter.node, path);
-      if (parameter.node.is_scalar()) evaluate(parameter, path);
-      parameter.failed = problems_.size() > before;
-    }
-    open_.pop_back();
-    declared_[i].state = State::done;
+  }
+
+  /// The node and value of a parameter, those that it is made of being known.
+  void finish_one(Parameter& parameter) {
+    if (parameter.failed) return;
+    const std::string path = "parameters." + parameter.name;
+    const std::size_t before = problems_.size();
+    substitute(parameter.node, path);
+    if (parameter.node.is_scalar()) evaluate(parameter, path);
+    parameter.failed = problems_.size() > before;
   }
 
   /// The parameters that are open from `first` on are made of each other.
@@ -170,7 +187,7 @@ class Resolver {
     const std::vector<std::string> names = names_in(node.text);
     const auto undeclared = [&](const std::string& name) { return !find(name); };
     if (std::any_of(names.begin(), names.end(), undeclared)) return;
-    const ExpressionResult result = evaluate_expression(node.text, values());
+    const ExpressionResult result = evaluate_expression(node.text, values(names));
     if (!result.problem.empty()) {
       problems_.push_back({node.place, path, result.problem});
       return;
@@ -181,16 +198,22 @@ class Resolver {
     node.text = quantity_text(*parameter.value);
   }
 
-  ParameterValues values() const {
+  ParameterValues values(const std::vector<std::string>& names) {
     ParameterValues known;
-    for (const Declared& declared : declared_) {
-      if (declared.parameter.value) known[declared.parameter.name] = *declared.parameter.value;
+    for (const std::string& name : names) {
+      const Declared* declared = find(name);
+      if (declared != nullptr && declared->parameter.value)
+        known[name] = *declared->parameter.value;
     }
     return known;
   }
 
   void substitute_scalar(Node& node, const std::string& path) {
     const std::string text = node.text;
+    if (text.size() > kLongestText) {
+      problems_.push_back({node.place, path, "is too long for a text with parameters in it"});
+      return;
+    }
     const std::vector<std::string> names = names_in(text);
     std::vector<const Declared*> used;
     used.reserve(names.size());
@@ -263,6 +286,7 @@ class Resolver {
   const std::function<bool(const std::string&)>& is_formula_;
   std::vector<DeckProblem>& problems_;
   std::vector<Declared> declared_;
+  std::map<std::string, std::size_t> index_;  ///< of a name in declared_
   std::set<std::string> used_;
   std::vector<std::size_t> open_;  ///< that are being resolved, outermost first
   bool all_resolved_ = false;

@@ -15,13 +15,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Why a path names no file that can be read as a deck.
+std::string why_unreadable(const std::string& path) {
+  std::error_code error;
+  const auto type = fs::status(path, error).type();
+  if (type == fs::file_type::directory) {
+    return "is a folder, not a deck; name the .yaml file in it";
+  }
+  if (type == fs::file_type::not_found) return "there is no such file";
+  if (type == fs::file_type::none) return "cannot be read: " + error.message();
+  return "is a pipe or a device; a deck is read from a file";
+}
+
+/// A path as it can be compared with others; as it stands where there is no file.
+std::string identity(const std::string& path) {
+  std::error_code error;
+  const fs::path found = fs::canonical(path, error);
+  return error ? path : found.string();
+}
+
 std::string read_text(const std::string& path, const SourcePlace& asked_at) {
   const std::string where = asked_at.file.empty() ? "" : "include";
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
-    const bool folder = fs::is_directory(path, error);
-    const std::string problem =
-        folder ? "is a folder, not a deck; name the .yaml file in it" : "there is no such file";
+    const std::string problem = why_unreadable(path);
     if (asked_at.file.empty()) refuse_deck({path, 0, 0}, where, problem);
     refuse_deck(asked_at, where, "'" + path + "': " + problem);
   }
@@ -35,21 +52,44 @@ std::string read_text(const std::string& path, const SourcePlace& asked_at) {
   return text.str();
 }
 
-Node with_includes(Node deck, const std::string& name, std::vector<std::string>& open);
+constexpr std::size_t kMaxIncludeDepth = 64, kMaxIncludes = 1000;
 
-Node read_included(const std::string& path, const SourcePlace& asked_at,
-                   std::vector<std::string>& open) {
-  const std::string canonical = fs::weakly_canonical(path).string();
-  if (std::find(open.begin(), open.end(), canonical) != open.end()) {
+/// Files on the way from the deck to what is being read, and what was read before.
+struct Open {
+  std::vector<std::string> files;  ///< outermost first
+  std::size_t n_read = 0;
+  std::size_t bytes = 0;
+};
+
+Node with_includes(Node deck, const std::string& name, Open& open);
+
+Node read_included(const std::string& path, const SourcePlace& asked_at, Open& open) {
+  const std::string canonical = identity(path);
+  if (std::find(open.files.begin(), open.files.end(), canonical) != open.files.end()) {
     refuse_deck(asked_at, "include", "'" + path + "' includes itself");
   }
-  open.push_back(canonical);
-  Node node = with_includes(read_yaml(read_text(path, asked_at), path), path, open);
-  open.pop_back();
+  if (open.files.size() > kMaxIncludeDepth) {
+    refuse_deck(asked_at, "include",
+                "files include each other over more than " + std::to_string(kMaxIncludeDepth) +
+                    " levels; include them from one");
+  }
+  if (++open.n_read > kMaxIncludes) {
+    refuse_deck(asked_at, "include",
+                "a deck includes at most " + std::to_string(kMaxIncludes) +
+                    " files, each as often as it is named; include each once");
+  }
+  const std::string text = read_text(path, asked_at);
+  open.bytes += text.size();
+  if (open.bytes > kMaxDeckBytes) {
+    refuse_deck(asked_at, "include", "the deck and what it includes are larger than 16 MiB");
+  }
+  open.files.push_back(canonical);
+  Node node = with_includes(read_yaml(text, path), path, open);
+  open.files.pop_back();
   return node;
 }
 
-Node with_includes(Node deck, const std::string& name, std::vector<std::string>& open) {
+Node with_includes(Node deck, const std::string& name, Open& open) {
   if (deck.is_null()) {
     deck = map_node();
     deck.place = {name, 1, 1};
@@ -88,12 +128,12 @@ Node* list_entry(Node& list, const std::string& text) {
 }  // namespace
 
 Node read_deck_file(const std::string& path) {
-  std::vector<std::string> open{fs::weakly_canonical(path).string()};
+  Open open{{identity(path)}};
   return with_includes(read_yaml(read_text(path, {}), path), path, open);
 }
 
 Node read_deck_source(const std::string& text, const std::string& name) {
-  std::vector<std::string> open;
+  Open open;
   return with_includes(read_yaml(text, name), name, open);
 }
 

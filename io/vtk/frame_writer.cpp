@@ -9,6 +9,7 @@
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
+#include "io/run_files.hpp"
 #include "io/vtk/grid.hpp"
 #include "io/vtk/messages.hpp"
 
@@ -17,6 +18,7 @@ namespace brunt {
 namespace {
 
 constexpr const char* kSubfolder = "frames";
+constexpr const char* kUnder = "frames/";
 constexpr const char* kContact = "contact";
 
 /// A file name for any body name: what is no letter, digit, '-' or '_' becomes %XX.
@@ -63,22 +65,6 @@ bool joins(const std::filesystem::path& file) {
   return file.extension() == ".pvtu" || file.extension() == ".pvtp";
 }
 
-/// Also true for temporaries of a run that was killed.
-bool is_frame_file(const std::filesystem::path& file) {
-  return joins(file) || file.extension() == ".vtu" || file.extension() == ".vtp" ||
-         file.extension().string().starts_with(".tmp-");
-}
-
-/// Removes the frames in a folder but those kept.
-void remove_frames(const std::filesystem::path& folder, const std::set<std::string>& kept = {}) {
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (kept.count(std::string(kSubfolder) + "/" + entry.path().filename().string())) continue;
-    if (is_frame_file(entry.path())) std::filesystem::remove(entry.path(), error);
-    if (error) throw MachineError("cannot remove '" + entry.path().string() + "'");
-  }
-}
-
 /// Links or copies a file; true if it is there in the end.
 bool bring(const std::filesystem::path& from, const std::filesystem::path& to) {
   namespace fs = std::filesystem;
@@ -106,6 +92,7 @@ bool bring_part(const std::filesystem::path& from, const std::filesystem::path& 
   }
   files.push_back(file);
   bool whole = true;
+  list_files(to, files);
   for (const auto& each : files) whole = whole && bring(from / each, to / each);
   if (whole) brought.insert(files.begin(), files.end());
   return whole;
@@ -131,7 +118,7 @@ FramePiece write_piece(vtkDataSet* data, const std::filesystem::path& folder,
 FrameWriter::FrameWriter(std::filesystem::path folder) : folder_(std::move(folder)) {
   create_folder(folder_ / kSubfolder);
   write_frame_index(folder_, {});
-  remove_frames(folder_ / kSubfolder);
+  remove_run_files(folder_, kUnder);
 }
 
 FrameWriter::FrameWriter(std::filesystem::path folder, const std::string& index,
@@ -151,7 +138,7 @@ FrameWriter::FrameWriter(std::filesystem::path folder, const std::string& index,
     frames_.push_back(std::move(frame));
   }
   write_frame_index(folder_, frames_);
-  remove_frames(folder_ / kSubfolder, kept);
+  remove_run_files(folder_, kUnder, kept);
 }
 
 void FrameWriter::add(FrameEntry frame) {
@@ -163,14 +150,21 @@ void FrameWriter::add(FrameEntry frame) {
 void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
                         const ContactView* contact) {
   FrameEntry frame{time, {}};
+  std::vector<std::string> files;
   for (const auto& body : bodies) {
-    frame.parts.push_back({body.body, file_name(body.body, next_, ".vtu")});
-    write_data<vtkXMLUnstructuredGridWriter>(to_grid(body), folder_ / frame.parts.back().file);
+    files.push_back(file_name(body.body, next_, ".vtu"));
+    frame.parts.push_back({body.body, files.back()});
   }
   if (contact != nullptr) {
-    frame.parts.push_back({kContact, file_name(kContact, next_, ".vtp")});
-    write_data<vtkXMLPolyDataWriter>(to_contacts(*contact, time),
-                                     folder_ / frame.parts.back().file);
+    files.push_back(file_name(kContact, next_, ".vtp"));
+    frame.parts.push_back({kContact, files.back()});
+  }
+  list_files(folder_, files);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    write_data<vtkXMLUnstructuredGridWriter>(to_grid(bodies[b]), folder_ / files[b]);
+  }
+  if (contact != nullptr) {
+    write_data<vtkXMLPolyDataWriter>(to_contacts(*contact, time), folder_ / files.back());
   }
   add(std::move(frame));
 }
@@ -184,7 +178,12 @@ void FrameWriter::join(Real time, const std::vector<std::string>& bodies,
     frame.parts.push_back({name, file_name(name, next_, body ? ".pvtu" : ".pvtp")});
     std::vector<FramePiece> of_part;
     of_part.reserve(pieces.size());
-    for (const auto& rank : pieces) of_part.push_back(rank.at(p));
+    std::vector<std::string> files{frame.parts.back().file};
+    for (const auto& rank : pieces) {
+      of_part.push_back(rank.at(p));
+      if (!of_part.back().file.empty()) files.push_back(kUnder + of_part.back().file);
+    }
+    list_files(folder_, files);
     replace_file(folder_ / frame.parts.back().file,
                  joining_text(body ? "PUnstructuredGrid" : "PPolyData", of_part));
   }

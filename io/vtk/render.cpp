@@ -9,6 +9,7 @@
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
+#include "io/run_files.hpp"
 #include "io/vtk/frame_reader.hpp"
 #include "io/vtk/overlay.hpp"
 #include "io/vtk/painter.hpp"
@@ -146,6 +147,7 @@ std::vector<std::filesystem::path> render_frames(const FrameSource& source,
     create_folder(out);
     for (const std::size_t frame : frames) {
       paths.push_back(picture_path(out, style.colouring, frame));
+      list_files(out, {paths.back().filename().string()});
       replace_file(paths.back(), painter.paint(source.bodies(frame), source.times[frame]));
     }
   } catch (const std::invalid_argument& error) {
