@@ -21,6 +21,8 @@ class HistoryColumns {
     Real total = 0;                  ///< [J]
     Real drift = 0;                  ///< (total - total at time 0) / largest column so far
     std::vector<PairReport> lost;    ///< pairs of bodies in which contacts did not hold
+    /// By label: what artificial stress carries of the body's tension, 0 without it. [1]
+    std::vector<Real> artificial_share;
   };
   /// Collects a row; the first call sets what drift is measured against.
   Row collect(const Scene<Dim>& scene, const Clock& clock);

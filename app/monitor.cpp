@@ -106,7 +106,12 @@ typename HistoryColumns<Dim>::Row Monitor<Dim>::collect(Scene<Dim>& scene, const
   auto row = collector_->collect(scene, clock);
   for (const auto& text : lost_contacts_.take(row.lost)) {
     progress_.finish();
-    if (warn_) warn_(text);
+    if (warn_) warn_("contact", text);
+  }
+  for (const auto& body :
+       artificial_tension_.take(clock.time(), row.artificial_share, body_names_)) {
+    progress_.finish();
+    if (warn_) warn_(artificial_stress_path(body), artificial_tension_.all().at(body));
   }
   return row;
 }

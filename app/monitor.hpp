@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/artificial_tension.hpp"
 #include "app/deck/deck.hpp"
 #include "app/history_columns.hpp"
 #include "app/lost_contacts.hpp"
@@ -40,7 +41,8 @@ std::int64_t multiples(Real time, Real every);
 template <int Dim>
 class Monitor final : public Observer<Dim> {
  public:
-  using Warn = std::function<void(const std::string& text)>;
+  /// path  of the deck, or what it is about
+  using Warn = std::function<void(const std::string& path, const std::string& text)>;
   /// history may be null, frames may be null. warn  what is to be told while the run goes on
   Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet, Warn warn = {});
 
@@ -66,6 +68,10 @@ class Monitor final : public Observer<Dim> {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// What was lost of contacts as of the last row or check of drift, by pair of bodies.
   std::map<std::string, std::string> lost_contacts() const { return lost_contacts_.all(); }
+  /// Of artificial stress that carries too much, by body.
+  const std::map<std::string, std::string>& artificial_tension() const {
+    return artificial_tension_.all();
+  }
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Real>>& rows() const { return rows_; }
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }
@@ -97,6 +103,7 @@ class Monitor final : public Observer<Dim> {
   std::vector<bool> measured_;
   std::vector<std::string> warnings_;
   LostContactWarnings lost_contacts_;
+  ArtificialTensionWarnings artificial_tension_;
   Warn warn_;
   std::string reason_;
   Real history_every_, frame_every_;

@@ -219,6 +219,9 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   for (const auto& [pair, text] : monitor.lost_contacts()) {
     summary.warnings.push_back({"contact", text});
   }
+  for (const auto& [body, text] : monitor.artificial_tension()) {
+    summary.warnings.push_back({artificial_stress_path(body), text});
+  }
   summary.threads = omp_get_max_threads();
   summary.instruction_set = BRUNT_ISA;
 }
@@ -278,10 +281,10 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   std::optional<HistoryWriter> history;
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);
-  const auto warn = [&](const std::string& text) {
-    log->warn("contact: {}", text);
+  const auto warn = [&](const std::string& path, const std::string& text) {
+    log->warn("{}: {}", path, text);
     log->flush();
-    if (root) std::fprintf(stderr, "warning: contact: %s\n", text.c_str());
+    if (root) std::fprintf(stderr, "warning: %s: %s\n", path.c_str(), text.c_str());
   };
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
                        warn);

@@ -125,6 +125,7 @@ void visit_sums(Totals<Dim>& totals, const Visit& visit) {
     for (auto* sum : {&body.mass, &body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
       visit(*sum);
     }
+    visit(body.tension), visit(body.artificial_tension);
     for (auto& sum : body.mass_position) visit(sum);
     for (auto& sum : body.momentum) visit(sum);
   }

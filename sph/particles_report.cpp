@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/errors.hpp"
+#include "sph/correction.hpp"
 #include "sph/particles.hpp"
 
 namespace brunt {
@@ -72,6 +73,19 @@ void add_material(FieldList& fields, const MaterialState& state, std::size_t slo
 
 }  // namespace
 
+/// What of a body's tension its artificial stress carries; nothing where tension is rounding.
+template <int Dim>
+void SphParticles<Dim>::add_tension(const ParticleBlock& block, std::size_t i,
+                                    BodySums<Dim>& body) const {
+  constexpr Real rounding = 1e-6;  // of the modulus
+  const Real epsilon = block.set.options.artificial_stress;
+  Real trace = 0;
+  for (int d = 0; d < Dim; ++d) trace -= artificial_[i].data[d] / epsilon;
+  if (!(trace > rounding * block.set.material->modulus())) return;
+  body.tension.add(trace * state_[i].volume);
+  body.artificial_tension.add(-dot<Dim>(points_.x[i], state_[i].artificial_force));
+}
+
 template <int Dim>
 void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
                                  Totals<Dim>& totals) const {
@@ -87,6 +101,9 @@ void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
   totals.add(Column::artificial_stress, state.artificial_work);
   if (points_.body[i] < totals.bodies.size()) {
     totals.bodies[points_.body[i]].internal.add(internal);
+    if (block.set.options.artificial_stress != 0) {
+      add_tension(block, i, totals.bodies[points_.body[i]]);
+    }
     if (!points_.conducts) totals.bodies[points_.body[i]].heat.add(plastic);
   }
   EntityHash hash(points_.id[i]);

@@ -163,7 +163,8 @@ TEST_P(HeatExtremes, ConductivitiesAMillionApart) {
 // settles as exp(-pi^2 alpha t/L^2), 1e-5 after 30 s. That the held particles have their
 // temperature half a spacing inside makes 1 % more of its 50 spacings, which the test against the
 // page's 50 mm sees too. Of the lattice sum 1e-3 is what the ends make of it.
-const Rods kTwentyAcross{"method: sph, smoothing: 1.2, size: 1 mm", kResistive, "900e-6", "30 s", true, 1e-4, 0.01};
+const Rods kTwentyAcross{
+    "method: sph, smoothing: 1.2, size: 1 mm", kResistive, "900e-6", "30 s", true, 1e-4, 0.01};
 
 void expect_flux_of_material(const Simulation& run, Real area, Real of_lattice) {
   ASSERT_EQ(run.failure, "");

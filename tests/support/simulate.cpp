@@ -88,8 +88,9 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity));
   Simulation result;
-  Monitor<Dim> monitor(deck, nullptr, nullptr, true,
-                       [&](const std::string& text) { result.warnings.push_back(text); });
+  Monitor<Dim> monitor(
+      deck, nullptr, nullptr, true,
+      [&](const std::string&, const std::string& text) { result.warnings.push_back(text); });
   const std::int64_t stop_at = restart == nullptr ? variation.split_at : 0;
   std::int64_t steps = 0;
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart, [&] {
