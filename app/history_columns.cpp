@@ -200,6 +200,9 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
       values.push_back(sum->value());
     }
+    const Real tension = body.tension.value();
+    row.artificial_share.push_back(
+        tension > 0 ? std::fabs(body.artificial_tension.value()) / tension : 0.0);
     const auto found = rigid.find(label++);
     if (found == rigid.end()) continue;
     const auto add = [&](const Vec3& vector, int first, int last) {

@@ -25,6 +25,8 @@ class HistoryColumns {
     std::vector<CreatedEnergy> created;  ///< energy that nobody put in, largest first
     std::string deepest_pair;            ///< of bodies in contact; empty: none touch
     std::vector<PairReport> lost;        ///< pairs of bodies in which contacts did not hold
+    /// By label: what artificial stress carries of the body's tension, 0 without it. [1]
+    std::vector<Real> artificial_share;
   };
   /// Collects a row; the first call sets what drift is measured against.
   /// keeps  the watch over energies remembers what is largest here: at fixed steps alone

@@ -121,6 +121,10 @@ typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const
   refuse_row(scene, row, clock);
   for (const auto& text : lost_contacts_.take(row.lost)) tell({"contact", text});
   energies_ = row.energies, created_ = row.created;
+  for (const auto& body :
+       artificial_tension_.take(clock.time(), row.artificial_share, body_names_)) {
+    tell({artificial_stress_path(body), artificial_tension_.all().at(body)});
+  }
   return row;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/artificial_tension.hpp"
 #include "app/deck/deck.hpp"
 #include "app/history_columns.hpp"
 #include "app/lost_contacts.hpp"
@@ -71,6 +72,10 @@ class Monitor final : public Observer<Dim> {
   const std::vector<RunWarning>& told() const { return watch_.told(); }
   /// Where the energy went that is neither physics nor dissipation, as of the last row.
   EnergyShares energy_shares() const;
+  /// Of artificial stress that carries too much, by body.
+  const std::map<std::string, std::string>& artificial_tension() const {
+    return artificial_tension_.all();
+  }
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Real>>& rows() const { return rows_; }
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }
@@ -109,6 +114,7 @@ class Monitor final : public Observer<Dim> {
   RunWatch watch_;
   EnergyLook energies_;  // of the last row
   std::vector<CreatedEnergy> created_;
+  ArtificialTensionWarnings artificial_tension_;
   Warn warn_;
   std::string reason_;
   Real history_every_, frame_every_;

@@ -8,6 +8,7 @@ namespace brunt {
 
 namespace {
 constexpr const char* kWarnings = "warnings";
+constexpr const char* kArtificial = "artificial_stress";
 constexpr const char* kFrames = "frames";
 
 GlobalId number(std::size_t k) { return k; }
@@ -26,6 +27,16 @@ std::string text_of(const std::map<std::string, std::string>& texts, const char*
   const auto found = texts.find(name);
   if (found == texts.end()) throw StateError("the text '" + std::string(name) + "' is missing");
   return found->second;
+}
+
+/// Texts of which each ends with a zero.
+std::vector<std::string> split(std::string rest) {
+  std::vector<std::string> texts;
+  for (auto end = rest.find('\0'); end != std::string::npos; end = rest.find('\0')) {
+    texts.push_back(rest.substr(0, end));
+    rest.erase(0, end + 1);
+  }
+  return texts;
 }
 }  // namespace
 
@@ -65,6 +76,11 @@ void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
       [&](auto& row, std::size_t k) { row(std::uint64_t{measured_[k]}); }, tables);
   auto& warnings = texts[kWarnings];
   for (const auto& warning : warnings_) warnings.append(warning).push_back('\0');
+  auto& artificial = texts[kArtificial];
+  for (const auto& [body, text] : artificial_tension_.all()) {
+    artificial.append(body).push_back('\0');
+    artificial.append(text).push_back('\0');
+  }
   if (frames_) texts[kFrames] = frames_->index();
 }
 
@@ -101,12 +117,12 @@ void Monitor<Dim>::load_state(const StateTables& tables,
   load_rows(
       "measured", taken.size(), number, [&](auto& row, std::size_t k) { row(taken[k]); }, tables);
   for (std::size_t k = 0; k < taken.size(); ++k) measured_[k] = taken[k] != 0;
-  warnings_.clear();
-  std::string rest = text_of(texts, kWarnings);
-  for (auto end = rest.find('\0'); end != std::string::npos; end = rest.find('\0')) {
-    warnings_.push_back(rest.substr(0, end));
-    rest.erase(0, end + 1);
-  }
+  warnings_ = split(text_of(texts, kWarnings));
+  const auto artificial = split(text_of(texts, kArtificial));
+  std::map<std::string, std::string> told;
+  for (std::size_t k = 0; k + 1 < artificial.size(); k += 2)
+    told[artificial[k]] = artificial[k + 1];
+  artificial_tension_.restore(std::move(told));
   rows_due_ = multiples(clock.time(), history_every_);
   frames_due_ = multiples(clock.time(), frame_every_);
   for (std::size_t r = 0; history_ && r < rows_.size(); ++r) {

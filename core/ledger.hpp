@@ -55,12 +55,16 @@ struct BodySums {
   ExactSum mass, kinetic, internal, hourglass, heat;
   ExactSum stress_work, viscosity, artificial_stress, integration;
   std::array<ExactSum, Dim> mass_position, momentum;
+  /// [J] volume times principal stresses in tension, of particles with artificial stress; and minus
+  /// sum x . f of its forces, the same of what these carry.
+  ExactSum tension, artificial_tension;
 
   void add(const BodySums& part) {
     mass.add(part.mass), kinetic.add(part.kinetic), internal.add(part.internal);
     hourglass.add(part.hourglass), heat.add(part.heat);
     stress_work.add(part.stress_work), viscosity.add(part.viscosity);
     artificial_stress.add(part.artificial_stress), integration.add(part.integration);
+    tension.add(part.tension), artificial_tension.add(part.artificial_tension);
     for (std::size_t c = 0; c < momentum.size(); ++c) {
       mass_position[c].add(part.mass_position[c]);
       momentum[c].add(part.momentum[c]);

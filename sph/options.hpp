@@ -14,10 +14,10 @@ struct MonaghanViscosity {
 /// The keys of a body with method: sph.
 struct SphOptions {
   KernelKind kernel = KernelKind::cubic;
-  Real smoothing = 1.2;          ///< h over spacing
-  bool adaptive_h = true;        ///< h follows (m/rho)^(1/Dim)
-  bool correction = true;        ///< gradient correction B
-  Real artificial_stress = 0.3;  ///< epsilon of Gray, Monaghan & Swift 2001
+  Real smoothing = 1.7;        ///< h over spacing
+  bool adaptive_h = true;      ///< h follows (m/rho)^(1/Dim)
+  bool correction = true;      ///< gradient correction B
+  Real artificial_stress = 0;  ///< epsilon of Gray, Monaghan & Swift 2001
   MonaghanViscosity viscosity;
   Real xsph = 0;
 };

@@ -131,6 +131,7 @@ class SphParticles final : public Solid<Dim> {
   void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
   void set_size(std::size_t i);
   void add_slot(const ParticleBlock& block, std::size_t slot, Totals<Dim>& totals) const;
+  void add_tension(const ParticleBlock& block, std::size_t i, BodySums<Dim>& body) const;
   void seed_votes();
   void set_capacities();
   void vary_capacities();

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/errors.hpp"
+#include "sph/correction.hpp"
 #include "sph/particles.hpp"
 
 namespace brunt {
@@ -72,6 +73,19 @@ void add_material(FieldList& fields, const MaterialState& state, std::size_t slo
 
 }  // namespace
 
+/// What of a body's tension its artificial stress carries; nothing where tension is rounding.
+template <int Dim>
+void SphParticles<Dim>::add_tension(const ParticleBlock& block, std::size_t i,
+                                    BodySums<Dim>& body) const {
+  constexpr Real rounding = 1e-6;  // of the modulus
+  const Real epsilon = block.set.options.artificial_stress;
+  Real trace = 0;
+  for (int d = 0; d < Dim; ++d) trace -= artificial_[i].data[d] / epsilon;
+  if (!(trace > rounding * block.set.material->modulus())) return;
+  body.tension.add(trace * state_[i].volume);
+  body.artificial_tension.add(-dot<Dim>(points_.x[i], state_[i].artificial_force));
+}
+
 template <int Dim>
 void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
                                  Totals<Dim>& totals) const {
@@ -90,6 +104,7 @@ void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
     body.internal.add(internal);
     body.stress_work.add(state.stress_work), body.viscosity.add(state.viscous_work);
     body.artificial_stress.add(state.artificial_work);
+    if (block.set.options.artificial_stress != 0) add_tension(block, i, body);
     if (!points_.conducts) body.heat.add(plastic);
   }
   EntityHash hash(points_.id[i]);

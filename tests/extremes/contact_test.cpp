@@ -178,7 +178,8 @@ TEST(ContactExtremes, BlocksStandStill) {
       "{material: rubber, cells: [3, 3, 1], shape: {box: {min: [-10 mm, "
       "-10 mm, -10 mm], max: [30 mm, 30 mm, 0]}}}\nboundaries: "
       "{foot: {body: floor, where: {side: min-z}, fix: [x, y, z]}}";
-  const std::string elements = "cells: [4, 4, 4]", particles = "method: sph, size: 4 mm";
+  const std::string elements = "cells: [4, 4, 4]",
+                    particles = "method: sph, smoothing: 1.2, size: 4 mm";
   struct Case {
     std::string block, floor;
   };

@@ -48,7 +48,7 @@ struct Rods {
   Real tolerance;   // of the flux; 0: it is not steady at the end
 };
 const char* const kElements = "method: fe, size: 2.5 mm";
-const char* const kParticles = "method: sph, size: 1.25 mm";
+const char* const kParticles = "method: sph, smoothing: 1.2, size: 1.25 mm";
 const char* const kResistive = "{conductance: 1e4 W/m^2/K}";
 
 std::string deck(const Rods& rods) {
@@ -163,7 +163,8 @@ TEST_P(HeatExtremes, ConductivitiesAMillionApart) {
 // settles as exp(-pi^2 alpha t/L^2), 1e-5 after 30 s. That the held particles have their
 // temperature half a spacing inside makes 1 % more of its 50 spacings, which the test against the
 // page's 50 mm sees too. Of the lattice sum 1e-3 is what the ends make of it.
-const Rods kTwentyAcross{"method: sph, size: 1 mm", kResistive, "900e-6", "30 s", true, 1e-4, 0.01};
+const Rods kTwentyAcross{
+    "method: sph, smoothing: 1.2, size: 1 mm", kResistive, "900e-6", "30 s", true, 1e-4, 0.01};
 
 void expect_flux_of_material(const Simulation& run, Real area, Real of_lattice) {
   ASSERT_EQ(run.failure, "");

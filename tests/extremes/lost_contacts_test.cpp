@@ -30,6 +30,7 @@ contact: {default: {friction: 0, damping: 0, stiffness: $phi}}
 bodies:
   shot:
     method: sph
+    smoothing: 1.2
     material: soft
     shape: {box: {min: [-0.5 mm, 0.1 mm], max: [0.5 mm, 1.1 mm]}}
     size: 1 mm

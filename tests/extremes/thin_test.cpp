@@ -32,6 +32,7 @@ geometry: plane-strain
 bodies:
   shots:
     method: sph
+    smoothing: 1.2
     material: soft
     shape:
       brick-wall: {bricks: [9, 1], brick: [1 mm, 1 mm], gap: 0.83 mm, origin: [0, 0.1 mm]}
@@ -44,6 +45,7 @@ geometry: 3d
 bodies:
   shots:
     method: sph
+    smoothing: 1.2
     material: soft
     shape:
       brick-wall: {bricks: [9, 1, 1], brick: [1 mm, 1 mm, 1 mm], gap: 0.83 mm,

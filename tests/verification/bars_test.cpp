@@ -102,6 +102,7 @@ time: {end: 60 us, safety: 0.8}
 bodies:
   striker:
     method: sph
+    smoothing: 1.2
     material: steel
     shape: {box: {min: [-0.1, 0], max: [0, 0.01]}}
     size: 1 mm

@@ -24,6 +24,7 @@ time: {end: 4 ms, safety: 0.9}
 bodies:
   block:
     method: sph
+    smoothing: 1.2
     material: rubber
     shape: {box: {min: [-10 mm, -10 mm, 0], max: [10 mm, 10 mm, 20 mm]}}
     size: 4 mm

@@ -61,6 +61,7 @@ TEST_P(HalfSpace, FollowsTheErrorFunction) {
       std::string("geometry: ") + rod.geometry +
       "\ntime: {end: 8 s}\ncontact: {default: {ignore: true}}\n" + steel() +
       "bodies: {rod: {method: " + rod.method +
+      (rod.method == std::string("sph") ? ", smoothing: 1.2" : "") +
       ", material: steel, size: 1 mm, temperature: 300 K, shape: {" + rod.shape +
       "}}}\nboundaries:\n  still: {body: rod, where: all, fix: " + (flat ? "[x, y]" : "[x, y, z]") +
       "}\n  hot: {body: rod, where: {side: " +
@@ -128,7 +129,7 @@ TEST(Conduction, RodBetweenAHeldEndAndAFluid) {
         sph ? "[-0.5 mm, 0, 0], max: [20 mm, 6 mm, 6 mm]" : "[0, 0, 0], max: [20 mm, 4 mm, 4 mm]";
     const auto run = simulate_text(
         "geometry: 3d\ntime: {end: 150 s}\n" + steel() +
-        "bodies: {rod: {method: " + (sph ? "sph" : "fe") +
+        "bodies: {rod: {method: " + (sph ? "sph, smoothing: 1.2" : "fe") +
         ", material: steel, size: 1 mm, temperature: 300 K, shape: {box: {min: " + shape +
         "}}}}\nboundaries:\n  still: {body: rod, where: all, fix: [x, y, z]}\n"
         "  hot: {body: rod, where: {side: min-x}, temperature: 400 K}\n"

@@ -88,6 +88,7 @@ ambient: 300 K
 bodies:
   hot:
     method: sph
+    smoothing: 1.2
     material: aluminium
     temperature: 400 K
     shape: {box: {min: [0, 0, 0.1 mm], max: [4 mm, 4 mm, 4.1 mm]}}

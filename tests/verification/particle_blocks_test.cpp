@@ -26,6 +26,7 @@ time: {end: 60 us, safety: 0.8}
 bodies:
   striker:
     method: sph
+    smoothing: 1.2
     material: steel
     shape: {box: {min: [-0.1, 0], max: [0, 0.01]}}
     size: 1 mm
@@ -34,6 +35,7 @@ bodies:
     artificial_stress: 0
   target:
     method: sph
+    smoothing: 1.2
     material: steel
     shape: {box: {min: [0, 0], max: [0.1, 0.01]}}
     size: 1 mm
@@ -134,12 +136,14 @@ materials:
 bodies:
   thrown:
     method: sph
+    smoothing: 1.2
     material: steel
     shape: {box: {min: [-3 mm, -3 mm, 0], max: [3 mm, 3 mm, 6 mm]}}
     size: 1 mm
     velocity: [0, 0, -20 m/s]
   struck:
     method: sph
+    smoothing: 1.2
     material: steel
     shape: {box: {min: [-6 mm, -4 mm, -4 mm], max: [6 mm, 4 mm, 0]}}
     size: 1 mm
@@ -161,11 +165,13 @@ materials:
 bodies:
   top:
     method: sph
+    smoothing: 1.2
     material: soft
     shape: {box: {min: [5 mm, 0], max: [25 mm, 6 mm]}}
     size: 1 mm
   floor:
     method: sph
+    smoothing: 1.2
     material: soft
     shape: {box: {min: [0, -5 mm], max: [40 mm, 0]}}
     size: 0.83 mm

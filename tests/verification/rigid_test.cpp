@@ -176,7 +176,8 @@ TEST(Rigid, ParticlesOnABoxKeepMomentaAndEnergy) {
   const auto result = run(R"(
 time: {end: 0.15 ms}
 bodies:
-  block: {method: sph, material: aluminium, size: 2 mm, shape: {box: {min: [-6 mm, -6 mm, 11 mm],
+  block: {method: sph, smoothing: 1.2, material: aluminium, size: 2 mm,
+    shape: {box: {min: [-6 mm, -6 mm, 11 mm],
     max: [6 mm, 6 mm, 17 mm]}}, velocity: [0, 0, -20], artificial_stress: 0}
   box: {rigid: true, material: steel, shape: {box: {min: [-5 mm, -12 mm, 0],
     max: [15 mm, 12 mm, 10 mm]}}, spin: {axis: y, rate: 100 rad/s, about: [5 mm, 0, 5 mm]}}

@@ -24,6 +24,7 @@ bodies:
   quads: {material: soft, shape: {box: {min: [2 mm, 0], max: [4 mm, 10 mm]}}, size: 1 mm}
   particles:
     method: sph
+    smoothing: 1.2
     material: soft
     shape: {box: {min: [12 mm, 0], max: [14 mm, 10 mm]}}
     size: 0.5 mm

@@ -48,8 +48,7 @@ Square<Dim> artificial_stress(const MaterialState& state, std::size_t k, Real ep
 template <int Dim>
 struct Cloud {
   std::unique_ptr<Material> material = test::elastic_material(test::kDensity, 200e9, 0.3);
-  SphOptions
-      options;  // the defaults: cubic kernel, h of 1.2 spacings, viscosity, artificial stress
+  SphOptions options = test::all_pair_sums();
   std::unique_ptr<SphParticles<Dim>> solid;
   Real volume = std::pow(test::kDp, Dim);  // [m^Dim] of each at time 0
   Moment<Dim> stress, viscosity, artificial;

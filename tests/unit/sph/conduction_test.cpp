@@ -32,6 +32,7 @@ std::unique_ptr<SphParticles<Dim>> still(Points<Dim> points, Real dp, const Mate
   for (std::size_t s = 0; s < sets.size(); ++s) {
     sets[s].material = s == 0 ? &first : second;
     sets[s].conducts = sets[s].held = true;
+    sets[s].options.smoothing = 1.2;
   }
   for (LocalIndex i = 0; i < points.size(); ++i) {
     const bool beyond = second && points.x[static_cast<std::size_t>(i)][0] > split;

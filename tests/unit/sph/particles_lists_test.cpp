@@ -19,7 +19,7 @@ using test::kDp;
 TEST(SphParticlesLists, AreCheckedAfterTheMotion) {
   const auto material = test::elastic_material(kDensity, 200e9, 0.3);
   const auto run = [&](Real skin, bool always, Real xsph) {
-    SphOptions options;
+    SphOptions options = test::all_pair_sums();
     options.xsph = xsph;
     auto points = test::lattice<2>({12, 12}, kDp, kDensity * kDp * kDp, 0.1);
     for (auto& v : points.v) v = Vec<2>(50, -30);

@@ -28,7 +28,7 @@ TEST(SphParticles, DepthScalesForcesAndNotMotion) {
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       points.v[i] = Vec<2>(30 * std::sin(900 * points.x[i][1]), 2e4 * points.x[i][1]);
     }
-    auto solid = particles<2>(std::move(points), kDp, *material, SphOptions{}, depth);
+    auto solid = particles<2>(std::move(points), kDp, *material, test::all_pair_sums(), depth);
     for (int k = 0; k < 10; ++k) test::step<2>(*solid, 2e-8);
     return solid;
   };
@@ -45,7 +45,7 @@ TEST(SphParticles, DepthScalesForcesAndNotMotion) {
 TEST(SphParticles, XsphKeepsTheCenterOfMass) {
   const auto material = elastic_material(kDensity, 200e9, 0.3);
   const auto run = [&](Real xsph, Vec<2>& center) {
-    SphOptions options;
+    SphOptions options = test::all_pair_sums();
     options.xsph = xsph;
     auto points = lattice<2>({10, 10}, kDp, kDensity * kDp * kDp, 0.1);
     for (std::size_t i = 0; i < points.x.size(); ++i) points.v[i][0] = i % 2 ? 50.0 : -50.0;

@@ -51,7 +51,7 @@ TEST(SphParticles, GradientOfALinearFieldIsExact) {
 template <int Dim>
 void expect_skin_adds_nothing() {
   const auto material = elastic_material(kDensity, 200e9, 0.3);
-  const SphOptions options;  // viscosity and artificial stress on
+  const SphOptions options = test::all_pair_sums();
   const Real h = options.smoothing * kDp;
   std::array<int, Dim> n;
   n.fill(6);
@@ -144,7 +144,7 @@ void expect_momentum_and_energy(KernelKind kernel) {
     points.v[i][0] += 40 * std::sin(500 * points.x[i][1]) + 20 * std::cos(700 * points.x[i][0]);
     points.v[i][1] += 30 * std::cos(800 * points.x[i][0]);
   }
-  SphOptions options;
+  SphOptions options = test::all_pair_sums();
   options.kernel = kernel;
   auto solid = particles<Dim>(std::move(points), kDp, *material, options, depth);
   const auto& now = solid->points();
@@ -192,7 +192,7 @@ std::uint64_t impact_hash(Real skin, bool always, int threads, SearchMode mode) 
     points.v[i] = Vec3(0, 0, points.x[i][2] < 4 * kDp ? 150.0 : -150.0);
     points.v[i][0] = 4e4 * (points.x[i][0] - 4.5e-3);
   }
-  auto solid = particles<3>(std::move(points), kDp, *material, SphOptions{});
+  auto solid = particles<3>(std::move(points), kDp, *material, test::all_pair_sums());
   solid->set_search(mode);
   solid->set_skin(skin);
   for (int k = 0; k < 40; ++k) {
@@ -220,7 +220,7 @@ TEST(SphParticles, BodiesInteractThroughContactOnly) {
       points.body[i] = i < 16 ? 0 : 1;
       points.v[i] = Vec<2>(points.x[i][1] * 1e4, 10.0 * static_cast<Real>(i % 3));
     }
-    auto solid = particles<2>(std::move(points), kDp, *material, SphOptions{});
+    auto solid = particles<2>(std::move(points), kDp, *material, test::all_pair_sums());
     for (int k = 0; k < 5; ++k) test::step<2>(*solid, 1e-8);
     return solid->points().f;
   };
@@ -240,7 +240,7 @@ TEST(SphParticles, StripInTensionKeepsItsSpacing) {
   for (std::size_t i = 0; i < points.x.size(); ++i) {
     points.v[i][0] = rate * (points.x[i][0] - 0.5 * length);
   }
-  auto solid = particles<2>(std::move(points), kDp, *material, SphOptions{});
+  auto solid = particles<2>(std::move(points), kDp, *material, test::all_pair_sums());
   const Real end = 0.1 / rate;
   Real t = 0;
   while (t < end) {
@@ -273,7 +273,7 @@ TEST(SphParticles, StripInTensionKeepsItsSpacing) {
 TEST(SphParticles, IsolatedParticleAndNearlyCoincidentPair) {
   const auto material = elastic_material(kDensity, 200e9, 0.3);
   for (const auto kernel : {KernelKind::cubic, KernelKind::hyperbolic, KernelKind::quadratic}) {
-    SphOptions options;
+    SphOptions options = test::all_pair_sums();
     options.kernel = kernel;
     auto one = lattice<3>({1, 1, 1}, kDp, kDensity * 1e-9);
     one.v[0] = Vec3(1, 2, 3);

@@ -23,9 +23,18 @@ inline std::unique_ptr<Material> elastic_material(Real density, Real E, Real nu)
   return material;
 }
 
+/// Cubic kernel over 1.2 spacings with artificial stress: all sums of a pair are there.
+inline SphOptions all_pair_sums() {
+  SphOptions options;
+  options.smoothing = 1.2;
+  options.artificial_stress = 0.3;
+  return options;
+}
+
 /// Nothing but elasticity: no viscosity, no artificial stress.
 inline SphOptions elastic_options() {
   SphOptions options;
+  options.smoothing = 1.2;
   options.artificial_stress = 0;
   options.viscosity = {0, 0};
   return options;

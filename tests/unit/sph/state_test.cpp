@@ -50,7 +50,7 @@ void expect_the_same_after_a_split(const SphOptions& options) {
 }
 
 TEST(SphParticlesState, TheSameBitsAfterASplit) {
-  SphOptions plain;
+  const SphOptions plain = test::all_pair_sums();
   expect_the_same_after_a_split<2>(plain);
   expect_the_same_after_a_split<3>(plain);
   SphOptions all;
