@@ -149,8 +149,7 @@ void ContactManager<Dim>::start() {
   auto& own = *implementation_;
   if (own.started || !own.pairs.presses()) return;
   own.evaluate(0, own.vote, own.ahead_last, nullptr);
-  own.press_at_start();
-  own.records.clear();
+  own.press_at_start();  // row 0 of a history reads the records that are left
 }
 
 template <int Dim>

@@ -7,6 +7,7 @@
 #include "app/build/heat.hpp"
 #include "app/deck/findings.hpp"
 #include "core/geometry/mesh.hpp"
+#include "core/geometry/one_side.hpp"
 #include "core/geometry/placement.hpp"
 #include "io/stl.hpp"
 
@@ -65,6 +66,7 @@ void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
                   BodyGeometry<3>& geometry) {
   geometry.left_out = surface.degenerate;
   if (body.rigid) {
+    require_one_side(surface.nodes, surface.triangles);
     geometry.points = std::move(surface.nodes);
     for (const auto& [a, b, c] : surface.triangles) geometry.facets.push_back({a, b, c, -1});
   } else {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/geometry/one_side.hpp"
+
 namespace brunt {
 
 namespace {
@@ -24,7 +26,59 @@ std::string place_text(const Vec3& x) {
   text << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
   return text.str();
 }
+
+/// Edges of triangles at which something is wrong.
+struct BadEdges {
+  std::size_t count = 0;
+  std::pair<int, int> first;  ///< nodes
+
+  void add(const std::pair<int, int>& edge) {
+    if (count++ == 0) first = edge;
+  }
+  std::string first_text(const std::vector<Vec3>& nodes) const {
+    return "from " + place_text(nodes[static_cast<std::size_t>(first.first)]) + " to " +
+           place_text(nodes[static_cast<std::size_t>(first.second)]) + " m";
+  }
+};
+
+/// Where a surface is open, and where neighbours face opposite ways.
+struct EdgeFaults {
+  BadEdges open, turned;
+};
+
+EdgeFaults edge_faults(const std::vector<std::array<int, 3>>& triangles) {
+  struct Use {
+    int balance = 0;  ///< times that it is run along, less against, its nodes
+    int times = 0;
+  };
+  std::map<std::pair<int, int>, Use> edges;
+  for (const auto& triangle : triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int a = triangle[c], b = triangle[(c + 1) % 3];
+      Use& use = edges[std::minmax(a, b)];
+      use.balance += a < b ? 1 : -1;
+      ++use.times;
+    }
+  }
+  EdgeFaults faults;
+  for (const auto& [edge, use] : edges) {
+    if (use.balance != 0) (use.times % 2 == 1 ? faults.open : faults.turned).add(edge);
+  }
+  return faults;
+}
+
+void refuse_turned(const BadEdges& turned, const std::vector<Vec3>& nodes) {
+  if (turned.count == 0) return;
+  throw std::invalid_argument("at " + std::to_string(turned.count) +
+                              " edges neighbouring triangles face opposite ways, the first " +
+                              turned.first_text(nodes) + "; turn the normals to one side");
+}
 }  // namespace
+
+void require_one_side(const std::vector<Vec3>& nodes,
+                      const std::vector<std::array<int, 3>>& triangles) {
+  refuse_turned(edge_faults(triangles).turned, nodes);
+}
 
 ClosedSurface::ClosedSurface(std::vector<Vec3> nodes, std::vector<std::array<int, 3>> triangles,
                              Real cell)
@@ -46,40 +100,14 @@ ClosedSurface::ClosedSurface(std::vector<Vec3> nodes, std::vector<std::array<int
 }
 
 void ClosedSurface::require_closed() const {
-  std::map<std::pair<int, int>, int> edges;  // times that it is run along, less against, its nodes
-  std::map<std::pair<int, int>, int> uses;
-  for (const auto& triangle : triangles_) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int a = triangle[c], b = triangle[(c + 1) % 3];
-      edges[std::minmax(a, b)] += a < b ? 1 : -1;
-      ++uses[std::minmax(a, b)];
-    }
-  }
-  std::size_t open = 0, turned = 0;
-  std::pair<int, int> first_open, first_turned;
-  for (const auto& [edge, balance] : edges) {
-    if (balance == 0) continue;
-    if (uses[edge] % 2 == 1) {
-      if (open++ == 0) first_open = edge;
-    } else if (turned++ == 0) {
-      first_turned = edge;
-    }
-  }
-  const auto text = [&](const std::pair<int, int>& edge) {
-    return "from " + place_text(nodes_[static_cast<std::size_t>(edge.first)]) + " to " +
-           place_text(nodes_[static_cast<std::size_t>(edge.second)]) + " m";
-  };
-  if (open > 0) {
+  const EdgeFaults faults = edge_faults(triangles_);
+  if (faults.open.count > 0) {
     throw std::invalid_argument(
-        "the surface is open, and has no inside to fill: " + std::to_string(open) +
-        " of its edges have a triangle on one side alone, the first " + text(first_open) +
-        "; close it where it was drawn");
+        "the surface is open, and has no inside to fill: " + std::to_string(faults.open.count) +
+        " of its edges have a triangle on one side alone, the first " +
+        faults.open.first_text(nodes_) + "; close it where it was drawn");
   }
-  if (turned > 0) {
-    throw std::invalid_argument("at " + std::to_string(turned) +
-                                " edges neighbouring triangles face opposite ways, the first " +
-                                text(first_turned) + "; turn the normals to one side");
-  }
+  refuse_turned(faults.turned, nodes_);
 }
 
 std::size_t ClosedSurface::column_of(Real x, int axis) const {

@@ -71,6 +71,9 @@ TEST_P(InitialOverlap, PressedItThrowsThemApart) {
   ASSERT_EQ(run.failure, "");
   EXPECT_GT(run.last("energy.kinetic"), 0.1 * kPressed);
   EXPECT_LT(run.worst_drift, 1e-10);
+  // What springs hold at time 0 is theirs: no motion has been, so that pairs have booked nothing.
+  EXPECT_GT(run.first("energy.contact.spring"), 0.1 * kPressed);
+  EXPECT_NEAR(run.first("energy.contact.pairs"), 0, 1e-13 * kPressed);
 }
 
 Real parting_speed(const Simulation& run) {

@@ -12,8 +12,11 @@
 namespace brunt::test {
 namespace {
 
-/// Writes the L, less the last of its triangles where it is open; the name of the file.
-std::string write_letter(const std::string& name, bool open = false) {
+enum class Fault { none, open, folded };
+
+/// Writes the L, less the last of its triangles where it is open, or with the two of its first side
+/// upside down where it is folded; the name of the file.
+std::string write_letter(const std::string& name, Fault fault = Fault::none) {
   const Vec<2> outline[] = {{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}};
   std::vector<std::array<Vec3, 3>> triangles;
   const auto at = [&](int i, Real z) { return Vec3(outline[i][0], outline[i][1], z); };
@@ -25,7 +28,10 @@ std::string write_letter(const std::string& name, bool open = false) {
     triangles.push_back({at(0, 0), at(j, 0), at(i, 0)});
     triangles.push_back({at(0, 1), at(i, 1), at(j, 1)});
   }
-  if (open) triangles.pop_back();
+  if (fault == Fault::open) triangles.pop_back();
+  if (fault == Fault::folded) {
+    for (const std::size_t i : {0, 1}) std::swap(triangles[i][1], triangles[i][2]);
+  }
   const std::string path = testing::TempDir() + name;
   std::ofstream file(path);
   file << "solid letter\n";
@@ -61,7 +67,7 @@ TEST(Stl, ParticlesAndRigidBodiesHaveItsMassAndCentre) {
 }
 
 TEST(Stl, AnOpenSurfaceIsRefusedWithItsPlace) {
-  const std::string path = write_letter("open.stl", true);
+  const std::string path = write_letter("open.stl", Fault::open);
   try {
     simulate_text(deck(path, "method: sph, size: 0.125 mm"));
     FAIL() << "an open surface was filled";
@@ -71,6 +77,33 @@ TEST(Stl, AnOpenSurfaceIsRefusedWithItsPlace) {
     EXPECT_EQ(error.problems().front().place.line, 5);
     EXPECT_NE(error.problems().front().message.find("the surface is open"), std::string::npos);
   }
+}
+
+/// The side x = 1 mm, y 1 .. 2 mm of which both triangles are upside down meets four others at its
+/// four edges: a rigid body, whose surface may be open, is refused there as well as a filled one.
+TEST(Stl, AFoldedSurfaceIsRefusedWithItsPlace) {
+  const std::string path = write_letter("folded.stl", Fault::folded);
+  for (const std::string method : {"method: sph, size: 0.125 mm", "rigid: true"}) {
+    try {
+      simulate_text(deck(path, method));
+      ADD_FAILURE() << "a folded surface was taken: " << method;
+    } catch (const DeckError& error) {
+      ASSERT_EQ(error.problems().size(), 1u) << method;
+      const auto& problem = error.problems().front();
+      EXPECT_EQ(problem.path, "bodies.letter.file") << method;
+      EXPECT_EQ(problem.place.line, 5) << method;
+      EXPECT_NE(problem.message.find("at 4 edges neighbouring triangles face opposite ways, the "
+                                     "first from (0.001, 0.001, 0)"),
+                std::string::npos)
+          << problem.message;
+    }
+  }
+}
+
+/// An L without one of its triangles is open, and not folded.
+TEST(Stl, AnOpenSurfaceMayBeRigid) {
+  const std::string path = write_letter("open_rigid.stl", Fault::open);
+  EXPECT_EQ(simulate_text(deck(path, "rigid: true")).failure, "");
 }
 
 }  // namespace
