@@ -9,6 +9,7 @@
 // and the ends take 2 % at small strains.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -49,12 +50,15 @@ TEST(ParticleTension, ArtificialStressThatCarriesIsTold) {
   const std::string path = std::string(BRUNT_SOURCE_DIR) + "/tests/cases/sph-modulus.yaml";
   const std::vector<std::string> deck{"bodies.a.size=1 mm", "bodies.a.smoothing=1.2",
                                       "time.end=60 us"};
-  EXPECT_TRUE(simulate(load_deck(path, deck)).warnings.empty());
+  const auto told = [](const Simulation& run) {
+    return std::count_if(run.told.begin(), run.told.end(), [](const RunWarning& one) {
+      return one.text.find("artificial stress carries") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(told(simulate(load_deck(path, deck))), 0);
   auto with = deck;
   with.push_back("bodies.a.artificial_stress=0.3");
-  const auto run = simulate(load_deck(path, with));
-  ASSERT_EQ(run.warnings.size(), 1U);
-  EXPECT_NE(run.warnings[0].find("artificial stress carries"), std::string::npos);
+  EXPECT_EQ(told(simulate(load_deck(path, with))), 1);
 }
 
 const char* const kWave = R"(
