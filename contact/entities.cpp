@@ -156,7 +156,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
       face.facet = static_cast<LocalIndex>(f);
       face.area_start = area_at_start(face, *surface.points);
-      face.held = surface.held, face.everywhere = surface.everywhere;
+      // Elements that only conduct are held, but not the free rigid body that they are.
+      face.held = surface.held && face.compliance == 0, face.everywhere = surface.everywhere;
       any_open = any_open || face.open;
       deepest = std::max(deepest, face.depth);
       if (!face.rigid()) {

@@ -24,7 +24,7 @@ inline Real contact_spring(Real a, bool a_deforms, Real b, bool b_deforms) {
 /// Factor on the springs of what deforms beside a free rigid body that recoils: on k (u - J w)^2
 /// with w = -(l M - sum J^T k J)^-1 sum J^T k u of a mode of frequency^2 l nothing gives more than
 /// k u^2 / (1 - r) where the rigid body's own frequency^2, its neighbours held, is at most r l.
-inline constexpr Real kMostRecoil = 0.5;  ///< r that its own bound of the step leaves
+inline constexpr Real kMostRecoil = 0.25;  ///< r that its own bound of the step leaves
 inline Real recoil_factor(Real recoil) { return 1 / (1 - std::min(recoil, kMostRecoil)); }
 /// The same factor on the damping ratio: the damper feels (u - J w)^2, 1/(1 - r)^2 of u^2, where
 /// sqrt(k) has grown by 1/sqrt(1 - r).

@@ -77,14 +77,13 @@ TEST(OwnSprings, ARigidBodyTakesTheSpringOfItsNeighbour) {
               1e-12 * step);
 }
 
-// A light one, r > 1/2, votes itself, for sqrt(1/2) of 2/omega: then r is 1/2, and the highest
-// frequency^2 of plate and body together at most that of the plate on a spring of twice phi, which
-// votes the same step for r = 1/2 at h/c.
+// A light one, r > 1/4, votes itself, for sqrt(1/4) of 2/omega: then r is 1/4, and the highest
+// frequency^2 of plate and body together at most that of the plate on a spring of 4/3 phi.
 TEST(OwnSprings, ALightRigidBodyLeavesRoom) {
   const Real light = 1e-2;
   auto scene = beside_a_plate(light);
   const Real omega = std::sqrt(2 * 0.5 * 1e9 * 4 * light);
-  EXPECT_NEAR(scene.start().stable_step(0).step, std::sqrt(0.5) * 2 / omega, 1e-12);
+  EXPECT_NEAR(scene.start().stable_step(0).step, std::sqrt(kMostRecoil) * 2 / omega, 1e-12);
 }
 
 // A particle of 2 kg that presses on such a face: its damper is 2 zeta sqrt(k m) of the mass that
