@@ -250,6 +250,11 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
 }
 
 template <int Dim>
+std::size_t ContactManager<Dim>::n_pairs() const {
+  return implementation_->pairs.pairs().size();
+}
+
+template <int Dim>
 std::size_t ContactManager<Dim>::n_facets() const {
   std::size_t n = 0;
   for (const auto* surface : implementation_->surfaces) n += surface->facets.size();
