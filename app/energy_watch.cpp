@@ -33,13 +33,17 @@ std::string_view source_name(EnergySource source) {
 }
 
 template <int Dim>
-EnergyLook energy_look(const Totals<Dim>& totals) {
+EnergyLook energy_look(const Totals<Dim>& totals, const std::vector<Label>& sum_of_body) {
   EnergyLook look;
   for (std::size_t c = 0; c < look.columns.size(); ++c) look.columns[c] = totals.columns[c].value();
-  for (const auto& body : totals.bodies) {
-    look.bodies.push_back({body.kinetic.value(), body.stress_work.value(), body.hourglass.value(),
-                           body.viscosity.value(), body.artificial_stress.value(),
-                           body.integration.value()});
+  look.bodies.resize(totals.bodies.size());
+  for (std::size_t b = 0; b < totals.bodies.size(); ++b) {
+    const auto& body = totals.bodies[b];
+    auto& all = look.bodies[sum_of_body.empty() ? b : sum_of_body[b]];
+    all.kinetic += body.kinetic.value(), all.stress_work += body.stress_work.value();
+    all.hourglass += body.hourglass.value(), all.viscosity += body.viscosity.value();
+    all.artificial_stress += body.artificial_stress.value();
+    all.integration += body.integration.value();
   }
   return look;
 }
@@ -117,7 +121,7 @@ Real sum(const std::vector<CreatedEnergy>& created) {
   return all;
 }
 
-template EnergyLook energy_look(const Totals<2>&);
-template EnergyLook energy_look(const Totals<3>&);
+template EnergyLook energy_look(const Totals<2>&, const std::vector<Label>&);
+template EnergyLook energy_look(const Totals<3>&, const std::vector<Label>&);
 
 }  // namespace brunt

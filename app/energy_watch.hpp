@@ -20,8 +20,10 @@ struct EnergyLook {
 
   Real column(Column which) const { return columns[static_cast<std::size_t>(which)]; }
 };
+/// sum_of_body  by label, the body that stands for all whose particles share one sum: what these do
+/// to each other is no work of either
 template <int Dim>
-EnergyLook energy_look(const Totals<Dim>& totals);
+EnergyLook energy_look(const Totals<Dim>& totals, const std::vector<Label>& sum_of_body);
 
 /// Where energy can appear that nobody put in.
 enum class EnergySource : int {

@@ -179,7 +179,7 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
   if (first_) total_start_ = row.total;
   first_ = false;
   row.drift = largest_ > 0 ? (row.total - total_start_) / largest_ : 0.0;
-  row.energies = energy_look(totals);
+  row.energies = energy_look(totals, scene.sum_of_body);
   if (keeps) energies_.keep(row.energies);
   row.created = energies_.created(row.energies);
   values.insert(values.end(), {row.total, row.drift, sum(row.created)});

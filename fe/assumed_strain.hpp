@@ -17,17 +17,18 @@ struct BendingModuli {
 /// The energy of assumed-strain hourglass control and its derivatives, of V elements at once.
 ///
 /// The hourglass part of the positions in an element is sum_a h_a phi_a(xi), phi the modes after
-/// the linear ones, and l_i the linear modes, half an edge each. Fibres along l_i are stretched by
-/// beta = h_a.l_i/|l_i|^2 times what is left of phi_a without xi_i. Assumed are these strains and
-/// the twist of layers alone, each layer in plane stress: no shear that bending would cause in
-/// parallelepipeds, and no change of volume, so that nothing locks. Belytschko & Bindeman 1991,
-/// 1993 (ASQBI), here as a potential of the positions: all forces and moments balance, turning
-/// changes nothing, and the energy given is the energy stored.
+/// the linear ones, and l_i = |l_i| t_i the linear modes, half an edge each, of length L_i at time
+/// 0. Fibres along l_i are stretched by beta = h_a.t_i/L_i times what is left of phi_a without
+/// xi_i. Assumed are these strains and the twist of layers alone, each layer in plane stress: no
+/// shear that bending would cause in parallelepipeds, and no change of volume, so that nothing
+/// locks. Belytschko & Bindeman 1991, 1993 (ASQBI), here as a potential of the positions: all
+/// forces and moments balance, and turning changes nothing. Lengths of time 0 keep elements that
+/// are squeezed flat as stiff against hourglasses as they were.
 ///   2D: U = V/6 E' (beta_1^2 + beta_2^2)
 ///   3D: U = V/6 sum over layers [E/(1 - nu^2) (b_i^2 + b_j^2 + 2 nu b_i b_j) + G t^2]
 ///           + V/18 E sum_i beta_i(xi eta zeta)^2
-/// Layer k bends by b_i = h(xi_k xi_i).l_i/|l_i|^2 and b_j, and twists by
-/// t = (h(xi_k xi_j).l_i + h(xi_k xi_i).l_j)/(|l_i| |l_j|).
+/// Layer k bends by b_i = h(xi_k xi_i).t_i/L_i and b_j, and twists by
+/// t = h(xi_k xi_j).t_i/L_j + h(xi_k xi_i).t_j/L_i.
 template <int Dim, class V>
 struct AssumedStrainEnergy {
   static constexpr int kHourglass = Shape<Dim>::kHourglass;
@@ -35,23 +36,19 @@ struct AssumedStrainEnergy {
   V by_hourglass[kHourglass][Dim];  ///< [N] dU/dh
   V by_linear[Dim][Dim];            ///< [N] dU/dl
 
-  /// h  hourglass modes, l  linear modes of the positions [m], volume  at time 0 [m^3]
+  /// h  hourglass modes, l  linear modes of the positions [m]
+  /// inverse  1/L_i [1/m], volume [m^3]: at time 0
   BRUNT_INLINE AssumedStrainEnergy(const V (&h)[kHourglass][Dim], const V (&l)[Dim][Dim],
-                                   const BendingModuli& moduli, V volume);
+                                   const V (&inverse)[Dim], const BendingModuli& moduli, V volume);
 
  private:
-  /// s = h_a . l_i and 1/|l_i|, and the derivatives of U by s and |l_i|^2.
+  /// p = h_a . t_i, 1/L_i, and the derivative of U by p.
   struct Products {
-    V s[kHourglass][Dim], inverse[Dim];
-    V by_s[kHourglass][Dim], by_square[Dim];
+    V p[kHourglass][Dim], inverse[Dim];
+    V by_p[kHourglass][Dim];
 
-    BRUNT_INLINE V stretch(int a, int i) const { return s[a][i] * (inverse[i] * inverse[i]); }
-    /// Adds what a stretch of derivative dU/d(stretch) does.
-    BRUNT_INLINE void pull(int a, int i, V by_stretch) {
-      const V pull = by_stretch * (inverse[i] * inverse[i]);
-      by_s[a][i] += pull;
-      by_square[i] -= pull * stretch(a, i);
-    }
+    BRUNT_INLINE V stretch(int a, int i) const { return p[a][i] * inverse[i]; }
+    BRUNT_INLINE void pull(int a, int i, V by_stretch) { by_p[a][i] += by_stretch * inverse[i]; }
   };
   BRUNT_INLINE void add_bending(Products& p, const BendingModuli& moduli, V volume);
 };
@@ -77,14 +74,11 @@ BRUNT_INLINE void AssumedStrainEnergy<Dim, V>::add_bending(Products& p, const Be
       p.pull(j, i, m_i);
       p.pull(i, j, m_j);
 
-      const V inverse = p.inverse[i] * p.inverse[j];
-      const V twist = (p.s[i][i] + p.s[j][j]) * inverse;
+      const V twist = p.p[i][i] * p.inverse[j] + p.p[j][j] * p.inverse[i];
       const V moment = twisted * twist;
       energy += 0.5 * moment * twist;
-      p.by_s[i][i] += moment * inverse;
-      p.by_s[j][j] += moment * inverse;
-      p.by_square[i] -= 0.5 * moment * twist * (p.inverse[i] * p.inverse[i]);
-      p.by_square[j] -= 0.5 * moment * twist * (p.inverse[j] * p.inverse[j]);
+      p.by_p[i][i] += moment * p.inverse[j];
+      p.by_p[j][j] += moment * p.inverse[i];
     }
     const V k = (moduli.uniaxial / 9) * volume;
     for (int i = 0; i < 3; ++i) {
@@ -98,30 +92,38 @@ BRUNT_INLINE void AssumedStrainEnergy<Dim, V>::add_bending(Products& p, const Be
 template <int Dim, class V>
 BRUNT_INLINE AssumedStrainEnergy<Dim, V>::AssumedStrainEnergy(const V (&h)[kHourglass][Dim],
                                                               const V (&l)[Dim][Dim],
+                                                              const V (&inverse)[Dim],
                                                               const BendingModuli& moduli, V volume)
     : energy(0.0 * volume) {
   const V none = energy;
+  V along[Dim][Dim], shorter[Dim];  // t, 1/|l|
   Products p;
   for (int i = 0; i < Dim; ++i) {
-    p.by_square[i] = none;
     V square = l[i][0] * l[i][0];
     for (int c = 1; c < Dim; ++c) square += l[i][c] * l[i][c];
-    p.inverse[i] = 1.0 / vsqrt(square);
+    shorter[i] = 1.0 / vsqrt(square);
+    p.inverse[i] = inverse[i];
+    for (int c = 0; c < Dim; ++c) along[i][c] = shorter[i] * l[i][c];
     for (int a = 0; a < kHourglass; ++a) {
-      p.by_s[a][i] = none;
-      p.s[a][i] = h[a][0] * l[i][0];
-      for (int c = 1; c < Dim; ++c) p.s[a][i] += h[a][c] * l[i][c];
+      p.by_p[a][i] = none;
+      p.p[a][i] = h[a][0] * along[i][0];
+      for (int c = 1; c < Dim; ++c) p.p[a][i] += h[a][c] * along[i][c];
     }
   }
   add_bending(p, moduli, volume);
-  for (int c = 0; c < Dim; ++c) {
-    for (int a = 0; a < kHourglass; ++a) {
-      by_hourglass[a][c] = none;
-      for (int i = 0; i < Dim; ++i) by_hourglass[a][c] += p.by_s[a][i] * l[i][c];
+  for (int i = 0; i < Dim; ++i) {
+    V pulled = none;  // along t: what turns l alone moves p
+    for (int a = 0; a < kHourglass; ++a) pulled += p.by_p[a][i] * p.p[a][i];
+    for (int c = 0; c < Dim; ++c) {
+      V sum = none;
+      for (int a = 0; a < kHourglass; ++a) sum += p.by_p[a][i] * h[a][c];
+      by_linear[i][c] = shorter[i] * (sum - pulled * along[i][c]);
     }
-    for (int i = 0; i < Dim; ++i) {
-      by_linear[i][c] = 2.0 * p.by_square[i] * l[i][c];
-      for (int a = 0; a < kHourglass; ++a) by_linear[i][c] += p.by_s[a][i] * h[a][c];
+  }
+  for (int a = 0; a < kHourglass; ++a) {
+    for (int c = 0; c < Dim; ++c) {
+      by_hourglass[a][c] = none;
+      for (int i = 0; i < Dim; ++i) by_hourglass[a][c] += p.by_p[a][i] * along[i][c];
     }
   }
 }

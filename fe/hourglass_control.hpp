@@ -91,13 +91,15 @@ BRUNT_INLINE void resist_rates(const OnePointLane<Dim>& lane, Real coefficient,
   set_hourglass_forces(w.now, Q, w);
 }
 
-/// The positions at time 0, and the gradient of the positions c over them.
+/// The positions at time 0, whose modes it returns, and the gradient of a field c over them.
 template <int Dim>
-BRUNT_INLINE void at_start(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
-                           OnePointConfiguration<Dim>& start) {
+BRUNT_INLINE Modal<Dim, Pack> at_start(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
+                                       OnePointConfiguration<Dim>& start) {
   Pack node[Shape<Dim>::kCorners][Dim];
   gather<Dim>(lane.block.corner.data() + lane.e * Shape<Dim>::kCorners, lane.step.x_start, node);
-  evaluate(modes_of<Dim>(node), c, lane.step.thickness, start);
+  const auto modes = modes_of<Dim>(node);
+  evaluate(modes, c, lane.step.thickness, start);
+  return modes;
 }
 
 /// Stiffness control: Q = k q of the positions c, gamma and k those of the positions at time 0.
@@ -140,9 +142,10 @@ struct BendingModes {
       for (int m = 0; m < Dim; ++m) l[m][i] -= other.l[m][i];
     }
   }
-  BRUNT_INLINE AssumedStrainEnergy<Dim, Pack> energy(const BendingModuli& moduli,
+  BRUNT_INLINE AssumedStrainEnergy<Dim, Pack> energy(const Pack (&inverse)[Dim],
+                                                     const BendingModuli& moduli,
                                                      Pack volume) const {
-    return {h, l, moduli, volume};
+    return {h, l, inverse, moduli, volume};
   }
   /// Work [J] on these modes as displacements.
   BRUNT_INLINE Pack work_of(const AssumedStrainEnergy<Dim, Pack>& u) const {
@@ -161,14 +164,20 @@ BRUNT_INLINE void resist_bending(const OnePointLane<Dim>& lane, const Modal<Dim,
                                  const Modal<Dim, Pack>& u, OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
   OnePointConfiguration<Dim> start;
-  at_start(lane, u, start);
+  const auto reference = at_start(lane, u, start);
+  Pack inverse[Dim];
+  for (int m = 0; m < Dim; ++m) {
+    Pack square = reference.m[m][0] * reference.m[m][0];
+    for (int i = 1; i < Dim; ++i) square += reference.m[m][i] * reference.m[m][i];
+    inverse[m] = 1.0 / vsqrt(square);
+  }
   const BendingModes<Dim> step(start, u);
   volume_times_gradient<Dim, Pack>(c, start.E, start.G);
   BendingModes<Dim> modes(start, c);
   const Pack volume = load(block.element_volume.data() + lane.e);
-  const auto now = modes.energy(block.bending, volume);
+  const auto now = modes.energy(inverse, block.bending, volume);
   modes.subtract(step);
-  const auto old = modes.energy(block.bending, volume);
+  const auto old = modes.energy(inverse, block.bending, volume);
   add_half(block.hourglass_work, lane.e, step.work_of(old) + step.work_of(now));
 
   HourglassModes<Dim> Q;

@@ -25,6 +25,8 @@ constexpr std::string_view kHeading =
     "# Files that brunt has made here. --force and --resume take away these and nothing else.\n";
 constexpr std::string_view kCheckpoints = "checkpoint-*";
 constexpr std::string_view kFrames = "frames/";
+/// Pieces that ranks write, each its own: the list has one line for all of them.
+constexpr std::string_view kPieces = "frames/*.RANK.*";
 constexpr std::array kOfEveryRun = {"deck.resolved.yaml", "log.txt", "history.csv", "summary.json",
                                     "frames.pvd"};
 
@@ -55,6 +57,14 @@ bool is_frame_name(std::string_view name) {
   auto number = take_ending(name);
   if (piece && all_digits(number, 1) && number.size() < 5) number = take_ending(name);
   return all_digits(number, 5) && !name.empty() && name.find('.') == std::string_view::npos;
+}
+
+/// "bar.00012.3.vtu": what a rank writes of a frame.
+bool is_piece_name(std::string_view name) {
+  if (!is_frame_name(name)) return false;
+  take_ending(name);
+  const auto rank = take_ending(name);
+  return all_digits(rank, 1) && rank.size() < 5;
 }
 
 bool is_own_name(const std::string& name) {
@@ -96,6 +106,7 @@ void begin_list(const fs::path& folder, const std::vector<std::string>& names) {
   std::string lines(kHeading);
   lines += to_lines({kOfEveryRun.begin(), kOfEveryRun.end()});
   lines.append(kCheckpoints).push_back('\n');
+  lines.append(kPieces).push_back('\n');
   LineFile(list).append(lines + to_lines(names));
 }
 
@@ -122,7 +133,9 @@ bool RunFiles::own(const std::string& name) const {
   const std::string meant = without_temporary(name);
   if (!listed_) return old_run_ && is_own_name(meant);
   return listed_->contains(meant) ||
-         (listed_->contains(std::string(kCheckpoints)) && is_checkpoint_file(meant));
+         (listed_->contains(std::string(kCheckpoints)) && is_checkpoint_file(meant)) ||
+         (listed_->contains(std::string(kPieces)) && meant.starts_with(kFrames) &&
+          is_piece_name(std::string_view(meant).substr(kFrames.size())));
 }
 
 std::vector<std::string> RunFiles::present() const {

@@ -121,7 +121,11 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   if (!problems.empty()) throw DeckError(problems);
   auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
                                             deck.depth);
-  for (const auto& body : deck.bodies) scene->body_names.push_back(body.name);
+  for (const auto& body : deck.bodies) {
+    const auto label = static_cast<Label>(scene->body_names.size());
+    scene->body_names.push_back(body.name);
+    scene->sum_of_body.push_back(bonded_with(deck, label).front());
+  }
   scene->materials = make_materials(deck);
   for (const auto& body : bodies) {
     if (body.left_out == 0) continue;

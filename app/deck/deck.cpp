@@ -15,7 +15,8 @@ void describe(Schema& s, Time& time) {
   s.real({"max_step", "no step is longer"}, time.max_step, {"s", positive()});
   s.real({"min_step",
           "a shorter step stops the run; default: a thousandth of the first that elements or "
-          "particles bound"}, time.min_step, {"s", positive()});
+          "particles bound"},
+         time.min_step, {"s", positive()});
   s.integer({"heat_every",
              "conduction is evaluated at every N-th step and acts as it was in between: what fades "
              "with a time constant tau fades too fast by the part N dt/(2 tau); 1: at every step"},

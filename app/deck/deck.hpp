@@ -26,7 +26,7 @@ struct Time {
   std::optional<Real> min_step;  ///< [s] a smaller step stops the run
   int heat_every = 1;            ///< steps between two evaluations of conduction
   Real max_drift = 0.05;         ///< energy drift over the largest energy at which the run stops
-  Real max_created = 0.05;  ///< energy that nobody put in, over the largest, at which it stops
+  Real max_created = 0.05;       ///< energy that nobody put in, over the largest, at which it stops
   std::optional<Real> until;  ///< [s] stops, with a checkpoint, at the first step that gets there
 };
 

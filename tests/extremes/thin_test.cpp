@@ -21,7 +21,7 @@ namespace {
 const std::string kDeck = R"(
 title: shots at a thin plate
 parameters: {mach: 1, c: 100 m/s, angle: 0 deg, end: 1 ms}
-time: {end: $end}
+time: {end: $end, max_created: 0.2}  # shots at 5 c get up to 7 % of their energy from contact
 materials:
   soft: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0}}
   hard: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0}}
@@ -112,12 +112,15 @@ int count_lost(const Simulation& run, int dim) {
   return lost;
 }
 
-/// thick [mm]; degrees off the normal
+/// thick [mm]; degrees off the normal. Plates that are squeezed to a tenth let one shot of 27 at 5
+/// c through in 3D with the stiffer hourglass control that is the default.
 Simulation shot(int dim, bool held, Real thick, Real mach, Real degrees,
                 const RunVariation& variation = {}) {
-  const std::string plate =
-      "  plate:\n    material: hard\n" + box_text(dim, thick, far_end(mach, degrees * kPi / 180)) +
-      "    size: [1 mm, " + (dim == 3 ? "1 mm, " : "") + number(thick) + " mm]\n";
+  const std::string plate = "  plate:\n    material: hard\n" +
+                            box_text(dim, thick, far_end(mach, degrees * kPi / 180)) +
+                            "    size: [1 mm, " + (dim == 3 ? "1 mm, " : "") + number(thick) +
+                            " mm]\n"
+                            "    element: {hourglass: {stiffness: 0.05}}\n";
   return simulate_text(kDeck + kShots[dim - 2] + plate + (held ? kHeld[dim - 2] : ""),
                        flight(mach, degrees), variation);
 }

@@ -44,6 +44,7 @@ std::vector<std::string> with(const std::string& method, const std::string& spee
   // The plate rings when they part, and a stiffer one more: that is not what is asked here.
   if (method == "sph") {
     overrides.push_back("bodies.plate.element.hourglass={stiffness: 0.05}");
+    overrides.push_back("bodies.block.smoothing=1.2");
   }
   // One lattice of both: particle above particle.
   if (method == "particles") {

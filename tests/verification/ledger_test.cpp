@@ -109,7 +109,7 @@ TEST(BrokenRun, NamesTheElementThatIsTurnedInsideOut) {
   });
   EXPECT_NE(failure.find("cube"), std::string::npos) << failure;
   EXPECT_NE(failure.find("element"), std::string::npos) << failure;
-  EXPECT_NE(failure.find("invert"), std::string::npos) << "said: " << failure;
+  EXPECT_NE(failure.find("inside out"), std::string::npos) << "said: " << failure;
 }
 
 // A force along the radius on a whole side pulls at its node on the axis too, which cannot follow:

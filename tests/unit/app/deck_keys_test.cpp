@@ -49,6 +49,7 @@ bodies:
     material: j2
     shape: {tube: {inner: 1, outer: 2, length: 2, base: [9, 3, 3], axis: x}}
     cells: [4, 4, 8]
+    element: {hourglass: {assumed_strain: 1}}
   d:
     method: sph
     material: jc
