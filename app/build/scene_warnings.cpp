@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
 #include "app/build/scene_checks.hpp"
 #include "app/deck/findings.hpp"
+#include "app/place.hpp"
 
 namespace brunt {
 
@@ -30,6 +32,31 @@ void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Wa
                         "them, or close it (particles meet both sides)");
   }
 }
+
+/// Probes and measures at places that lie farther outside of their body than its size.
+template <int Dim>
+void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn) {
+  const auto look = [&](const std::string& path, const std::string& body,
+                        const std::vector<Real>& at) {
+    const auto named = std::find(scene.body_names.begin(), scene.body_names.end(), body);
+    const auto label = static_cast<Label>(named - scene.body_names.begin());
+    const deck::Body& given = loaded.deck.bodies[label].value;
+    if (given.rigid) return;  // its surface alone has points
+    const Real far = find_place(scene.view(label), at).point_distance;
+    if (far > deck::smallest_size(given)) {
+      warn(path, "lies outside of '" + body + "': values of its nearest point are taken, " +
+                     deck::length_text(far) + " away");
+    }
+  };
+  for (const auto& [name, probe] : loaded.deck.probes) {
+    look("probes." + name + ".at", probe.body, probe.at);
+  }
+  for (const auto& [name, measure] : loaded.deck.measures) {
+    if (const auto* point = std::get_if<deck::PointMeasure>(&measure.kind)) {
+      look("measures." + name + ".point.at", point->body, point->at);
+    }
+  }
+}
 }  // namespace
 
 template <int Dim>
@@ -40,6 +67,7 @@ void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print
     if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
   };
   warn_of_contact(loaded, scene, warn);
+  warn_of_places(loaded, scene, warn);
   if (loaded.deck.time.heat_every > 1 && !scene.conducts()) {
     warn("time.heat_every", "changes nothing: no body conducts heat");
   }

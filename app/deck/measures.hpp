@@ -36,10 +36,11 @@ struct MeanMeasure {
   std::string body, field;
 };
 
-/// The field at the point or cell that is nearest to `at` at time 0.
+/// The field at the place that is `at` at time 0, between points or of the cell that holds it.
 struct PointMeasure {
   static constexpr const char* deck_name = "point";
-  static constexpr const char* deck_help = "a field at the point nearest to a place at time 0";
+  static constexpr const char* deck_help =
+      "a field at a place of time 0, between the points around it";
   std::string body, field;
   std::vector<Real> at;  ///< [m]
 };
