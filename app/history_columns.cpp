@@ -214,9 +214,9 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     add(report.force, 0, Dim), add(report.torque, first_torque(scene), 3);
   }
   if (scene.contact) {
+    row.lost = scene.contact->lost_pairs(scene.origin);
     Real deepest = 0;
     for (const auto& pair : scene.contact->reports(scene.origin)) {
-      if (pair.lost.any()) row.lost.push_back(pair);
       if (pair.max_penetration > deepest) {
         deepest = pair.max_penetration, row.deepest_pair = pair.name;
       }

@@ -24,7 +24,7 @@ class HistoryColumns {
     EnergyLook energies;                 ///< what the watch over created energy read
     std::vector<CreatedEnergy> created;  ///< energy that nobody put in, largest first
     std::string deepest_pair;            ///< of bodies in contact; empty: none touch
-    std::vector<PairReport> lost;        ///< pairs of bodies in which contacts did not hold
+    std::vector<LostPair> lost;          ///< pairs of bodies in which contacts did not hold
     /// By label: what artificial stress carries of the body's tension, 0 without it. [1]
     std::vector<Real> artificial_share;
   };

@@ -14,7 +14,7 @@ std::string place_text(const LostReport& lost, int dim) {
 }
 }  // namespace
 
-std::string lost_text(const PairReport& pair, int dim) {
+std::string lost_text(const LostPair& pair, int dim) {
   const auto& lost = pair.lost;
   const std::string where = place_text(lost, dim), depth = deck::length_text(lost.depth);
   const std::string remedy =
@@ -41,14 +41,14 @@ std::string lost_text(const PairReport& pair, int dim) {
          remedy;
 }
 
-std::string lost_count_text(const PairReport& pair) {
+std::string lost_count_text(const LostPair& pair) {
   const auto& lost = pair.lost;
   return "in all " + std::to_string(lost.let_go) + " contacts let go, " +
          std::to_string(lost.from_behind) + " came back, and " + std::to_string(lost.crossed) +
          " faces went through each other without a push";
 }
 
-std::vector<std::string> LostContactWarnings::take(const std::vector<PairReport>& pairs) {
+std::vector<std::string> LostContactWarnings::take(const std::vector<LostPair>& pairs) {
   std::vector<std::string> texts;
   for (const auto& pair : pairs) {
     const bool first = told_.count(pair.name) == 0;

@@ -124,8 +124,15 @@ void print_contact(const Scene<Dim>& scene) {
     std::printf("contact    none: nothing can touch\n");
     return;
   }
-  std::printf("contact    %zu facets; pairs:", scene.contact->n_facets());
-  for (const auto& pair : scene.contact->reports()) std::printf(" %s", pair.name.c_str());
+  const auto reported = scene.contact->reports();
+  std::printf("contact    %zu facets; ", scene.contact->n_facets());
+  if (reported.size() < scene.contact->n_pairs()) {
+    std::printf("%zu pairs, with columns in history.csv:", scene.contact->n_pairs());
+  } else {
+    std::printf("pairs:");
+  }
+  for (const auto& pair : reported) std::printf(" %s", pair.name.c_str());
+  if (reported.empty()) std::printf(" none, as none is named in `contact: {pairs: ...}`");
   std::printf("\n");
 }
 

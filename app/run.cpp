@@ -230,15 +230,40 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   summary.instruction_set = BRUNT_ISA;
 }
 
+/// Writes the summary and the pictures, and tells on the log and the screen how the run ended.
 template <int Dim>
-int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
-  const auto wall_start = std::chrono::steady_clock::now();
+void report_end(const LoadedDeck& loaded, const RunArguments& arguments, const fs::path& folder,
+                const Ended& ended, const Clock& clock, const Monitor<Dim>& monitor,
+                RunSummary& summary, spdlog::logger& log) {
+  const auto pictures = loaded.deck.output.pictures && ended.status != kStopped
+                            ? draw_pictures(folder, loaded.deck.title, summary)
+                            : std::vector<fs::path>{};
+  write_summary(folder, summary);
+
+  for (const auto& [pair, text] : monitor.lost_contacts()) log.warn("contact: {}", text);
+  log.info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
+  for (const auto& line : energy_lines(summary.energy)) log.info("{}", line);
+  if (!ended.reason.empty()) log.info("{}", ended.reason);
+  log.flush();
+  if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
+  if (!arguments.quiet) print_summary(summary, folder, pictures);
+  print_end(ended, clock, folder);
+}
+
+/// Throws: DeckError where the deck asks for pictures that this program cannot draw.
+void ask_for_pictures(const LoadedDeck& loaded) {
   if (loaded.deck.output.pictures && !can_draw()) {
     throw DeckError({loaded.places.problem(
         "output.pictures",
         "this brunt was built without VTK and draws nothing: take the key out, "
         "or configure with -DBRUNT_VTK=ON")});
   }
+}
+
+template <int Dim>
+int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
+  const auto wall_start = std::chrono::steady_clock::now();
+  ask_for_pictures(loaded);
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings = loaded.warnings;
   warn_of_scene(loaded, *scene, ranks.is_root(), warnings);
@@ -321,20 +346,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
     log->info("{} steps on one thread instead of {}: other programs used the processors",
               balance.steps_alone(), summary.threads);
   }
-  if (!root) return ended.status;
-  const auto pictures = deck.output.pictures && ended.status != kStopped
-                            ? draw_pictures(folder, deck.title, summary)
-                            : std::vector<fs::path>{};
-  write_summary(folder, summary);
-
-  for (const auto& [pair, text] : monitor.lost_contacts()) log->warn("contact: {}", text);
-  log->info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
-  for (const auto& line : energy_lines(summary.energy)) log->info("{}", line);
-  if (!ended.reason.empty()) log->info("{}", ended.reason);
-  log->flush();
-  if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
-  if (!arguments.quiet) print_summary(summary, folder, pictures);
-  print_end(ended, clock, folder);
+  if (root) report_end(loaded, arguments, folder, ended, clock, monitor, summary, *log);
   return ended.status;
 }
 }  // namespace

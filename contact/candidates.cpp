@@ -167,7 +167,8 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     const auto& b = faces[static_cast<std::size_t>(j)];
     const PairOptions& options = pairs.of(a.body, b.body);
     FaceCandidate candidate{i, j};
-    candidate.stiffness = options.stiffness * in_series(a.stiffness, b.stiffness);
+    candidate.stiffness =
+        options.stiffness * contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
     candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
                                             in_series(a.areal_mass, b.areal_mass));
     candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);

@@ -49,7 +49,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.depth = facet.depth;
   face.capacity = facet.capacity, face.effusivity = facet.effusivity;
   face.specific_heat = facet.specific_heat;
-  face.compliance = facet.compliance;
+  face.compliance = facet.compliance, face.mean_compliance = facet.mean_compliance;
   face.half_thickness = face.deforms() ? facet.depth : facet.half_thickness;
   face.open = facet.open;
   face.borders = facet.borders;
@@ -110,7 +110,7 @@ std::map<Label, Real> largest_diameters(const Entities<Dim>& entities, const Con
 /// What the faces' own step bounds need to know of those that may touch them.
 template <int Dim>
 void set_options(const PairTable& pairs, const std::map<Label, Real>& diameter,
-                 Entities<Dim>& entities) {
+                 const RigidSprings& rigid, Entities<Dim>& entities) {
   std::map<Label, Real> footprint;
   for (const auto& [a, b] : pairs.pairs()) {
     for (const auto& [face, particle] : {std::pair(a, b), std::pair(b, a)}) {
@@ -123,6 +123,7 @@ void set_options(const PairTable& pairs, const std::map<Label, Real>& diameter,
     const PairOptions strongest = pairs.strongest(face.body);
     face.phi = strongest.stiffness;
     face.zeta = strongest.damping;
+    face.recoil = rigid.recoil_beside(face.body);
     const auto it = footprint.find(face.body);
     if (it != footprint.end()) face.footprint = it->second;
   }
@@ -138,7 +139,8 @@ void sort_by_id(std::vector<Entity>& entities) {
 
 template <int Dim>
 Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
-                        const Section& section, const ContactRanks& ranks) {
+                        const Section& section, const ContactRanks& ranks,
+                        const RigidSprings& rigid) {
   nodes.rubs = pairs.rubs();
   gaps = pairs.gaps();
   nodes.turns = pairs.particles_rub();
@@ -154,7 +156,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
       face.facet = static_cast<LocalIndex>(f);
       face.area_start = area_at_start(face, *surface.points);
-      face.held = surface.held, face.everywhere = surface.everywhere;
+      // Elements that only conduct are held, but not the free rigid body that they are.
+      face.held = surface.held && face.compliance == 0, face.everywhere = surface.everywhere;
       any_open = any_open || face.open;
       deepest = std::max(deepest, face.depth);
       if (!face.rigid()) {
@@ -195,8 +198,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   size = ranks.all->max(size);
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
-  set_options(pairs, diameters, *this);
-  constant_vote = vote_of_particles<Dim>(pairs, section, *this);
+  set_options(pairs, diameters, rigid, *this);
+  constant_vote = vote_of_particles<Dim>(pairs, section, *this, rigid);
   add_faces({});
   for (const auto& face : faces) {
     if (face.deforms() && !face.held) longest_step = std::min(longest_step, face.element_step);
@@ -304,7 +307,8 @@ void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
   const auto& face = faces[f];
   if (!face.deforms() || face.held || !(face.area_start > 0)) return;
   const Real area = std::max(plane.area, face.footprint);
-  const Real ratio = surface_step_ratio(face.phi * area / face.area_start, face.zeta);
+  const Real phi = face.phi * recoil_factor(face.recoil) * area / face.area_start;
+  const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
   seen.vote.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <span>
 #include <vector>
 
@@ -29,12 +30,14 @@ struct ContactFace {
   Real area_start = 0;              ///< [m^2] at time 0
   Real phi = 0;                     ///< largest stiffness option with which anything may touch it
   Real zeta = 0;                    ///< largest damping option
+  Real recoil = 0;                  ///< of free rigid bodies that may touch it (contact/law.hpp)
   Real footprint = 0;               ///< [m^2] of the largest particle that may touch it
   Real capacity = 0;  ///< [J/m^2/K] or [kg/m^2] behind it, as of Facet; 0: takes no heat
   std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
   Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
-  Real compliance = 0;  ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
-  bool held = false;    ///< votes no step
+  Real compliance = 0;       ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
+  Real mean_compliance = 0;  ///< [1/kg] as of Facet
+  bool held = false;         ///< votes no step
   bool rigid() const { return stiffness == 0; }  ///< held or moved as told
   bool deforms() const { return stiffness > 0 && compliance == 0; }
   bool everywhere = false;         ///< it stands on every rank
@@ -57,6 +60,14 @@ template <int Dim>
 struct FaceShape {
   Vec<Dim> normal;
   Real warp;  ///< [m]
+};
+
+/// What the springs of free rigid bodies say of steps, from their whole scene: constant.
+struct RigidSprings {
+  StepVote vote;    ///< their own
+  Real recoil = 0;  ///< largest (frequency)^2 dt^2/4 of them in the longest step of others
+  std::set<Label> neighbours;  ///< bodies that deform, or of particles, and may touch them
+  Real recoil_beside(Label body) const { return neighbours.count(body) != 0 ? recoil : 0.0; }
 };
 
 struct ContactParticle {
@@ -114,7 +125,7 @@ struct Entities {
 
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
-           const Section& section, const ContactRanks& ranks);
+           const Section& section, const ContactRanks& ranks, const RigidSprings& rigid);
   /// Takes in faces of other ranks, their nodes already among `nodes`, and sorts again.
   void add_faces(const std::vector<ContactFace<Dim>>& imported);
   /// Takes in particles of other ranks, their nodes already among `nodes`, and sorts again.

@@ -225,6 +225,18 @@ Real deepest_of(const Planes<Dim>& planes, int n) {
   return deepest;
 }
 
+/// The first of planes 0 .. n - 1 that comes from behind; nullptr where none does.
+template <int Dim>
+const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                                    const Planes<Dim>& planes, int n, Real dt) {
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.penetration > candidate.limit) continue;
+    if (comes_from_behind(entities, candidate, plane, dt)) return &plane;
+  }
+  return nullptr;
+}
+
 /// True where a bond opens beyond its strength.
 template <int Dim>
 bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
@@ -285,9 +297,16 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     } else if (const auto* before = step.touches.before->of_faces(first, second)) {
       touch = *before;
     }
-    const int n = step.touches.time_zero && !candidate.presses
-                      ? 0
-                      : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
+    int n = step.touches.time_zero && !candidate.presses
+                ? 0
+                : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
+    if (!touch.matters()) {
+      if (const auto* plane = from_behind(entities, candidate, planes, n, step.dt)) {
+        touch.overlap = deepest_of<Dim>(planes, n);
+        note_lost(entities, candidate, *plane, kFromBehind, part);
+        n = 0;  // of all planes, or a repeated evaluation would find others than this one
+      }
+    }
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
@@ -299,11 +318,6 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
           note_lost(entities, candidate, plane, kLetGo, part);
         }
         continue;
-      }
-      if (comes_from_behind(entities, candidate, plane, step.dt) && !touch.matters()) {
-        touch.overlap = deepest_of<Dim>(planes, n);
-        note_lost(entities, candidate, plane, kFromBehind, part);
-        break;
       }
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;

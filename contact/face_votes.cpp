@@ -95,8 +95,10 @@ void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candi
       const Real area =
           std::max(entities.planes[static_cast<std::size_t>(place)].area, face.footprint);
       // The damper stays as it is: its part of critical falls.
-      longest = face.element_step *
-                surface_step_ratio(face.phi * steeper * area / face.area_start, face.zeta / root);
+      const Real recoil = face.recoil * steeper;
+      const Real phi = face.phi * steeper * recoil_factor(recoil) * area / face.area_start;
+      const Real zeta = recoil_damping(face.zeta / root, recoil);
+      longest = face.element_step * surface_step_ratio(phi, zeta);
     }
     // A step at the limit of stability swings across the slope: what the mean of both forces does
     // is not what the spring holds. Half of it errs a quarter as much.

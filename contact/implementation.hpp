@@ -16,10 +16,12 @@ struct ContactManager<Dim>::Implementation {
         ranks(of_ranks),
         surfaces(std::move(of_surfaces)),
         pairs(std::move(of_pairs)),
-        entities(surfaces, pairs, section, ranks),
+        entities(surfaces, pairs, section, ranks, rigid),
         imports(ranks, surfaces),
         candidates(options.search, options.skin) {}
 
+  /// Tables anew with what free rigid bodies say of steps. Collective.
+  void take_rigid(const RigidSprings& of_scene);
   /// The longest step that may follow one of dt, 0 for the first: that of the springs, and four
   /// times dt where particles must look ahead.
   StepVote longest_after(Real dt) const;
@@ -73,6 +75,7 @@ struct ContactManager<Dim>::Implementation {
   ContactRanks ranks;
   std::vector<Surface<Dim>*> surfaces;
   PairTable pairs;
+  RigidSprings rigid;  // of all ranks
   Entities<Dim> entities;
   ContactImports<Dim> imports;
   Candidates<Dim> candidates;
@@ -87,7 +90,6 @@ struct ContactManager<Dim>::Implementation {
   /// The first coefficient of friction of the last evaluation that is none, with its contact.
   std::optional<PhysicsFailure> wrong_friction;
   Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]
-  StepVote rigid_vote;  // of free rigid bodies, from all their faces: of all ranks
   StepVote vote;
   Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation

@@ -35,7 +35,7 @@ struct FaceData {
   GlobalId id;
   Label body, piece;
   Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint, capacity, effusivity;
-  Real compliance, half_thickness, sharpness;
+  Real compliance, half_thickness, sharpness, recoil;
   std::int32_t specific_heat;
   bool held;
   std::uint8_t borders;
@@ -43,11 +43,11 @@ struct FaceData {
 
 template <int Dim>
 FaceData<Dim> data_of(const ContactFace<Dim>& f) {
-  return {f.n_nodes,    f.surface,       f.id,         f.body,
-          f.piece,      f.stiffness,     f.areal_mass, f.depth,
-          f.area_start, f.phi,           f.zeta,       f.footprint,
-          f.capacity,   f.effusivity,    f.compliance, f.half_thickness,
-          f.sharpness,  f.specific_heat, f.held,       f.borders};
+  return {f.n_nodes,        f.surface,    f.id,       f.body,          f.piece,
+          f.stiffness,      f.areal_mass, f.depth,    f.area_start,    f.phi,
+          f.zeta,           f.footprint,  f.capacity, f.effusivity,    f.compliance,
+          f.half_thickness, f.sharpness,  f.recoil,   f.specific_heat, f.held,
+          f.borders};
 }
 
 template <int Dim>
@@ -59,7 +59,7 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
   f.stiffness = d.stiffness, f.areal_mass = d.areal_mass, f.depth = d.depth;
   f.area_start = d.area_start, f.phi = d.phi, f.zeta = d.zeta, f.footprint = d.footprint;
   f.capacity = d.capacity, f.effusivity = d.effusivity, f.compliance = d.compliance;
-  f.half_thickness = d.half_thickness, f.sharpness = d.sharpness;
+  f.half_thickness = d.half_thickness, f.sharpness = d.sharpness, f.recoil = d.recoil;
   f.specific_heat = d.specific_heat, f.held = d.held, f.borders = d.borders;
   return f;
 }

@@ -1,5 +1,6 @@
 #pragma once
 /// The springs and dampers of contact, and the steps that they allow (contact.md 2.5, 2.8).
+#include <algorithm>
 #include <cmath>
 
 #include "core/types.hpp"
@@ -11,6 +12,25 @@ inline Real in_series(Real a, Real b) {
   if (a == 0) return b;
   if (b == 0) return a;
   return a * b / (a + b);
+}
+
+/// Spring between two sides: a rigid one, held or free, has none of its own and takes the other's.
+/// Two free rigid bodies have both of theirs, since something must give.
+inline Real contact_spring(Real a, bool a_deforms, Real b, bool b_deforms) {
+  if (a_deforms != b_deforms) return a_deforms ? a : b;
+  return in_series(a, b);
+}
+
+/// Factor on the springs of what deforms beside a free rigid body that recoils: on k (u - J w)^2
+/// with w = -(l M - sum J^T k J)^-1 sum J^T k u of a mode of frequency^2 l nothing gives more than
+/// k u^2 / (1 - r) where the rigid body's own frequency^2, its neighbours held, is at most r l.
+inline constexpr Real kMostRecoil = 0.25;  ///< r that its own bound of the step leaves
+inline Real recoil_factor(Real recoil) { return 1 / (1 - std::min(recoil, kMostRecoil)); }
+/// The same factor on the damping ratio: the damper feels (u - J w)^2, 1/(1 - r)^2 of u^2, where
+/// sqrt(k) has grown by 1/sqrt(1 - r).
+inline Real recoil_damping(Real zeta, Real recoil) {
+  const Real factor = recoil_factor(recoil);
+  return recoil > 0 ? zeta * factor * std::sqrt(factor) : zeta;
 }
 
 /// Coefficient of a damper that is zeta of critical: 2 zeta sqrt(k m).

@@ -25,9 +25,17 @@ void ask_surfaces(const std::vector<Surface<Dim>*>& surfaces, const PairTable& p
 }  // namespace
 
 template <int Dim>
+void ContactManager<Dim>::Implementation::take_rigid(const RigidSprings& of_scene) {
+  rigid = of_scene;
+  if (!rigid.neighbours.empty()) {
+    entities = Entities<Dim>(surfaces, pairs, section, ranks, rigid);
+  }
+}
+
+template <int Dim>
 StepVote ContactManager<Dim>::Implementation::longest_after(Real dt) const {
   StepVote longest = entities.stiffness_vote();
-  longest.take(rigid_vote);
+  longest.take(rigid.vote);
   if (dt > 0 && !entities.particles.empty()) {
     const auto& first = entities.particles.front();
     longest.take({step_growth(options.safety) * dt, "contact look-ahead", first.body, first.id});
@@ -43,10 +51,10 @@ Real ContactManager<Dim>::Implementation::look_ahead(Real dt, const StepVote& lo
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::renew(Real ahead, bool with_motion) {
-  Entities<Dim> fresh(surfaces, pairs, section, ranks);
+  Entities<Dim> fresh(surfaces, pairs, section, ranks, rigid);
   if (started) fresh.nodes.inherit(entities.nodes);
   std::swap(entities, fresh);
-  entities.longest_step = std::min(entities.longest_step, rigid_vote.step);
+  entities.longest_step = std::min(entities.longest_step, rigid.vote.step);
   if (with_motion) entities.nodes.read_motion(surfaces);
   entities.refresh_planes();
   candidates.build(entities, pairs, ahead, imports);
@@ -62,7 +70,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
                             ahead,
                             {&touches, repeated && !started, repeated && started},
                             entities.longest_step,
-                            rigid_vote.step,
+                            rigid.vote.step,
                             candidates.way_of_faces(entities) > 0};
   const auto on_faces = candidates.faces();
   if (!on_faces.empty()) entities.refresh_reaches();
@@ -104,7 +112,7 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
   implementation_ = std::make_unique<Implementation>(
       options, Section{geometry, depth}, std::move(pairs), std::move(surfaces), ContactRanks{});
   auto& own = *implementation_;
-  own.rigid_vote = vote_of_rigid<Dim>(own.section, own.entities);
+  own.take_rigid(springs_of_rigid<Dim>(own.pairs, own.section, own.entities));
   rearrange();
 }
 
@@ -116,7 +124,7 @@ ContactManager<Dim>::ContactManager(const ContactManager& whole,
   ask_surfaces(surfaces, own.pairs);
   implementation_ = std::make_unique<Implementation>(
       own.options, own.section, own.pairs, std::move(surfaces), ContactRanks{&ranks, &deal});
-  implementation_->rigid_vote = own.rigid_vote;
+  implementation_->take_rigid(own.rigid);
   rearrange();
 }
 
@@ -239,6 +247,11 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
   });
   if (nodes.rubs) totals.state_hash += implementation_->friction_hash();
   totals.state_hash += implementation_->touch_hash();
+}
+
+template <int Dim>
+std::size_t ContactManager<Dim>::n_pairs() const {
+  return implementation_->pairs.pairs().size();
 }
 
 template <int Dim>

@@ -32,7 +32,12 @@ struct PairReport {
   Real temperature_max = 0, temperature_mean = 0;
   Real max_penetration = 0;  ///< [m]
   std::int64_t planes = 0;   ///< common planes and particle contacts that carry force
-  LostReport lost;           ///< is told in a warning, and has no column
+};
+
+/// A pair of bodies with contacts that did not hold.
+struct LostPair {
+  std::string name;  ///< as in PairReport
+  LostReport lost;
 };
 
 /// Contacts of a pair of bodies that overlap at time 0 and are not felt until they have opened.
@@ -96,8 +101,13 @@ class ContactManager {
   /// and votes evaluated anew at the positions and mid-step velocities of the last evaluation.
   /// Throws StateError where a row is missing.
   void load_state(const StateTables& tables);
+  /// One for each pair with columns in history.csv (PairTable::reported), in ascending order.
   /// origin  [m] of the positions, in the coordinates about whose origin torques are taken
   std::vector<PairReport> reports(const Vec<Dim>& origin = Vec<Dim>::Zero()) const;
+  /// Pairs in which contacts did not hold since time 0, in ascending order. Collective.
+  std::vector<LostPair> lost_pairs(const Vec<Dim>& origin = Vec<Dim>::Zero()) const;
+  /// How many pairs of bodies may touch.
+  std::size_t n_pairs() const;
   /// What of the overlaps of time 0 is left, of the contacts evaluated here; pairs without are left
   /// out. Not collective.
   std::vector<InitialOverlaps> initial_overlaps() const;

@@ -146,12 +146,10 @@ void ContactManager<Dim>::Implementation::refuse_friction(const ContactRecord<Di
   cause << "it must be at least 0, and is found at T = " << at.temperature
         << " K, yield = " << at.flow_stress << " Pa, p = " << at.pressure << " Pa, v = " << at.speed
         << " m/s";
-  const auto [a, b] = std::minmax(record.lower_body, record.upper_body);
-  const auto pair = std::find(pairs.pairs().begin(), pairs.pairs().end(), std::pair(a, b));
-  const auto place = static_cast<std::size_t>(pair - pairs.pairs().begin());
+  const auto pair = pairs.find(record.lower_body, record.upper_body);
   wrong_friction = {0,
                     "",
-                    "contact " + pairs.names()[place],
+                    "contact " + pairs.name(pair.value()),
                     "coefficient of friction",
                     friction.coefficient,
                     cause.str()};

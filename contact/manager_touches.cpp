@@ -82,8 +82,7 @@ std::uint64_t ContactManager<Dim>::Implementation::touch_hash() const {
 template <int Dim>
 std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
   const auto& own = *implementation_;
-  const auto& pairs = own.pairs.pairs();
-  std::vector<InitialOverlaps> found(pairs.size());
+  std::map<std::size_t, InitialOverlaps> by_pair;
   const auto bodies_of = [&](const ContactKey& key) -> std::pair<Label, Label> {
     const auto& entities = own.entities;
     const auto body_of = [&](GlobalId particle) {
@@ -98,13 +97,15 @@ std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
   };
   for (const auto& touch : own.touches.all()) {
     if (!(touch.overlap > 0)) continue;
-    const auto at = std::find(pairs.begin(), pairs.end(), bodies_of(touch.key));
-    auto& overlaps = found[static_cast<std::size_t>(at - pairs.begin())];
-    overlaps.name = own.pairs.names()[static_cast<std::size_t>(at - pairs.begin())];
+    const auto [a, b] = bodies_of(touch.key);
+    const std::size_t pair = own.pairs.find(a, b).value();
+    auto& overlaps = by_pair[pair];
+    overlaps.name = own.pairs.name(pair);
     ++overlaps.contacts;
     overlaps.deepest = std::max(overlaps.deepest, touch.overlap);
   }
-  std::erase_if(found, [](const auto& overlaps) { return overlaps.contacts == 0; });
+  std::vector<InitialOverlaps> found;
+  for (const auto& [pair, overlaps] : by_pair) found.push_back(overlaps);
   return found;
 }
 
@@ -120,8 +121,8 @@ std::vector<OneSidedPair> ContactManager<Dim>::one_sided_pairs() const {
   for (std::size_t k = 0; k < own.pairs.pairs().size(); ++k) {
     const auto [a, b] = own.pairs.pairs()[k];
     if (with_faces.count(a) == 0 || with_faces.count(b) == 0) continue;
-    if (open.count(a) != 0) found.push_back({own.pairs.names()[k], a});
-    if (open.count(b) != 0 && b != a) found.push_back({own.pairs.names()[k], b});
+    if (open.count(a) != 0) found.push_back({own.pairs.name(k), a});
+    if (open.count(b) != 0 && b != a) found.push_back({own.pairs.name(k), b});
   }
   return found;
 }

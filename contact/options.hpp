@@ -131,6 +131,10 @@ inline void describe(Schema& s, PairOptions& pair) {
   s.require(!pair.ignore || !pair.bonded, "bonded", "stands beside ignore: keep one of them");
 }
 
+/// In scenes with more pairs of bodies than this, those of 45 bodies, history.csv has columns of
+/// the pairs that the deck names alone: others would be half a million in 1,000 bodies.
+inline constexpr std::size_t kMostReportedPairs = 1000;
+
 /// Contact as the scene hands it to the manager: options resolved for each pair of body labels.
 struct ContactOptions {
   PairOptions fallback;                                  ///< `default`

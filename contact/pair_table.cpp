@@ -30,7 +30,11 @@ bool can_touch(const Shown& a, const Shown& b, bool bonded) {
 template <int Dim>
 PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Dim>*>& surfaces,
                      std::vector<std::string> body_names)
-    : fallback_(options.fallback), given_(options.pairs) {
+    : fallback_(options.fallback),
+      given_(options.pairs),
+      pair_names_(options.pair_names),
+      turned_(options.turned),
+      body_names_(std::move(body_names)) {
   std::map<Label, Shown> bodies;
   for (const auto* surface : surfaces) {
     for (const auto& facet : surface->facets) {
@@ -56,7 +60,6 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       const PairOptions& pair = of(a, b);
       if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
       pairs_.emplace_back(a, b);
-      told_.push_back(options.turned.count({a, b}) != 0 ? b : a);
       rubs_ = rubs_ || pair.rubs();
       asks_material_ = asks_material_ || pair.asks_material();
       presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;
@@ -64,9 +67,6 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
         meeting_.insert({a, b});
         particles_rub_ = particles_rub_ || pair.rubs();
       }
-      const auto given = options.pair_names.find({a, b});
-      names_.push_back(given != options.pair_names.end() ? given->second
-                                                         : body_names[a] + "-" + body_names[b]);
       const Real gap = gap_of(pair.heat);
       if (gap > 0) gaps_.resize(std::max(gaps_.size(), std::size_t{b} + 1), 0.0);
       for (const Label body : {a, b}) {
@@ -77,6 +77,28 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       }
     }
   }
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const bool named = pair_names_.count(pairs_[k]) != 0;
+    if (named || pairs_.size() <= kMostReportedPairs) reported_.push_back(k);
+  }
+}
+
+std::optional<std::size_t> PairTable::find(Label a, Label b) const {
+  const std::pair<Label, Label> wanted = std::minmax(a, b);
+  const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), wanted);
+  if (at == pairs_.end() || *at != wanted) return {};
+  return static_cast<std::size_t>(at - pairs_.begin());
+}
+
+std::string PairTable::name(std::size_t pair) const {
+  const auto [a, b] = pairs_[pair];
+  const auto given = pair_names_.find({a, b});
+  return given != pair_names_.end() ? given->second : body_names_[a] + "-" + body_names_[b];
+}
+
+Label PairTable::told(std::size_t pair) const {
+  const auto [a, b] = pairs_[pair];
+  return turned_.count({a, b}) != 0 ? b : a;
 }
 
 const PairOptions& PairTable::of(Label a, Label b) const {

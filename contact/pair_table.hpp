@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -41,19 +43,27 @@ class PairTable {
   bool presses() const { return presses_; }
   /// Widest opening [m] through which heat passes to each body, by label; empty: none has any.
   const std::vector<Real>& gaps() const { return gaps_; }
-  /// Pairs of bodies that may touch, first <= second, with the names that history.csv uses.
+  /// Pairs of bodies that may touch, first <= second, in ascending order.
   const std::vector<std::pair<Label, Label>>& pairs() const { return pairs_; }
-  const std::vector<std::string>& names() const { return names_; }
-  /// The body of each on which history.csv tells the force: the first that the deck names.
-  const std::vector<Label>& told() const { return told_; }
+  /// The place of a pair of bodies among them, in either order.
+  std::optional<std::size_t> find(Label a, Label b) const;
+  /// The name of a pair, as history.csv uses it: the deck's, or "a-b".
+  std::string name(std::size_t pair) const;
+  /// The body of a pair on which history.csv tells the force: the first that the deck names.
+  Label told(std::size_t pair) const;
+  /// Places of the pairs with columns in history.csv: all, or where they are more than
+  /// kMostReportedPairs those that the deck names.
+  const std::vector<std::size_t>& reported() const { return reported_; }
 
  private:
   PairOptions fallback_;
   std::map<std::pair<Label, Label>, PairOptions> given_;
   std::map<Label, PairOptions> strongest_;
+  std::map<std::pair<Label, Label>, std::string> pair_names_;  // those of the deck
+  std::set<std::pair<Label, Label>> turned_;                   // as of ContactOptions
+  std::vector<std::string> body_names_;
   std::vector<std::pair<Label, Label>> pairs_;
-  std::vector<std::string> names_;
-  std::vector<Label> told_;
+  std::vector<std::size_t> reported_;
   bool rubs_ = false;
   bool presses_ = false;
   bool asks_material_ = false;

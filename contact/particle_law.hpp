@@ -28,8 +28,8 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
                    const PairOptions& options) {
   const Real own = particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
   const Real of_face = face.stiffness * section_of<Dim>(particle);
-  return {options.stiffness * in_series(own, of_face), options.stiffness * own, options.damping,
-          options.rubs() ? &options : nullptr};
+  return {options.stiffness * contact_spring(own, true, of_face, face.deforms()),
+          options.stiffness * own, options.damping, options.rubs() ? &options : nullptr};
 }
 
 /// How far behind the face the particle is held [m]. In front of a thin rigid body it no longer

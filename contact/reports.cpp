@@ -8,6 +8,7 @@
 #include "contact/implementation.hpp"
 #include "contact/slide.hpp"
 #include "core/exact_sum.hpp"
+#include "core/parallel/packing.hpp"
 
 namespace brunt {
 
@@ -34,7 +35,6 @@ struct PairSums {
   Warmth touching, passing;        // of contacts with force; of those through which heat passes
   Real max_penetration = 0;        // [m]
   std::int64_t planes = 0;
-  LostReport lost;
 };
 
 /// Keeps the first of two.
@@ -58,7 +58,6 @@ void merge(PairSums& into, const PairSums& from) {
   into.passing.add(from.passing);
   into.max_penetration = std::max(into.max_penetration, from.max_penetration);
   into.planes += from.planes;
-  merge(into.lost, from.lost);
 }
 
 template <int Dim>
@@ -149,10 +148,10 @@ void append_polygon(const Entities<Dim>& entities, const Section& section,
 template <int Dim>
 std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) const {
   const auto& own = *implementation_;
-  const auto& pairs = own.pairs.pairs();
+  const auto& reported = own.pairs.reported();
   std::map<std::pair<Label, Label>, std::size_t> place;
-  for (std::size_t p = 0; p < pairs.size(); ++p) place[pairs[p]] = p;
-  std::vector<PairSums> sums(pairs.size());
+  for (std::size_t p = 0; p < reported.size(); ++p) place[own.pairs.pairs()[reported[p]]] = p;
+  std::vector<PairSums> sums(reported.size());
   std::vector<Real> temperature;
   if (own.entities.nodes.warm) {
     temperature = own.entities.nodes.present_temperatures(own.surfaces);
@@ -167,7 +166,7 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     auto& sum = sums[known->second];
     // A body exerts no force on itself as a whole.
-    const Label told = own.pairs.told()[known->second];
+    const Label told = own.pairs.told(reported[known->second]);
     const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
     const Vec<Dim> force = force_of(nodes, whole);
     for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
@@ -192,26 +191,15 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
     if (first == second) return;
-    const Label told = own.pairs.told()[known->second];
+    const Label told = own.pairs.told(reported[known->second]);
     sums[known->second].through.add(flow.upper_body == told ? flow.through : -flow.through);
   });
-  for (const auto& contact : own.lost.all()) {
-    const auto known = place.find(std::minmax({contact.lower_body, contact.upper_body}));
-    if (known == place.end()) continue;
-    const auto is = [&](std::uint32_t how) { return contact.key.ordinal == how ? 1 : 0; };
-    LostReport one{is(kLetGo), is(kFromBehind), is(kCrossed), contact.time, contact.depth,
-                   {},         contact.key};
-    for (int c = 0; c < Dim; ++c) {
-      one.point[static_cast<std::size_t>(c)] = origin[c] + contact.point[c];
-    }
-    merge(sums[known->second].lost, one);
-  }
   own.ranks.all->reduce_all(std::span(sums),
                             [](PairSums& into, const PairSums& from) { merge(into, from); });
   std::vector<PairReport> reports;
   for (std::size_t p = 0; p < sums.size(); ++p) {
     auto& report = reports.emplace_back();
-    report.name = own.pairs.names()[p];
+    report.name = own.pairs.name(reported[p]);
     for (std::size_t c = 0; c < 3; ++c) {
       report.force[c] = sums[p].force[c].value();
       report.torque[c] = sums[p].torque[c].value();
@@ -227,9 +215,40 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     }
     report.max_penetration = sums[p].max_penetration;
     report.planes = sums[p].planes;
-    report.lost = sums[p].lost;
   }
   return reports;
+}
+
+template <int Dim>
+std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) const {
+  const auto& own = *implementation_;
+  std::map<std::size_t, LostReport> found;
+  for (const auto& contact : own.lost.all()) {
+    const auto pair = own.pairs.find(contact.lower_body, contact.upper_body);
+    if (!pair) continue;
+    const auto is = [&](std::uint32_t how) { return contact.key.ordinal == how ? 1 : 0; };
+    LostReport one{is(kLetGo), is(kFromBehind), is(kCrossed), contact.time, contact.depth,
+                   {},         contact.key};
+    for (int c = 0; c < Dim; ++c) {
+      one.point[static_cast<std::size_t>(c)] = origin[c] + contact.point[c];
+    }
+    merge(found[*pair], one);
+  }
+  Packer mine;
+  for (const auto& [pair, report] : found) mine << pair << report;
+  std::map<std::size_t, LostReport> of_all;
+  for (const Bytes& bytes : own.ranks.all->all_gather(mine.take())) {
+    Unpacker from(bytes);
+    while (!from.done()) {
+      std::size_t pair = 0;
+      LostReport report;
+      from >> pair >> report;
+      merge(of_all[pair], report);
+    }
+  }
+  std::vector<LostPair> lost;
+  for (const auto& [pair, report] : of_all) lost.push_back({own.pairs.name(pair), report});
+  return lost;
 }
 
 template <int Dim>
@@ -258,6 +277,8 @@ ContactView ContactManager<Dim>::view() const {
 
 template std::vector<PairReport> ContactManager<2>::reports(const Vec<2>&) const;
 template std::vector<PairReport> ContactManager<3>::reports(const Vec<3>&) const;
+template std::vector<LostPair> ContactManager<2>::lost_pairs(const Vec<2>&) const;
+template std::vector<LostPair> ContactManager<3>::lost_pairs(const Vec<3>&) const;
 template ContactView ContactManager<2>::view() const;
 template ContactView ContactManager<3>::view() const;
 

@@ -36,6 +36,8 @@ struct Facet {
   /// [1/kg] the most with which a free rigid body gives way to a force at one of its corners, of
   /// all directions, turning too; 0: its points move by themselves, or as told
   Real compliance = 0;
+  /// [1/kg] the same of the whole body, by area, on springs of all of its surface at once
+  Real mean_compliance = 0;
   bool open = false;  ///< of a surface with a rim: both of its sides can be touched
   /// Bit c: the surface ends at its edge from corner c to the next (2D: at corner c)
   std::uint8_t borders = 0;

@@ -20,9 +20,10 @@ ContactOptions named_options(const Deck& deck) {
   options.safety = deck.time.safety;
   for (const auto& [name, pair] : deck.contact.pairs) {
     const Label first = *label_of(deck, pair.between[0]);
-    for (Label other = 0; other < deck.bodies.size(); ++other) {
-      const bool any = pair.between[1] == "any";
-      if (!any && other != *label_of(deck, pair.between[1])) continue;
+    const bool any = pair.between[1] == "any";
+    const auto n = static_cast<Label>(deck.bodies.size());
+    const Label begin = any ? 0 : *label_of(deck, pair.between[1]);
+    for (Label other = begin; other < (any ? n : begin + 1); ++other) {
       const std::pair key{std::min(first, other), std::max(first, other)};
       if (any && options.pairs.count(key)) continue;  // a pair named in full has its own options
       options.pairs[key] = pair.options;
@@ -45,18 +46,26 @@ const PairOptions& options_of(const ContactOptions& options, Label a, Label b) {
 /// The smallest label of those that are bonded with each body, over any way.
 std::vector<Label> chains(const Deck& deck, const ContactOptions& options) {
   const auto n = static_cast<Label>(deck.bodies.size());
-  std::vector<Label> smallest(n);
-  for (Label b = 0; b < n; ++b) smallest[b] = b;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (Label a = 0; a < n; ++a) {
-      for (Label b = a + 1; b < n; ++b) {
-        if (smallest[a] == smallest[b] || !options_of(options, a, b).bonded) continue;
-        smallest[a] = smallest[b] = std::min(smallest[a], smallest[b]);
-        changed = true;
-      }
+  std::vector<Label> toward(n);  // a smaller label of the same chain, or itself
+  for (Label b = 0; b < n; ++b) toward[b] = b;
+  const auto smallest_of = [&](Label b) {
+    while (toward[b] != b) b = toward[b] = toward[toward[b]];
+    return b;
+  };
+  const auto join = [&](Label a, Label b) {
+    const auto [low, high] = std::minmax({smallest_of(a), smallest_of(b)});
+    toward[high] = low;
+  };
+  for (const auto& [pair, of_pair] : options.pairs) {
+    if (of_pair.bonded) join(pair.first, pair.second);
+  }
+  for (Label a = 0; options.fallback.bonded && a < n; ++a) {
+    for (Label b = a + 1; b < n; ++b) {
+      if (options_of(options, a, b).bonded) join(a, b);
     }
   }
+  std::vector<Label> smallest(n);
+  for (Label b = 0; b < n; ++b) smallest[b] = smallest_of(b);
   return smallest;
 }
 
@@ -95,9 +104,9 @@ ContactOptions contact_options(const Deck& deck) {
   ContactOptions options = named_options(deck);
   const auto chain = chains(deck, options);
   for (Label a = 0; a < chain.size(); ++a) {
+    if (std::count(chain.begin(), chain.end(), chain[a]) == 1) continue;
     for (Label b = a; b < chain.size(); ++b) {
-      const bool alone = std::count(chain.begin(), chain.end(), chain[a]) == 1;
-      if (chain[a] != chain[b] || alone) continue;
+      if (chain[a] != chain[b]) continue;
       auto pair = options_of(options, a, b);
       pair.bonded = true;
       options.pairs[{a, b}] = pair;
@@ -106,8 +115,16 @@ ContactOptions contact_options(const Deck& deck) {
   return options;
 }
 
+std::vector<Label> first_bonded(const Deck& deck) {
+  const auto& pairs = deck.contact.pairs;
+  const bool any = std::any_of(pairs.begin(), pairs.end(),
+                               [](const auto& pair) { return pair.value.options.bonded; });
+  // Asked for every body: without bonds the options of all pairs need not be put together.
+  return chains(deck, any || deck.contact.fallback.bonded ? named_options(deck) : ContactOptions{});
+}
+
 std::vector<Label> bonded_with(const Deck& deck, Label body) {
-  const auto chain = chains(deck, named_options(deck));
+  const auto chain = first_bonded(deck);
   std::vector<Label> bodies;
   for (Label b = 0; b < chain.size(); ++b) {
     if (chain[b] == chain[body]) bodies.push_back(b);

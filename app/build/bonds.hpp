@@ -10,6 +10,9 @@ namespace brunt {
 /// before it. What is bonded to the same body is bonded too.
 ContactOptions contact_options(const Deck& deck);
 
+/// By body, the smallest label of those that are bonded with it, over any way.
+std::vector<Label> first_bonded(const Deck& deck);
+
 /// Bodies whose particles share one sum with those of this one, ascending, itself among them; no
 /// other: the pieces of a body are sums of their own unless it is bonded to itself.
 std::vector<Label> bonded_with(const Deck& deck, Label body);

@@ -81,9 +81,14 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
           if constexpr (requires { kind.field; }) check_field(path, kind);
           if constexpr (requires { kind.column; }) {
             if (contains(columns, kind.column)) return;
-            problems.push_back(loaded.places.problem(
-                path + ".column",
-                "there is no column '" + kind.column + "'" + columns_like(kind.column, columns)));
+            std::string text = "there is no column '" + kind.column + "'";
+            if (kind.column.starts_with("contact.") && scene.contact &&
+                scene.contact->n_pairs() > kMostReportedPairs) {
+              text += "; with over " + std::to_string(kMostReportedPairs) +
+                      " pairs of bodies only those that `contact: {pairs: ...}` names have columns";
+            }
+            problems.push_back(
+                loaded.places.problem(path + ".column", text + columns_like(kind.column, columns)));
           }
         },
         named.value.kind);

@@ -1,6 +1,7 @@
 #include "app/build/rigid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <span>
@@ -64,17 +65,46 @@ void set_told_start(FreeBody<Dim>& made) {
   made.state.momentum = made.state.inertia * spin;
 }
 
+/// [1/kg] of the body on springs of all its faces. Of a quadrilateral four, of a triangle three,
+/// of an edge two places integrate squares exactly.
+template <int Dim>
+Real mean_compliance_of(const FreeBody<Dim>& made, const Points<Dim>& points,
+                        std::span<const Facet<Dim>> facets) {
+  SurfaceSprings springs;
+  for (const auto& facet : facets) {
+    const int n = facet.n_nodes();
+    std::array<Vec3, Facet<Dim>::kNodes> arm;
+    Vec3 middle = Vec3::Zero();
+    for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
+      arm[c] = -made.center;
+      arm[c].template head<Dim>() += points.x_start[static_cast<std::size_t>(facet.node[c])];
+      middle += arm[c] / n;
+    }
+    const Real area = Dim == 2 ? (arm[1] - arm[0]).norm()
+                      : n == 3 ? 0.5 * (arm[1] - arm[0]).cross(arm[2] - arm[0]).norm()
+                               : 0.5 * (arm[2] - arm[0]).cross(arm[n - 1] - arm[1]).norm();
+    const Real toward = n == 3 ? 0.5 : 1 / std::sqrt(3.0);  // the corners, from the middle
+    for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
+      springs.add(middle + toward * (arm[c] - middle), area / n);
+    }
+  }
+  return springs.compliance(made.state.mass, made.state.inverse_inertia);
+}
+
 /// What contact needs to know of the faces.
 template <int Dim>
 void set_facets(const Material& material, const MassProperties& properties,
                 const FreeBody<Dim>& made, const Points<Dim>& points,
                 std::span<Facet<Dim>> facets) {
   const Real h = 2 * properties.volume / properties.area;
+  const Real mean =
+      made.turns ? mean_compliance_of<Dim>(made, points, facets) : 1 / made.state.mass;
   for (auto& facet : facets) {
     facet.stiffness = (material.bulk + 4.0 / 3 * material.shear) / h;
     facet.areal_mass = properties.mass / properties.area;
     facet.depth = 0.5 * h;
     facet.compliance = 1 / made.state.mass;
+    facet.mean_compliance = mean;
     for (int c = 0; c < facet.n_nodes() && made.turns; ++c) {
       const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
       Vec3 arm = -made.center;

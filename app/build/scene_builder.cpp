@@ -122,10 +122,9 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
                                             deck.depth);
   for (const auto& body : deck.bodies) {
-    const auto label = static_cast<Label>(scene->body_names.size());
     scene->body_names.push_back(body.name);
-    scene->sum_of_body.push_back(bonded_with(deck, label).front());
   }
+  scene->sum_of_body = first_bonded(deck);
   scene->materials = make_materials(deck);
   for (const auto& body : bodies) {
     if (body.left_out == 0) continue;
@@ -164,6 +163,11 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     for (auto& solid : scene->solids) surfaces.push_back(&solid->surface());
     scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
                                                            scene->body_names, deck.depth);
+    if (scene->contact->n_pairs() > kMostReportedPairs) {
+      scene->notes.push_back(std::to_string(scene->contact->n_pairs()) +
+                             " pairs of bodies may touch: history.csv has columns of those that "
+                             "`contact: {pairs: ...}` names");
+    }
   }
   add_watches(loaded, *scene, problems);
   check_measures(loaded, *scene, problems);

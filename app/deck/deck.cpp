@@ -47,8 +47,10 @@ void describe(Schema& s, Contact& contact) {
   s.object({"default", "what holds for all pairs that say nothing else"}, contact.fallback);
   ContactPair initial;
   initial.options = contact.fallback;
-  s.named({"pairs", "options of pairs of bodies, by a name of their own"}, contact.pairs, false,
-          initial);
+  s.named({"pairs",
+           "options of pairs of bodies, by a name of their own; in scenes of over 1000 pairs these "
+           "alone have columns in history.csv"},
+          contact.pairs, false, initial);
   s.choice({"search", "how pairs are found; the answer is the same"}, contact.search, kSearches);
   s.real_or_word({"skin", "how far lists reach beyond contact; the answer is the same"},
                  contact.skin, {"m", at_least(0)}, "auto");

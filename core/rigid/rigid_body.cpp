@@ -73,4 +73,24 @@ Real compliance_at(const Vec3& arm, Real mass, const Mat3& inverse_inertia) {
   return 1 / mass + Eigen::SelfAdjointEigenSolver<Mat3>(symmetric).eigenvalues()[2];
 }
 
+void SurfaceSprings::add(const Vec3& arm, Real area) {
+  Eigen::Matrix<Real, 3, 6> motion = Eigen::Matrix<Real, 3, 6>::Zero();
+  motion.leftCols<3>().setIdentity();
+  motion.rightCols<3>() << 0, arm[2], -arm[1], -arm[2], 0, arm[0], arm[1], -arm[0], 0;
+  sum_ += area * motion.transpose() * motion;
+  area_ += area;
+}
+
+Real SurfaceSprings::compliance(Real mass, const Mat3& inverse_inertia) const {
+  Eigen::Matrix<Real, 6, 6> root = Eigen::Matrix<Real, 6, 6>::Zero();
+  root.topLeftCorner<3, 3>() = Mat3::Identity() / std::sqrt(mass);
+  root.bottomRightCorner<3, 3>() =
+      Eigen::SelfAdjointEigenSolver<Mat3>(inverse_inertia).operatorSqrt();
+  const Eigen::Matrix<Real, 6, 6> all = root * sum_ * root,
+                                  symmetric = 0.5 * (all + all.transpose());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 6, 6>>(symmetric, Eigen::EigenvaluesOnly)
+             .eigenvalues()[5] /
+         area_;
+}
+
 }  // namespace brunt

@@ -49,4 +49,19 @@ Vec3 rotation_vector(const Eigen::Quaternion<Real>& turn);
 /// from its centre: 1/m + the largest eigenvalue of [r]^T I^-1 [r].
 Real compliance_at(const Vec3& arm, Real mass, const Mat3& inverse_inertia);
 
+/// Integrals over the surface of a free body of what springs alike in all directions do to it, from
+/// places with their areas: [1, -[r]; [r], -[r][r]] of arms r from the centre.
+class SurfaceSprings {
+ public:
+  /// arm [m];  area [m^2]
+  void add(const Vec3& arm, Real area);
+  /// [1/kg] largest eigenvalue of M^-1 K of springs of 1 Pa/m, by area: springs k on all of its
+  /// surface A have a frequency^2 of k A times that at most.
+  Real compliance(Real mass, const Mat3& inverse_inertia) const;
+
+ private:
+  Real area_ = 0;
+  Eigen::Matrix<Real, 6, 6> sum_ = Eigen::Matrix<Real, 6, 6>::Zero();
+};
+
 }  // namespace brunt

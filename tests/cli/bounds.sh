@@ -86,4 +86,20 @@ deck "method: fe, cells: [10, 10, 10], $box" >thousand.yaml
 bounded 2 one-less.yaml 'max_cells, 999'
 { cat thousand.yaml; echo 'max_cells: 1000'; } >just.yaml
 bounded 0 just.yaml
+
+# Many bodies: what 1,000 need grows with their number, not with that of their pairs.
+{ printf 'geometry: plane-strain\ndepth: 1 m\ntime: {end: 0.1 us}\nheat: off\n'
+  printf 'materials: {m: {density: 7850, elastic: {E: 200 GPa, nu: 0.3}}}\nbodies:\n'
+  seq 0 999 | awk '{ x = 2 * ($1 % 40); y = 2 * int($1 / 40)
+    printf "  b%d: {method: fe, material: m, size: 1 mm, velocity: [%d m/s, 0], ", $1, $1 % 2
+    printf "shape: {box: {min: [%d mm, %d mm], max: [%d mm, %d mm]}}}\n", x, y, x + 1, y + 1 }'
+  printf 'contact: {pairs: {first: {between: [b0, b1], friction: 0.1}}}\n'; } >many.yaml
+bounded 0 many.yaml
+limit=60 expect 0 bash -c 'ulimit -v "$1"; exec "$2" run many.yaml --quiet' _ $space "$brunt"
+# Half a million pairs of bodies: history.csv tells of the one that the deck names.
+columns=$(head -n 1 many.out/history.csv | tr , '\n' | grep '^contact\.' | cut -d. -f2 | sort -u)
+[ "$columns" = first ] || fail "columns of contact: $columns"
+grep -q '499500 pairs of bodies may touch' many.out/log.txt || fail "the log does not say of whom"
+echo 'measures: {push: {history: {column: contact.b2-b3.force.x, reduce: max}}}' >>many.yaml
+bounded 2 many.yaml 'over 1000 pairs'
 echo "all good"

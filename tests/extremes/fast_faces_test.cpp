@@ -11,7 +11,9 @@
 // linear. The first step from before a face into it, dx, of which g is inside, does k g dx/2
 // instead of k g^2/2: k dx^2/8 too much at most. On linear springs dx <= 0.83 v h/c (phi = 1/2), k
 // = M/4h: 0.021 rho h v^2 of the rho n h v^2/4 that two bodies of n elements lose: 8.6 %/n. Faster
-// ones go g0/2 a step, and their remainder falls with v^2.
+// ones go g0/2 a step, and their remainder falls with v^2. Beside a rigid body the spring is that
+// of the elements alone, M/2h: of a free one that is as heavy twice the share, 17.2 %/n; of a held
+// one, at which twice as much is lost, the same.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -186,7 +188,7 @@ TEST(FastFaces, HoldARigidBody) {
     const auto run = meet(deck, mach, {"time.end=0.6 ms"});
     ASSERT_EQ(run.failure, "") << mach;
     EXPECT_LT(run.last("body.standing.velocity.y"), run.last("body.flying.velocity.y")) << mach;
-    expect_small_remainder(run, 0.086 / 6);
+    expect_small_remainder(run, 0.172 / 6);
   }
   const std::string wall = R"(
 geometry: plane-strain

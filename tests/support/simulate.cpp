@@ -113,8 +113,8 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
     result.bodies[scene->body_names[b]] = scene->view(static_cast<Label>(b));
   }
   if (scene->contact) {
-    for (const auto& pair : scene->contact->reports(scene->origin)) {
-      if (pair.lost.any()) result.lost[pair.name] = pair.lost;
+    for (const auto& pair : scene->contact->lost_pairs(scene->origin)) {
+      result.lost[pair.name] = pair.lost;
     }
   }
   result.steps = clock.step();

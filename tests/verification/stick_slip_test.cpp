@@ -26,7 +26,7 @@ damping: {rate: 200 1/s, until: 0.2 s}
 contact:
   default: {friction: 0.3, damping: 0.5}
   pairs:
-    spring: {between: [block, sled], friction: 2, stiffness: 0.01}
+    spring: {between: [block, sled], friction: 2, stiffness: 0.005}
 output: {history: 5 ms}
 )";
 const char* const kInPlane = R"(

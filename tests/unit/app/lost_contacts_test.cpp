@@ -7,9 +7,9 @@
 namespace brunt {
 namespace {
 
-PairReport pair_with(const std::string& name, std::int64_t let_go, std::int64_t from_behind,
-                     ContactKey key, std::int64_t crossed = 0) {
-  PairReport pair;
+LostPair pair_with(const std::string& name, std::int64_t let_go, std::int64_t from_behind,
+                   ContactKey key, std::int64_t crossed = 0) {
+  LostPair pair;
   pair.name = name;
   pair.lost = {let_go, from_behind, crossed, 12.5e-6, 1.02e-3, {1e-3, -2e-3, 3e-3}, key};
   return pair;

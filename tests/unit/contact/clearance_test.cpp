@@ -28,7 +28,8 @@ struct Beside {
     scene.add_particle(scene.add_group(), x, kRadius, 1e9, 1);
     for (auto& group : scene.groups) surfaces.push_back(&group.surface);
     const PairTable pairs(scene.options, surfaces, {"face", "particle"});
-    entities = std::make_unique<Entities<3>>(surfaces, pairs, Section{}, ContactRanks{});
+    entities =
+        std::make_unique<Entities<3>>(surfaces, pairs, Section{}, ContactRanks{}, RigidSprings{});
     entities->refresh_planes();
   }
   Clearance clearance() const { return clearance_of(*entities, entities->particles[0], 0); }

@@ -38,7 +38,8 @@ Vec<Dim> along(int axis, Real way) {
 
 template <int Dim>
 LostReport lost(const ContactScene<Dim>& scene) {
-  return scene.contact->reports().at(0).lost;
+  const auto pairs = scene.contact->lost_pairs();
+  return pairs.empty() ? LostReport{} : pairs.at(0).lost;
 }
 
 /// Two sheets of elements that face each other, the second `deep` in the first and `aside`.

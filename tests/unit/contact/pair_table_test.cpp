@@ -30,7 +30,9 @@ TEST(PairTable, RigidBodiesAndSinglePiecesDoNotTouchThemselves) {
   const Pairs expected = {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 3}, {1, 4}, {2, 4}, {3, 4}};
   const PairTable pairs = table(scene);
   EXPECT_EQ(pairs.pairs(), expected);
-  EXPECT_EQ(pairs.names()[0], "a-b");
+  EXPECT_EQ(pairs.name(0), "a-b");
+  EXPECT_EQ(pairs.find(4, 3), 8u);
+  EXPECT_EQ(pairs.find(2, 3), std::nullopt);
 }
 
 TEST(PairTable, OptionsOfTheDeckComeFirst) {
@@ -40,7 +42,7 @@ TEST(PairTable, OptionsOfTheDeckComeFirst) {
   scene.options.pair_names[{1, 4}] = "shot";
   const PairTable pairs = table(scene);
   EXPECT_EQ(pairs.pairs(), (Pairs{{1, 4}}));
-  EXPECT_EQ(pairs.names()[0], "shot");
+  EXPECT_EQ(pairs.name(0), "shot");
   EXPECT_EQ(pairs.of(4, 1).stiffness, 2.0);
   EXPECT_TRUE(pairs.of(0, 1).ignore);
   EXPECT_EQ(pairs.strongest(4).damping, 0.3);
