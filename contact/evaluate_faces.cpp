@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/crossing.hpp"
 #include "contact/evaluate.hpp"
 #include "contact/face_votes.hpp"
 
@@ -54,6 +55,21 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
   if (pressed < kSliver * smaller) return;
   part.lost.push_back(
       {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
+}
+
+/// Notes two faces that go through each other deeper than contacts are held, though nothing here
+/// pushes them apart.
+template <int Dim>
+void note_crossing(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   typename Records<Dim>::Part& part) {
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  Crossing<Dim> found;
+  if (!entities.boxes[l].meets(entities.boxes[u])) return;
+  if (!find_crossing(entities.planes[l], entities.planes[u], candidate.limit, found)) return;
+  const auto &lower = entities.faces[l], &upper = entities.faces[u];
+  part.lost.push_back(
+      {{0, kCrossed, lower.id, upper.id}, lower.body, upper.body, 0, found.depth, found.point});
 }
 
 /// True where the faces were beyond their limit at the last evaluation, where they are deepest, by
@@ -311,6 +327,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     }
     touch.key = {0, 0, first, second};
     if (touch.matters()) part.face_touches.push_back(touch);
+    const bool free = part.face_on_face.size() == ends.record && !touch.matters();
+    if (free) note_crossing<Dim>(entities, candidate, part);
     if (candidate.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }
