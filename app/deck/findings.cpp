@@ -34,6 +34,11 @@ bool Findings::stands(const std::string& path) const { return places_.has(path);
 
 int Findings::line(const std::string& path) const { return places_.place(path).line; }
 
+bool Findings::warned(const std::string& path) const {
+  return std::any_of(warnings_.begin(), warnings_.end(),
+                     [&](const DeckProblem& warning) { return related(warning.path, path); });
+}
+
 void Findings::also_wrong(const std::string& path) { also_wrong_.push_back(path); }
 
 bool Findings::sound(const std::string& path) const {

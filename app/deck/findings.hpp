@@ -21,6 +21,8 @@ class Findings {
   /// False where something at, below or above the key could not be read: its values are then
   /// defaults, and nothing can be said of them.
   bool sound(const std::string& path) const;
+  /// True where a warning was given of the key, or of one below it.
+  bool warned(const std::string& path) const;
   /// True where the key itself stands in the deck.
   bool stands(const std::string& path) const;
   /// The line of the key in its file.
