@@ -46,9 +46,8 @@ int explain_command(const std::string& key) {
 }
 
 int schema_command(bool markdown) {
-  const KeyInfo root = deck::deck_keys();
-  const std::string text = markdown ? manual_text(root, "The keys of a deck")
-                                    : json_schema_text(root, "A deck of brunt");
+  const std::string text = markdown ? manual_text(deck::deck_keys(), "The keys of a deck")
+                                    : json_schema_text(deck::schema_keys(), "A deck of brunt");
   std::fputs(text.c_str(), stdout);
   return kDone;
 }
