@@ -293,6 +293,29 @@ const KeyInfo* find_below(const KeyInfo& key, const std::vector<std::string>& pa
 
 }  // namespace
 
+namespace {
+void collect_paths(const KeyInfo& key, const std::string& path, std::vector<std::string>& all) {
+  for (const KeyInfo& child : key.children) {
+    if (child.bare) continue;
+    std::string below = path;
+    if (!child.in_line) {
+      below += (path.empty() ? "" : ".") + child.name;
+      all.push_back(below);
+    }
+    const bool named = child.type == KeyInfo::Type::named;
+    collect_paths(child, named ? below + ".NAME" : below, all);
+  }
+}
+}  // namespace
+
+std::vector<std::string> paths_ending_in(const KeyInfo& root, const std::string& tail) {
+  std::vector<std::string> all;
+  collect_paths(root, "", all);
+  std::erase_if(
+      all, [&](const std::string& path) { return path != tail && !path.ends_with("." + tail); });
+  return all;
+}
+
 const KeyInfo* find_key(const KeyInfo& root, const std::string& path) {
   std::vector<std::string> parts;
   for (std::size_t from = 0; from <= path.size() && !path.empty();) {

@@ -63,6 +63,10 @@ std::string type_text(const KeyInfo& key);
 /// or be left out. Null where there is none.
 const KeyInfo* find_key(const KeyInfo& root, const std::string& path);
 
+/// Paths of all keys that end in these parts: "contact.default.friction" and
+/// "contact.pairs.NAME.friction" for "friction".
+std::vector<std::string> paths_ending_in(const KeyInfo& root, const std::string& tail);
+
 /// The reference manual of all keys in Markdown.
 std::string manual_text(const KeyInfo& root, const std::string& title);
 /// A JSON schema (draft 7), for completion in editors.

@@ -60,8 +60,7 @@ measures:
 
 std::vector<std::string> told(const std::string& text) {
   std::vector<DeckProblem> problems;
-  const LoadedDeck loaded =
-      deck::DeckLoader().read(read_deck_source(text, "deck"), {}, problems);
+  const LoadedDeck loaded = deck::DeckLoader().read(read_deck_source(text, "deck"), {}, problems);
   if (!problems.empty()) {
     add_build_problems(loaded, problems);
   } else {
