@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/errors.hpp"
+#include "fe/shape_guard.hpp"
 
 namespace brunt {
 namespace {
@@ -81,6 +82,7 @@ void measure_elements(const Points<Dim>& points, const Thickness& thickness,
   block.element_volume.resize(padded);
   block.reference_size.resize(padded);
   block.mass.resize(padded);
+  if (block.material->yields()) block.guard_reach.resize(padded);
   for (LocalIndex e = 0; e < block.n_padded; ++e) {
     const auto x = corner_positions(block, e, points);
     const auto part = gauss_volumes<Dim>(x, thickness);
@@ -93,6 +95,7 @@ void measure_elements(const Points<Dim>& points, const Thickness& thickness,
     block.mass[e] = block.material->density * exact;
     const Real size = Dim == 3 ? volume : element_volume<Dim>(x, true, Thickness{1, 0});
     block.reference_size[e] = Dim == 3 ? std::cbrt(size) : std::sqrt(size);
+    if (!block.guard_reach.empty()) block.guard_reach[e] = guard_reach<Dim>(x);
     for (int g = 0; g < block.gauss; ++g) {
       block.reference_volume[block.point(e, g)] = block.gauss == 1 ? volume : part[g];
     }
