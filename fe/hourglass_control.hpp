@@ -62,9 +62,10 @@ BRUNT_INLINE void set_hourglass_forces(const OnePointConfiguration<Dim>& at,
   }
 }
 
-/// Largest Q/q [N/m] that takes from nodes of this element no more in a step than is stable: mass of
-/// a corner over dt^2 gamma^2. In crushed and skewed elements gamma has parts along the linear modes
-/// that are larger than it: gamma^2 <= 1 + sum (grad h)^2 (mode)^2 <= 1 + |B B/V^2| sum mode^2.
+/// Largest Q/q [N/m] that takes from nodes of this element no more in a step than is stable: mass
+/// of a corner over dt^2 gamma^2. In crushed and skewed elements gamma has parts along the linear
+/// modes that are larger than it: gamma^2 <= 1 + sum (grad h)^2 (mode)^2 <= 1 + |B B/V^2| sum
+/// mode^2.
 template <int Dim>
 BRUNT_INLINE Pack most_rate_stiffness(const OnePointLane<Dim>& lane, const OnePointWork<Dim>& w) {
   constexpr Real corners = Shape<Dim>::kCorners;
