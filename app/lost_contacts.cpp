@@ -29,6 +29,12 @@ std::string lost_text(const LostPair& pair, int dim) {
     return "faces came " + depth + " into each other and let go at " + where +
            ": the bodies go through each other there;" + remedy;
   }
+  if (lost.key.ordinal == kCrossed) {
+    return "faces came " + depth + " through each other at " + where +
+           ": an edge or corner of one body is inside the other, where no faces oppose each other "
+           "and nothing pushes it out; try blunter edges, finer elements, or a higher contact "
+           "`stiffness`";
+  }
   return "faces that had gone through each other came back to " + depth + " at " + where +
          ": elements have folded, or let go before, and feel each other again once they have "
          "opened;" +
@@ -37,8 +43,9 @@ std::string lost_text(const LostPair& pair, int dim) {
 
 std::string lost_count_text(const LostPair& pair) {
   const auto& lost = pair.lost;
-  return "in all " + std::to_string(lost.let_go) + " contacts let go, and " +
-         std::to_string(lost.from_behind) + " came back";
+  return "in all " + std::to_string(lost.let_go) + " contacts let go, " +
+         std::to_string(lost.from_behind) + " came back, and " + std::to_string(lost.crossed) +
+         " faces went through each other without a push";
 }
 
 std::vector<std::string> LostContactWarnings::take(const std::vector<LostPair>& pairs) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/crossing.hpp"
 #include "contact/evaluate.hpp"
 #include "contact/face_votes.hpp"
 
@@ -56,16 +57,69 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
       {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
 }
 
-/// True where the faces were beyond their limit at the last evaluation, where they are deepest, by
-/// the way of the step: they have gone through each other elsewhere, or where they did not face
-/// each other, and would begin at the top of their barrier. Those that meet from before push first
-/// where they touch, those that turn to each other or come over each other where their pressure
-/// fades in. What has come out as far as the barrier's onset has nothing left to be spared.
+/// Notes two faces that go through each other deeper than contacts are held, though nothing here
+/// pushes them apart.
+template <int Dim>
+void note_crossing(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   typename Records<Dim>::Part& part) {
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  Crossing<Dim> found;
+  if (!entities.boxes[l].meets(entities.boxes[u])) return;
+  if (!find_crossing(entities.planes[l], entities.planes[u], candidate.limit, found)) return;
+  const auto &lower = entities.faces[l], &upper = entities.faces[u];
+  part.lost.push_back(
+      {{0, kCrossed, lower.id, upper.id}, lower.body, upper.body, 0, found.depth, found.point});
+}
+
+/// A face as it was at the last evaluation.
+template <int Dim>
+FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real dt) {
+  const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  FacePlane<Dim> plane = entities.planes[static_cast<std::size_t>(place)];
+  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    plane.corner[c] -= dt * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+  }
+  refresh(plane);
+  return plane;
+}
+
+/// The fastest of the corners of two faces against one of them [m/s].
+template <int Dim>
+Real fastest_corner(const Entities<Dim>& entities, const FaceCandidate& candidate) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const Vec<Dim>& from = entities.nodes.v[static_cast<std::size_t>(lower.node[0])];
+  Real squared = 0;
+  for (const LocalIndex place : {candidate.lower, candidate.upper}) {
+    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      const Vec<Dim>& v = entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+      squared = std::max(squared, (v - from).squaredNorm());
+    }
+  }
+  return std::sqrt(squared);
+}
+
+/// True where the faces were beyond their limit at the last evaluation, at the centre of pressure
+/// that they had then, as those that let go are: they have gone through each other elsewhere, or
+/// where they did not face each other, and would begin at the top of their barrier. Those that meet
+/// from before push first where they touch, those that turn to each other or come over each other
+/// where their pressure fades in. What has come out as far as the barrier's onset has nothing left
+/// to be spared.
 template <int Dim>
 bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                       const CommonPlane<Dim>& plane, Real dt) {
+                       const CommonPlane<Dim>& plane, const Section& section, Real dt) {
   if (plane.deepest <= plane.barrier.onset) return false;
-  return plane.deepest - closing_speed(entities, candidate, plane) * dt > candidate.limit;
+  // Both faces may have moved: most pairs cannot have been as deep.
+  if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.limit) return false;
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
+                                   before_step(entities, candidate.upper, dt), section, planes,
+                                   {.barrier = candidate.barrier()});
+  for (int i = 0; i < n; ++i) {
+    if (planes[static_cast<std::size_t>(i)].penetration > candidate.limit) return true;
+  }
+  return false;
 }
 
 template <int Dim>
@@ -209,6 +263,19 @@ Real deepest_of(const Planes<Dim>& planes, int n) {
   return deepest;
 }
 
+/// The first of planes 0 .. n - 1 that comes from behind; nullptr where none does.
+template <int Dim>
+const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                                    const Planes<Dim>& planes, int n, const Section& section,
+                                    Real dt) {
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.penetration > candidate.limit) continue;
+    if (comes_from_behind(entities, candidate, plane, section, dt)) return &plane;
+  }
+  return nullptr;
+}
+
 /// True where a bond opens beyond its strength.
 template <int Dim>
 bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
@@ -269,9 +336,17 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     } else if (const auto* before = step.touches.before->of_faces(first, second)) {
       touch = *before;
     }
-    const int n = step.touches.time_zero && !candidate.presses
-                      ? 0
-                      : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
+    int n = step.touches.time_zero && !candidate.presses
+                ? 0
+                : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
+    if (!touch.matters()) {
+      if (const auto* plane = from_behind(entities, candidate, planes, n, section, step.dt)) {
+        touch.overlap = deepest_of<Dim>(planes, n);
+        // An overlap that came in over borders is held by the faces beside it.
+        if (plane->fade > 0.5) note_lost(entities, candidate, *plane, kFromBehind, part);
+        n = 0;  // of all planes, or a repeated evaluation would find others than this one
+      }
+    }
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
@@ -284,11 +359,6 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
         }
         continue;
       }
-      if (comes_from_behind(entities, candidate, plane, step.dt) && !touch.matters()) {
-        touch.overlap = deepest_of<Dim>(planes, n);
-        note_lost(entities, candidate, plane, kFromBehind, part);
-        break;
-      }
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
       if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
@@ -297,6 +367,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     }
     touch.key = {0, 0, first, second};
     if (touch.matters()) part.face_touches.push_back(touch);
+    const bool free = part.face_on_face.size() == ends.record && !touch.matters();
+    if (free) note_crossing<Dim>(entities, candidate, part);
     if (candidate.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }

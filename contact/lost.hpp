@@ -8,13 +8,14 @@
 namespace brunt {
 
 /// How a contact was lost.
-inline constexpr std::uint32_t kLetGo = 0, kFromBehind = 1;
+inline constexpr std::uint32_t kLetGo = 0, kFromBehind = 1, kCrossed = 2;
 
-/// A contact that did not keep its bodies apart: it let go, since it was deeper than it is held, or
-/// its faces come back from beyond that, and are left alone until they have opened.
+/// A contact that did not keep its bodies apart: it let go, since it was deeper than it is held;
+/// its faces come back from beyond that, and are left alone until they have opened; or they go
+/// through each other deeper than that where they do not oppose each other (contact/crossing.hpp).
 template <int Dim>
 struct LostContact {
-  ContactKey key;  ///< as of its record; its ordinal is one of these two
+  ContactKey key;  ///< as of its record; its ordinal is one of these
   Label lower_body = 0, upper_body = 0;
   Real time = 0;                      ///< [s]
   Real depth = 0;                     ///< [m]
@@ -48,11 +49,12 @@ class LostContacts {
 struct LostReport {
   std::int64_t let_go = 0;       ///< deeper in each other than contacts are held
   std::int64_t from_behind = 0;  ///< of faces that came back from beyond that
+  std::int64_t crossed = 0;      ///< of faces that went through each other and did not push
   Real time = kInfinity;         ///< [s]
   Real depth = 0;                ///< [m]
   std::array<Real, 3> point{};   ///< [m]
   ContactKey key;                ///< its ordinal tells how
-  bool any() const { return let_go + from_behind > 0; }
+  bool any() const { return let_go + from_behind + crossed > 0; }
 };
 
 }  // namespace brunt

@@ -41,8 +41,9 @@ struct PairSums {
 void merge(LostReport& into, const LostReport& from) {
   const std::int64_t let_go = into.let_go + from.let_go;
   const std::int64_t from_behind = into.from_behind + from.from_behind;
+  const std::int64_t crossed = into.crossed + from.crossed;
   if (std::tie(from.time, from.key) < std::tie(into.time, into.key)) into = from;
-  into.let_go = let_go, into.from_behind = from_behind;
+  into.let_go = let_go, into.from_behind = from_behind, into.crossed = crossed;
 }
 
 void merge(PairSums& into, const PairSums& from) {
@@ -225,11 +226,12 @@ std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) co
   for (const auto& contact : own.lost.all()) {
     const auto pair = own.pairs.find(contact.lower_body, contact.upper_body);
     if (!pair) continue;
-    LostReport one{0, 0, contact.time, contact.depth, {}, contact.key};
+    const auto is = [&](std::uint32_t how) { return contact.key.ordinal == how ? 1 : 0; };
+    LostReport one{is(kLetGo), is(kFromBehind), is(kCrossed), contact.time, contact.depth,
+                   {},         contact.key};
     for (int c = 0; c < Dim; ++c) {
       one.point[static_cast<std::size_t>(c)] = origin[c] + contact.point[c];
     }
-    ++(contact.key.ordinal == kLetGo ? one.let_go : one.from_behind);
     merge(found[*pair], one);
   }
   Packer mine;

@@ -205,6 +205,7 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
         state.artificial_work += 0.5 * dt * volume * sums.artificial_power;
         state.speed = sums.speed;
         state.mu = sums.mu;
+        find_spread(block, i);
       });
     });
   }

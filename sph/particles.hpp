@@ -12,6 +12,7 @@
 #include "sph/options.hpp"
 #include "sph/pair_sums.hpp"
 #include "sph/records.hpp"
+#include "sph/spread.hpp"
 
 namespace brunt {
 
@@ -47,6 +48,7 @@ struct ParticleState {
   Real speed = 0;                                ///< [m/s] max |v_ij| over neighbours
   Real mu = 0;                                   ///< [m/s] max |mu_ij| over neighbours
   Real viscous_power = 0;                        ///< [W] half of what its pairs dissipate
+  InverseSpread spread;                          ///< where gradients are steep; else 0
   Vec<Dim> stress_force = Vec<Dim>::Zero();      ///< [N] last added, by channel
   Vec<Dim> viscous_force = Vec<Dim>::Zero();     ///< [N]
   Vec<Dim> artificial_force = Vec<Dim>::Zero();  ///< [N]
@@ -134,6 +136,7 @@ class SphParticles final : public Solid<Dim> {
   void add_slot(const ParticleBlock& block, std::size_t slot, Totals<Dim>& totals) const;
   void add_tension(const ParticleBlock& block, std::size_t i, BodySums<Dim>& body) const;
   void seed_votes();
+  void find_spread(const ParticleBlock& block, LocalIndex i);
   void set_capacities();
   void vary_capacities();
   void start_conduction();

@@ -25,7 +25,8 @@ void visit_particle(Row& row, State& state) {
   for (auto& value : state.velocity_gradient) row(value);
   for (auto& value : state.correction) row(value);
   for (auto* value : {&state.spacing, &state.start_volume, &state.ratio, &state.volume,
-                      &state.sound_speed, &state.speed, &state.mu, &state.viscous_power}) {
+                      &state.sound_speed, &state.speed, &state.mu, &state.viscous_power,
+                      &state.spread.trace, &state.spread.largest}) {
     row(*value);
   }
   row(state.stress_force);

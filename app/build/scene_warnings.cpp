@@ -3,14 +3,13 @@
 #include <functional>
 
 #include "app/build/scene_checks.hpp"
+#include "app/build/suspicious.hpp"
 #include "app/deck/findings.hpp"
 #include "app/place.hpp"
 
 namespace brunt {
 
 namespace {
-using Warn = std::function<void(const std::string& path, const std::string& what)>;
-
 template <int Dim>
 void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn_at) {
   if (!scene.contact) return;
@@ -63,9 +62,14 @@ template <int Dim>
 void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
                    std::vector<DeckProblem>& warnings) {
   const auto warn = [&](const std::string& path, const std::string& what) {
+    // A value that was doubted when it was read has been told.
+    const auto doubted = [&](const DeckProblem& one) { return one.path == path; };
+    if (std::any_of(loaded.warnings.begin(), loaded.warnings.end(), doubted)) return;
     warnings.push_back(loaded.places.problem(path, what));
     if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
   };
+  warn_of_sizes(loaded, scene, warn);
+  warn_of_missed_aims(loaded, scene, warn);
   warn_of_contact(loaded, scene, warn);
   warn_of_places(loaded, scene, warn);
   if (loaded.deck.time.heat_every > 1 && !scene.conducts()) {

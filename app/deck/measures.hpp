@@ -80,6 +80,8 @@ struct Measure {
 
 /// The SI unit of a field such as "stress.xx", or null where no such field exists.
 const char* unit_of_field(const std::string& field);
+/// What is wrong with a field that is none, and those that are.
+std::string field_problem(const std::string& field);
 /// The SI unit of a measure's value: "m", "K"; "any" for expressions and unknown columns.
 const char* unit_of(const Measure& measure);
 

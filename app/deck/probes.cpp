@@ -11,8 +11,7 @@ void describe(Schema& s, Probe& probe) {
        Need::required},
       probe.fields, 0);
   for (const std::string& field : probe.fields) {
-    s.require(unit_of_field(field) != nullptr, "fields",
-              "'" + field + "' is not a number at a point; write a component: stress.xx");
+    s.require(unit_of_field(field) != nullptr, "fields", field_problem(field));
   }
 }
 

@@ -8,10 +8,10 @@ namespace brunt {
 namespace {
 
 LostPair pair_with(const std::string& name, std::int64_t let_go, std::int64_t from_behind,
-                   ContactKey key) {
+                   ContactKey key, std::int64_t crossed = 0) {
   LostPair pair;
   pair.name = name;
-  pair.lost = {let_go, from_behind, 12.5e-6, 1.02e-3, {1e-3, -2e-3, 3e-3}, key};
+  pair.lost = {let_go, from_behind, crossed, 12.5e-6, 1.02e-3, {1e-3, -2e-3, 3e-3}, key};
   return pair;
 }
 
@@ -32,8 +32,19 @@ TEST(LostContactWarnings, TellOfEachPairOnce) {
   EXPECT_TRUE(has(second[0], "a-c: faces that had gone through each other")) << second[0];
   const auto all = warnings.all();
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_TRUE(has(all.at("a-b"), "5 contacts let go, and 2 came back")) << all.at("a-b");
-  EXPECT_TRUE(has(all.at("a-c"), "0 contacts let go, and 1 came back")) << all.at("a-c");
+  EXPECT_TRUE(has(all.at("a-b"), "5 contacts let go, 2 came back, and 0 faces went"))
+      << all.at("a-b");
+  EXPECT_TRUE(has(all.at("a-c"), "0 contacts let go, 1 came back, and 0 faces went"))
+      << all.at("a-c");
+}
+
+TEST(LostContactWarnings, TellOfEdgesThatCross) {
+  LostContactWarnings warnings(3);
+  const auto told = warnings.take({pair_with("a-b", 0, 0, {0, kCrossed, 1, 2}, 3)});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(has(told[0], "a-b: faces came 1.02 mm through each other at t")) << told[0];
+  const auto all = warnings.all();
+  EXPECT_TRUE(has(all.at("a-b"), "3 faces went through each other without a push"));
 }
 
 TEST(LostContactWarnings, NameParticlesAndAsManyCoordinatesAsThereAre) {
