@@ -199,6 +199,16 @@ Real element_volume(const Corners<Dim>& x, bool one_point, const Thickness& thic
 }
 
 template <int Dim>
+Real one_point_volume(const Corners<Dim>& x, const Thickness& thickness) {
+  const Modal<Dim, Real> modes = modes_at<Dim>(x);
+  Real E[Shape<Dim>::kActive][Dim];
+  volume_gradient(modes, E);
+  const Real size = measure<Dim, Real>(modes, E);
+  if constexpr (Dim == 3) return size;
+  return size * (thickness.constant + thickness.radial * modes.m[Shape<Dim>::kModes - 1][0]);
+}
+
+template <int Dim>
 ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
                              const Thickness& thickness) {
   ElementBlock<Dim> block;
@@ -286,6 +296,8 @@ template std::array<Real, 4> gauss_volumes<2>(const Corners<2>&, const Thickness
 template std::array<Real, 8> gauss_volumes<3>(const Corners<3>&, const Thickness&);
 template Real element_volume<2>(const Corners<2>&, bool, const Thickness&);
 template Real element_volume<3>(const Corners<3>&, bool, const Thickness&);
+template Real one_point_volume<2>(const Corners<2>&, const Thickness&);
+template Real one_point_volume<3>(const Corners<3>&, const Thickness&);
 template ElementBlock<2> make_block(const ElementSet<2>&, const Points<2>&, const Thickness&);
 template ElementBlock<3> make_block(const ElementSet<3>&, const Points<3>&, const Thickness&);
 template std::vector<Real> corner_shares(const ElementBlock<2>&, const Points<2>&,

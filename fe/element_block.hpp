@@ -121,6 +121,12 @@ template <int Dim>
 Real element_volume(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x, bool one_point,
                     const Thickness& thickness);
 
+/// Volume [m^3] as one-point elements measure it, from its gradient: to round-off that of
+/// element_volume, for a tenth of the price.
+template <int Dim>
+Real one_point_volume(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x,
+                      const Thickness& thickness);
+
 template <int Dim>
 std::array<Vec<Dim>, Shape<Dim>::kCorners> corner_positions(const ElementBlock<Dim>& block,
                                                             LocalIndex element,
