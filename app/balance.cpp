@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/distribute.hpp"
+#include "app/gather_state.hpp"
 #include "core/parallel/packing.hpp"
 
 namespace brunt {
@@ -14,22 +15,6 @@ namespace {
 /// Phases whose seconds are work; ledger and output are not spread by the deal.
 constexpr Phase kWork[] = {Phase::step_bound, Phase::search,    Phase::points,
                            Phase::elements,   Phase::particles, Phase::contact};
-
-/// The tables of all ranks on every rank: a deal may send any row anywhere.
-std::vector<StateTable> of_all_ranks(const std::vector<StateTable>& mine,
-                                     const Communicator& ranks) {
-  Packer packer;
-  for (const auto& table : mine) packer << table.name << table.width << table.id << table.value;
-  std::vector<StateTable> all;
-  for (const Bytes& bytes : ranks.all_gather(packer.take())) {
-    Unpacker from(bytes);
-    while (!from.done()) {
-      auto& table = all.emplace_back();
-      from >> table.name >> table.width >> table.id >> table.value;
-    }
-  }
-  return all;
-}
 
 /// One owned point as all ranks must see it to deal it out.
 template <int Dim>

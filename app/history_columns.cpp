@@ -92,7 +92,7 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
     for (int c = first_torque(scene); c < 3; ++c) names_.push_back(head + "moment." + kAxes[c]);
   }
   if (scene.conducts()) {
-    for (const char* name : {"stored", "plastic", "friction", "boundary", "drift"}) {
+    for (const char* name : {"stored", "plastic", "compression", "friction", "boundary", "drift"}) {
       names_.push_back(std::string("heat.") + name);
     }
   }
@@ -146,8 +146,10 @@ template <int Dim>
 void HistoryColumns<Dim>::add_heat(const Totals<Dim>& totals, std::vector<Real>& values) {
   ExactSum left = totals.heat.stored;
   const auto& heat = totals.heat;
-  for (const auto* from : {&heat.plastic, &heat.friction, &heat.boundary}) left.subtract(*from);
-  for (const auto* sum : {&heat.stored, &heat.plastic, &heat.friction, &heat.boundary}) {
+  for (const auto* from : {&heat.plastic, &heat.compression, &heat.friction, &heat.boundary})
+    left.subtract(*from);
+  for (const auto* sum :
+       {&heat.stored, &heat.plastic, &heat.compression, &heat.friction, &heat.boundary}) {
     values.push_back(sum->value());
     largest_heat_ = std::max(largest_heat_, std::fabs(values.back()));
   }

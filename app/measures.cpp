@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/place.hpp"
 #include "io/deck/expression.hpp"
 
 namespace brunt {
@@ -118,7 +119,7 @@ struct Evaluate {
     const BodyView view = source.view(m.body);
     const auto dot = m.field.find('.');
     const bool cells = field_named(view.cell_fields, m.field.substr(0, dot)) != nullptr;
-    return field_values(view, m.field)[nearest_entity(source.start->at(m.body), m.at, cells)];
+    return value_at(find_place(source.start->at(m.body), m.at), field_values(view, m.field), cells);
   }
   Real operator()(const deck::HistoryMeasure& m) const { return reduce_history(m, source); }
   Real operator()(const deck::RestitutionMeasure& m) const {

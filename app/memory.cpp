@@ -13,8 +13,8 @@
 namespace brunt {
 
 namespace {
-// Deviator, pressure, bulk modulus, eps_p, strain rate, temperature, heat, energy.
-constexpr Real kMaterialPoint = 13 * sizeof(Real);
+// Deviator, pressure, bulk modulus, eps_p, strain rate, temperature, two heats, energy.
+constexpr Real kMaterialPoint = 14 * sizeof(Real);
 
 template <int Dim>
 constexpr Real point_bytes() {

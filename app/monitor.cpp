@@ -100,6 +100,7 @@ void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
   prepare(scene);
   write_row(scene, clock);
   write_frame(scene, clock.time());
+  check_step(scene, clock);
 }
 
 template <int Dim>
@@ -251,10 +252,19 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
     }
   }
   take_measures(scene, clock.time(), false);
+  check_step(scene, clock);
   check_stops(scene, clock);
   const auto& whose = clock.whose();
   progress_.show(clock, body_names_.empty() ? "" : body_names_[whose.body] + ": " + whose.reason,
                  drift_);
+}
+
+/// Tells where a group votes for a step at which it is unstable.
+template <int Dim>
+void Monitor<Dim>::check_step(Scene<Dim>& scene, const Clock& clock) {
+  const int every = deck_.time.check_step;
+  if (every == 0 || clock.step() % every != 0) return;
+  for (const auto& warning : step_check_.take(find_step_margins(scene))) tell(warning);
 }
 
 template <int Dim>

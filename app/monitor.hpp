@@ -13,6 +13,7 @@
 #include "app/measures.hpp"
 #include "app/progress.hpp"
 #include "app/run_watch.hpp"
+#include "app/step_check.hpp"
 #include "app/time_loop.hpp"
 #include "io/history.hpp"
 
@@ -76,6 +77,7 @@ class Monitor final : public Observer<Dim> {
   const std::map<std::string, std::string>& artificial_tension() const {
     return artificial_tension_.all();
   }
+  const StepCheck& step_check() const { return step_check_; }
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Real>>& rows() const { return rows_; }
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }
@@ -93,6 +95,7 @@ class Monitor final : public Observer<Dim> {
   void write_row(Scene<Dim>& scene, const Clock& clock);
   void write_frame(Scene<Dim>& scene, Real time);
   BodyView frame_part(const Scene<Dim>& scene, Label body, Real time) const;
+  void check_step(Scene<Dim>& scene, const Clock& clock);
   void check_stops(Scene<Dim>& scene, Clock& clock);
   void take_measures(Scene<Dim>& scene, Real time, bool at_end);
   Label label(const std::string& body) const;
@@ -115,6 +118,7 @@ class Monitor final : public Observer<Dim> {
   EnergyLook energies_;  // of the last row
   std::vector<CreatedEnergy> created_;
   ArtificialTensionWarnings artificial_tension_;
+  StepCheck step_check_;
   Warn warn_;
   std::string reason_;
   Real history_every_, frame_every_;

@@ -10,6 +10,7 @@ namespace {
 constexpr const char* kWarnings = "warnings";
 constexpr const char* kArtificial = "artificial_stress";
 constexpr const char* kFrames = "frames";
+constexpr const char* kStepMargins = "step_margins";
 
 GlobalId number(std::size_t k) { return k; }
 
@@ -81,6 +82,7 @@ void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
     artificial.append(body).push_back('\0');
     artificial.append(text).push_back('\0');
   }
+  if (deck_.time.check_step > 0) texts[kStepMargins] = step_check_.saved();
   if (frames_) texts[kFrames] = frames_->index();
 }
 
@@ -118,6 +120,9 @@ void Monitor<Dim>::load_state(const StateTables& tables,
       "measured", taken.size(), number, [&](auto& row, std::size_t k) { row(taken[k]); }, tables);
   for (std::size_t k = 0; k < taken.size(); ++k) measured_[k] = taken[k] != 0;
   warnings_ = split(text_of(texts, kWarnings));
+  if (const auto found = texts.find(kStepMargins); found != texts.end()) {
+    step_check_.restore(found->second);
+  }
   const auto artificial = split(text_of(texts, kArtificial));
   std::map<std::string, std::string> told;
   for (std::size_t k = 0; k + 1 < artificial.size(); k += 2)

@@ -6,6 +6,7 @@
 #include "app/build/scene_checks.hpp"
 #include "app/build/sound_part.hpp"
 #include "app/deck/findings.hpp"
+#include "app/forecast.hpp"
 #include "app/history_columns.hpp"
 #include "app/memory.hpp"
 #include "app/run.hpp"
@@ -102,6 +103,27 @@ void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
   std::printf("\n");
 }
 
+/// How many steps a run will take: of elements that keep their shapes, and a range where it is not
+/// known how far they flatten.
+void print_steps(const Deck& deck, Real steps) {
+  const Flattening flattening = flattening_of(deck);
+  const std::string end = deck::time_text(deck.time.end);
+  Real most = flattening.most_steps() * steps;
+  const Real digits = std::pow(10, std::floor(std::log10(most)) - 1);
+  most = digits * std::ceil(most / digits);  // more than two are not known
+  constexpr Real kHardly = 1.2;
+  if (flattening.most_steps() < kHardly) {
+    std::printf("steps      about %.0f to %s; more where elements are driven flat\n", steps,
+                end.c_str());
+    return;
+  }
+  std::printf(
+      "steps      %.0f to %.0f up to %s: %.0f while elements keep their shapes, and how far "
+      "those\n           that meet at %s m/s flatten is not known; a step is as long as the "
+      "thinnest is thick\n",
+      steps, most, end.c_str(), steps, deck::short_text(flattening.speed).c_str());
+}
+
 /// Names of the columns of history.csv, for measures.
 template <int Dim>
 void print_columns(const Scene<Dim>& scene) {
@@ -167,8 +189,7 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   print_memory(deck, *scene, program);
   std::printf("step       %s, bound by %s of %s\n", deck::time_text(dt).c_str(), vote.reason,
               scene->body_names[vote.body].c_str());
-  std::printf("steps      about %.0f to %s, more where elements flatten\n", steps,
-              deck::time_text(deck.time.end).c_str());
+  print_steps(deck, steps);
   if (heat_step < kInfinity) {
     std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
                 deck::time_text(heat_step).c_str(), heat_step / dt, deck.time.heat_every);

@@ -36,12 +36,18 @@ std::string place_text(const Probe& probe) {
   };
   std::string text = "probe " + probe.name + ":";
   if (any(0)) {
-    text += " point " + std::to_string(probe.point) + " at a distance of " +
-            shortest_text(probe.point_distance) + " m";
+    if (probe.points.size() > 1) {
+      text += " between " + std::to_string(probe.points.size()) + " points";
+    } else {
+      text += " point " + std::to_string(probe.points.front()) + " at a distance of " +
+              shortest_text(probe.point_distance) + " m";
+    }
   }
   if (any(1)) {
-    text += std::string(any(0) ? ", " : " ") + "element " + std::to_string(probe.cell) +
-            ", its centre at a distance of " + shortest_text(probe.cell_distance) + " m";
+    text += std::string(any(0) ? ", " : " ") + "element " + std::to_string(probe.cell);
+    if (probe.cell_distance > 0) {
+      text += ", its centre at a distance of " + shortest_text(probe.cell_distance) + " m";
+    }
   }
   return text;
 }
@@ -52,20 +58,35 @@ std::string column_of(const Probe& probe, std::size_t field) {
 
 std::vector<Real> probe_values(const Probe& probe, const BodyView& mine,
                                const Communicator& ranks) {
-  std::vector<Known> known(probe.fields.size());
-  for (std::size_t f = 0; f < known.size(); ++f) {
+  std::vector<Known> known;  // by field: of its cell, or of its points one after another
+  for (std::size_t f = 0; f < probe.fields.size(); ++f) {
     const bool cell = probe.of_cell[f] != 0;
-    const auto place = place_of(mine, cell, cell ? probe.cell : probe.point);
-    if (place < 0) continue;
-    known[f].value = field_values(mine, probe.fields[f])[static_cast<std::size_t>(place)];
-    known[f].here = true;
+    const std::size_t n = cell ? 1 : probe.points.size();
+    std::vector<Real> mine_values;
+    for (std::size_t k = 0; k < n; ++k) {
+      known.emplace_back();
+      const auto place = place_of(mine, cell, cell ? probe.cell : probe.points[k]);
+      if (place < 0) continue;
+      if (mine_values.empty()) mine_values = field_values(mine, probe.fields[f]);
+      known.back().value = mine_values[static_cast<std::size_t>(place)];
+      known.back().here = true;
+    }
   }
   ranks.reduce_all(std::span(known), [](Known& a, const Known& b) {
     if (!a.here) a = b;
   });
   std::vector<Real> values;
-  values.reserve(known.size());
-  for (const Known& one : known) values.push_back(one.value);
+  values.reserve(probe.fields.size());
+  auto next = known.cbegin();
+  for (const char cell : probe.of_cell) {
+    if (cell != 0) {
+      values.push_back((next++)->value);
+      continue;
+    }
+    Real sum = 0;
+    for (const Real weight : probe.weights) sum += weight * (next++)->value;
+    values.push_back(sum);
+  }
   return values;
 }
 

@@ -7,14 +7,16 @@
 
 namespace brunt {
 
-/// One point or element whose fields stand in every row of history.csv.
+/// One place whose fields stand in every row of history.csv.
 struct Probe {
   std::string name;
   Label body = 0;
   std::vector<std::string> fields;             ///< "stress.xx"
   std::vector<char> of_cell;                   ///< by field: it lives in elements
-  GlobalId point = 0, cell = 0;                ///< ids of what is nearest at time 0
-  Real point_distance = 0, cell_distance = 0;  ///< [m] of them at time 0
+  std::vector<GlobalId> points;                ///< ids of those that point fields come from
+  std::vector<Real> weights;                   ///< [1] of them, of time 0
+  GlobalId cell = 0;                           ///< id of the element that cell fields come from
+  Real point_distance = 0, cell_distance = 0;  ///< [m] outside of the body: as in Place
 };
 
 /// Where it is, for the log.

@@ -165,6 +165,10 @@ void print_summary(const RunSummary& summary, const fs::path& folder,
   for (const auto& line : energy_lines(summary.energy)) {
     std::fprintf(stderr, "  %s\n", line.c_str());
   }
+  for (const auto& [body, margin] : summary.step_margins) {
+    std::fprintf(stderr, "  %s: stable up to %.3g times the step that it votes for\n", body.c_str(),
+                 margin);
+  }
   std::fprintf(stderr, "%lld steps in %s, energy drift %.1e. Results are in %s:\n",
                static_cast<long long>(summary.steps), duration_text(summary.wall_seconds).c_str(),
                summary.drift, folder.c_str());
@@ -221,6 +225,8 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   const auto& told = monitor.told();
   summary.warnings.insert(summary.warnings.end(), told.begin(), told.end());
   summary.energy = monitor.energy_shares();
+  summary.step_margins = monitor.step_check().margins();
+  for (const auto& warning : monitor.step_check().warnings()) summary.warnings.push_back(warning);
   for (const auto& [pair, text] : monitor.lost_contacts()) {
     summary.warnings.push_back({"contact", text});
   }

@@ -133,7 +133,8 @@ void visit_sums(Totals<Dim>& totals, const Visit& visit) {
     for (auto& sum : body.momentum) visit(sum);
   }
   auto& heat = totals.heat;
-  for (auto* sum : {&heat.stored, &heat.plastic, &heat.friction, &heat.boundary}) visit(*sum);
+  for (auto* sum : {&heat.stored, &heat.plastic, &heat.compression, &heat.friction, &heat.boundary})
+    visit(*sum);
 }
 
 template <int Dim>

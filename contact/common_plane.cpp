@@ -21,6 +21,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Face
   if (!(facing > ramp.none)) return false;
   plane.facing = facing;
   plane.share = 0;
+  plane.fade = 1;
   plane.barrier = barrier.at(facing);
   plane.ramp = ramp.at(facing);
   plane.ramp_growth = ramp.growth(facing);
@@ -163,6 +164,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (pushes) fade = fade_of(lower, upper, area, plane);
   if (fade.factor == 0) return false;
   plane.ramp *= fade.factor;
+  plane.fade = fade.factor;
   plane.area = sum.area;
   Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
   const Real of_barrier = set_spring(sum.total, penetration.at(p), deep, needs.whole, plane);
@@ -247,6 +249,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   if (pushes) fade = fade_of(lower, upper, line, plane);
   if (fade.factor == 0) return false;
   plane.ramp *= fade.factor;
+  plane.fade = fade.factor;
   plane.area = area;
   Real p = middle + (needs.whole ? first / area : moment / total);
   const Real of_barrier = set_spring(total, penetration(p), deep, needs.whole, plane);

@@ -50,6 +50,7 @@ struct CommonPlane {
   Real facing = 0;       ///< cosine of the angle between the faces, 1 where they are parallel
   Real ramp = 0;         ///< 0 .. 1: fades where the faces stop opposing each other
   Real ramp_growth = 0;  ///< derivative of ln ramp by `facing`
+  Real fade = 1;         ///< its part that fades between borders (contact/overlap_push.hpp)
   Real area = 0;         ///< [m^2] under pressure
   Real volume = 0;       ///< [m^3] integral of the penetration and barrier, times ramp
   /// What the spring holds, per k: ramp int (G^2/2 + barrier) dA [m^4], G = cos(th/2) g: along the

@@ -80,16 +80,54 @@ void note_crossing(const Entities<Dim>& entities, const FaceCandidate& candidate
       {{0, kCrossed, lower.id, upper.id}, lower.body, upper.body, 0, found.depth, found.point});
 }
 
-/// True where the faces were beyond their limit at the last evaluation, where they are deepest, by
-/// the way of the step: they have gone through each other elsewhere, or where they did not face
-/// each other, and would begin at the top of their barrier. Those that meet from before push first
-/// where they touch, those that turn to each other or come over each other where their pressure
-/// fades in. What has come out as far as the barrier's onset has nothing left to be spared.
+/// A face as it was at the last evaluation.
+template <int Dim>
+FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real dt) {
+  const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  FacePlane<Dim> plane = entities.planes[static_cast<std::size_t>(place)];
+  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    plane.corner[c] -= dt * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+  }
+  refresh(plane);
+  return plane;
+}
+
+/// The fastest of the corners of two faces against one of them [m/s].
+template <int Dim>
+Real fastest_corner(const Entities<Dim>& entities, const FaceCandidate& candidate) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const Vec<Dim>& from = entities.nodes.v[static_cast<std::size_t>(lower.node[0])];
+  Real squared = 0;
+  for (const LocalIndex place : {candidate.lower, candidate.upper}) {
+    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      const Vec<Dim>& v = entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+      squared = std::max(squared, (v - from).squaredNorm());
+    }
+  }
+  return std::sqrt(squared);
+}
+
+/// True where the faces were beyond their limit at the last evaluation, at the centre of pressure
+/// that they had then, as those that let go are: they have gone through each other elsewhere, or
+/// where they did not face each other, and would begin at the top of their barrier. Those that meet
+/// from before push first where they touch, those that turn to each other or come over each other
+/// where their pressure fades in. What has come out as far as the barrier's onset has nothing left
+/// to be spared.
 template <int Dim>
 bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                       const CommonPlane<Dim>& plane, Real dt) {
+                       const CommonPlane<Dim>& plane, const Section& section, Real dt) {
   if (plane.deepest <= plane.barrier.onset) return false;
-  return plane.deepest - closing_speed(entities, candidate, plane) * dt > candidate.limit;
+  // Both faces may have moved: most pairs cannot have been as deep.
+  if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.limit) return false;
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
+                                   before_step(entities, candidate.upper, dt), section, planes,
+                                   {.barrier = candidate.barrier()});
+  for (int i = 0; i < n; ++i) {
+    if (planes[static_cast<std::size_t>(i)].penetration > candidate.limit) return true;
+  }
+  return false;
 }
 
 template <int Dim>
@@ -236,11 +274,12 @@ Real deepest_of(const Planes<Dim>& planes, int n) {
 /// The first of planes 0 .. n - 1 that comes from behind; nullptr where none does.
 template <int Dim>
 const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                                    const Planes<Dim>& planes, int n, Real dt) {
+                                    const Planes<Dim>& planes, int n, const Section& section,
+                                    Real dt) {
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
     if (plane.penetration > candidate.limit) continue;
-    if (comes_from_behind(entities, candidate, plane, dt)) return &plane;
+    if (comes_from_behind(entities, candidate, plane, section, dt)) return &plane;
   }
   return nullptr;
 }
@@ -311,9 +350,10 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const bool held = touch.held;
     touch.held = false;
     if (!touch.matters() && !held) {
-      if (const auto* plane = from_behind(entities, candidate, planes, n, step.dt)) {
+      if (const auto* plane = from_behind(entities, candidate, planes, n, section, step.dt)) {
         touch.overlap = deepest_of<Dim>(planes, n);
-        note_lost(entities, candidate, *plane, kFromBehind, part);
+        // An overlap that came in over borders is held by the faces beside it.
+        if (plane->fade > 0.5) note_lost(entities, candidate, *plane, kFromBehind, part);
         n = 0;  // of all planes, or a repeated evaluation would find others than this one
       }
     }
@@ -324,7 +364,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
         // By the way of the step it was within the limit at the last evaluation, and pushed. What
         // is seen from behind was beyond it then too, and what opens comes nearer.
         const Real way = closing_speed(entities, candidate, plane) * step.dt;
-        if (held || plane.penetration - way <= candidate.limit) {
+        if ((held && plane.fade > 0.5) || plane.penetration - way <= candidate.limit) {
           note_lost(entities, candidate, plane, kLetGo, part);
         }
         continue;

@@ -1,5 +1,6 @@
 #include "contact/friction.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "contact/record.hpp"
@@ -134,7 +135,7 @@ std::vector<EndedHeat> FrictionHistory<Dim>::ended_heat() const {
     const std::size_t end = i + 1 < past_.size() ? first_warmed_[i + 1] : warmed_.size();
     for (std::size_t k = first_warmed_[i]; k < end; ++k) {
       const auto& [surface, point, share] = warmed_[k];
-      ended.push_back({past_[i].key, surface, point, share * past_[i].taken});
+      ended.push_back({past_[i].key, surface, point, share * past_[i].last_heat()});
     }
   }
   return ended;
@@ -260,7 +261,9 @@ void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& rec
   }
   share(upper, step.upper, point, friction.resultant(), friction);
   share<Dim>(lower, step.lower, point, -friction.resultant(), friction);
-  friction.heat = -0.5 * (slider_before + friction.slider()).dot(slid.slip);
+  // The old force may be above the limit that there is now, and point along a slip that has turned
+  // back: the mean of both would cool. What it gives then goes to pairs.
+  friction.heat = std::max(-0.5 * (slider_before + friction.slider()).dot(slid.slip), 0.0);
   friction.damped = -0.5 * (drag_before + step.area * friction.drag).dot(slip);
   friction.stored = friction.energy() - energy_before;
   friction.pairs = taken_before + half_taken(friction, nodes, step.dt) - friction.heat -

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -41,6 +42,8 @@ struct FrictionMemory {
   Real energy() const {                                            ///< [J] in the spring
     return stiffness > 0 ? area * traction.squaredNorm() / (2 * stiffness) : 0.0;
   }
+  /// [J] where the contact ends in the step under way: a slip that turns back in it heats nothing.
+  Real last_heat() const { return slips ? std::max(taken, 0.0) : 0.0; }
 };
 
 /// The friction of one contact: what it remembers, and what it does to the nodes.
@@ -51,7 +54,7 @@ struct Friction : FrictionMemory<Dim> {
   Friction() {
     for (auto& one : force) one.setZero();
   }
-  Real heat = 0;                      ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip
+  Real heat = 0;                      ///< [J] of the last step: -(F(n) + F(n+1))/2 . slip, >= 0
   Real damped = 0;                    ///< [J] by the drag in the last step
   Real stored = 0;                    ///< [J] gained by the spring in the last step
   Real pairs = 0;                     ///< [J] what changes of the contact itself took from motion

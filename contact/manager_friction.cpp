@@ -199,14 +199,16 @@ void ContactManager<Dim>::Implementation::end_friction() {
   });
   tractions.finish();
   // What ended gives its spring's energy away. Its forces acted for the first half of the step:
-  // heat where it was slipping, shared as that of the step before.
+  // heat where it was slipping and did not turn back, shared as that of the step before.
   ended_heat = history.ended_heat();
   history.visit_ended([&](const FrictionMemory<Dim>& friction) {
     const std::size_t at = book_of(entities, friction.key);
     nodes.friction_stored[at] -= friction.energy();
+    const Real heat = friction.last_heat();
     nodes.pair_energy[at] += friction.energy();
-    (friction.slips ? nodes.friction_heat : nodes.pair_energy)[at] += friction.taken;
-    if (friction.slips && nodes.warm) nodes.friction_given[at] += friction.warmth * friction.taken;
+    nodes.pair_energy[at] += friction.taken - heat;
+    nodes.friction_heat[at] += heat;
+    if (friction.slips && nodes.warm) nodes.friction_given[at] += friction.warmth * heat;
   });
 }
 

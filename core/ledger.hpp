@@ -34,22 +34,24 @@ enum class Column : int {
 inline constexpr int kColumns = 14;
 std::string_view column_name(Column column);  ///< as in history.csv: "contact.spring", ...
 
-/// Heat [J] of all bodies that conduct, since time 0: stored = plastic + friction + boundary.
+/// Heat [J] of all bodies that conduct, since time 0:
+/// stored = plastic + compression + friction + boundary.
 struct HeatSums {
-  ExactSum stored;    ///< taken up by points
-  ExactSum plastic;   ///< plastic work of these bodies that became heat, as elements booked it
-  ExactSum friction;  ///< that contacts gave to bodies that conduct
-  ExactSum boundary;  ///< that boundaries let in
+  ExactSum stored;       ///< taken up by points
+  ExactSum plastic;      ///< plastic work of these bodies that became heat, as elements booked it
+  ExactSum compression;  ///< what compression and viscosity gave them, less what release took
+  ExactSum friction;     ///< that contacts gave to bodies that conduct
+  ExactSum boundary;     ///< that boundaries let in
   void add(const HeatSums& part) {
-    stored.add(part.stored), plastic.add(part.plastic), friction.add(part.friction);
-    boundary.add(part.boundary);
+    stored.add(part.stored), plastic.add(part.plastic), compression.add(part.compression);
+    friction.add(part.friction), boundary.add(part.boundary);
   }
 };
 
 /// Exact sums of one body; what history.csv prints in body.NAME.*.
-/// heat: taken up since time 0, by plastic work and, in bodies that conduct, from elsewhere.
-/// stress_work: internal and plastic heat. viscosity, artificial_stress, integration: its share of
-/// the columns of that name, for the watch over energy that nobody put in.
+/// heat: taken up since time 0, by plastic work, compression and, in bodies that conduct, from
+/// elsewhere. stress_work: internal and plastic heat. viscosity, artificial_stress, integration:
+/// its share of the columns of that name, for the watch over energy that nobody put in.
 template <int Dim>
 struct BodySums {
   ExactSum mass, kinetic, internal, hourglass, heat;

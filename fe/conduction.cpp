@@ -96,20 +96,22 @@ BRUNT_INLINE Pack conductivity(const Varying& k, const Pack (&T)[kCorners<Dim>])
   return Pack{k.at(mean[0]), k.at(mean[1]), k.at(mean[2]), k.at(mean[3])};
 }
 
-/// Rate [W] of the plastic heat that the nodes of element k do not have yet; they have it then.
+/// Rate [W] of the plastic and compression heat that the nodes of element k do not have yet; they
+/// have it then.
 template <int Dim>
-BRUNT_INLINE Real take_plastic_heat(ElementBlock<Dim>& block, std::size_t k, Real inverse_dt) {
-  const Real heat = plastic_heat(block, static_cast<LocalIndex>(k));
+BRUNT_INLINE Real take_mechanical_heat(ElementBlock<Dim>& block, std::size_t k, Real inverse_dt) {
+  const auto e = static_cast<LocalIndex>(k);
+  const Real heat = plastic_heat(block, e) + compression_heat(block, e);
   const Real rate = (heat - block.heat_given[k]) * inverse_dt;
   block.heat_given[k] = heat;
   return rate;
 }
 
 template <int Dim>
-void add_plastic_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step) {
+void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step) {
   constexpr int n = kCorners<Dim>;
   for (std::size_t k = e; k < e + kLanes; ++k) {
-    const Real rate = take_plastic_heat(block, k, step.inverse_dt);
+    const Real rate = take_mechanical_heat(block, k, step.inverse_dt);
     if (rate == 0) continue;
     for (std::size_t I = k * n; I < (k + 1) * n; ++I) {
       step.corner_heat[2 * I] += rate * block.heat_share[I];
@@ -120,11 +122,11 @@ void add_plastic_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionS
 }  // namespace
 
 template <int Dim>
-void give_plastic_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
-                       Real* corner_heat) {
+void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
+                          Real* corner_heat) {
   constexpr int n = kCorners<Dim>;
   for (std::size_t k = e; k < e + kLanes; ++k) {
-    const Real rate = take_plastic_heat(block, k, inverse_dt);
+    const Real rate = take_mechanical_heat(block, k, inverse_dt);
     for (std::size_t I = k * n; I < (k + 1) * n; ++I) corner_heat[I] = rate * block.heat_share[I];
   }
 }
@@ -155,7 +157,7 @@ void conduct(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>&
       out[0] = heat[I][lane], out[1] = conductance[lane];
     }
   }
-  if (step.inverse_dt > 0 && !block.heat_given.empty()) add_plastic_heat(block, e, step);
+  if (step.inverse_dt > 0 && !block.heat_given.empty()) add_mechanical_heat(block, e, step);
 }
 
 template <int Dim>
@@ -195,8 +197,8 @@ template std::vector<const Material*> materials_that_vary(const std::vector<Elem
 template std::vector<const Material*> materials_that_vary(const std::vector<ElementBlock<3>>&);
 template void conduct(ElementBlock<2>&, std::size_t, const ConductionStep<2>&);
 template void conduct(ElementBlock<3>&, std::size_t, const ConductionStep<3>&);
-template void give_plastic_heat(ElementBlock<2>&, std::size_t, Real, Real*);
-template void give_plastic_heat(ElementBlock<3>&, std::size_t, Real, Real*);
+template void give_mechanical_heat(ElementBlock<2>&, std::size_t, Real, Real*);
+template void give_mechanical_heat(ElementBlock<3>&, std::size_t, Real, Real*);
 template void interpolate_temperature(ElementBlock<2>&, std::size_t, const Real*);
 template void interpolate_temperature(ElementBlock<3>&, std::size_t, const Real*);
 

@@ -11,23 +11,25 @@ struct ConductionStep {
   const Vec<Dim>* x = nullptr;        ///< [m] by node, x(n+1)
   const Real* temperature = nullptr;  ///< [K] by node, T(n)
   Thickness thickness;
-  Real inverse_dt = 0;         ///< [1/s] 0: plastic work gives no heat yet
+  Real inverse_dt = 0;         ///< [1/s] 0: mechanical work gives no heat yet
   Real* corner_heat = nullptr; /**< [element][corner][2], written: heat rate [W] and conductance
                                     [W/K] of the corner */
 };
 
 /// Heat rates of four elements from e on:
 ///   q_I = sum_J K_IJ (T_I - T_J),  K_IJ = int k grad N_I . grad N_J dV,  k at the mean temperature
-/// so that heat flows between pairs of corners and none is lost, and the plastic heat of the step
-/// by the corners' shares of the capacity. The conductance of a corner is 1/2 sum_J |K_IJ|: by
-/// Gershgorin's theorem a step of capacity/conductance is stable, whatever the element's shape.
+/// so that heat flows between pairs of corners and none is lost, and the mechanical heat of the
+/// step (of plastic work, compression and viscosity) by the corners' shares of the capacity. The
+/// conductance of a corner is 1/2 sum_J |K_IJ|: by Gershgorin's theorem a step of
+/// capacity/conductance is stable, whatever the element's shape.
 template <int Dim>
 void conduct(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
 
-/// Writes heat rates [W] that the plastic heat of the step gives to the corners of four elements
+/// Writes heat rates [W] that the mechanical heat of the step gives to the corners of four elements
 /// from e on, [element][corner], without conduction.
 template <int Dim>
-void give_plastic_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* corner_heat);
+void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
+                          Real* corner_heat);
 
 /// Materials of conducting blocks whose specific heat varies, each once, in the order of blocks: in
 /// it stand their specific heats among those of the points.
@@ -39,16 +41,27 @@ std::vector<const Material*> materials_that_vary(const std::vector<ElementBlock<
 template <int Dim>
 void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e, const Real* temperature);
 
-/// Plastic work of one element that has become heat since time 0 [J].
+/// Heat of one element [J] from that of its material points [J/m^3 reference]; 0 where there is
+/// none.
 template <int Dim>
-Real plastic_heat(const ElementBlock<Dim>& block, LocalIndex e) {
-  if (block.state.heat.empty()) return 0;
+Real heat_of(const ElementBlock<Dim>& block, const std::vector<Real>& by_point, LocalIndex e) {
+  if (by_point.empty()) return 0;
   Real sum = 0;
   for (int g = 0; g < block.gauss; ++g) {
     const std::size_t k = block.point(e, g);
-    sum += block.reference_volume[k] * block.state.heat[k];
+    sum += block.reference_volume[k] * by_point[k];
   }
   return sum;
+}
+/// Plastic work of one element that has become heat since time 0 [J].
+template <int Dim>
+Real plastic_heat(const ElementBlock<Dim>& block, LocalIndex e) {
+  return heat_of(block, block.state.heat, e);
+}
+/// What compression and viscosity have given to one element since time 0 [J].
+template <int Dim>
+Real compression_heat(const ElementBlock<Dim>& block, LocalIndex e) {
+  return heat_of(block, block.state.compression_heat, e);
 }
 
 }  // namespace brunt

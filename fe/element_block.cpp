@@ -215,12 +215,13 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.owned.resize(static_cast<std::size_t>(block.n), 1);
   measure_elements(points, thickness, block);
   const auto padded = static_cast<std::size_t>(block.n_padded);
+  const bool warms = set.material->yields() || set.material->warms_by_compression();
   block.state =
       set.material->initial_state(padded * static_cast<std::size_t>(block.gauss), set.temperature,
-                                  set.adiabatic || (set.conducts && set.material->yields()));
+                                  set.adiabatic || (set.conducts && warms));
   if (block.conducts) {
     block.heat_share = corner_shares(block, points, thickness);
-    if (!block.state.heat.empty()) block.heat_given.assign(padded, 0.0);
+    if (warms) block.heat_given.assign(padded, 0.0);
   }
   if (block.gauss == 1) start_hourglass(points, block);
   for (auto* field : {&block.viscous_pressure, &block.stress_work, &block.hourglass_work,

@@ -22,8 +22,8 @@ struct ElementSet {
   const Material* material = nullptr;
   ElementOptions options;
   Real temperature = 293.15;  ///< [K] at time 0
-  bool adiabatic = false;     ///< plastic work heats the element at once
-  bool conducts = false;      ///< nodes have the temperature; plastic work heats them
+  bool adiabatic = false;     ///< mechanical work heats the element at once
+  bool conducts = false;      ///< nodes have the temperature; mechanical work heats them
   bool held = false;          ///< nothing of it ever moves: only its heat is computed
   bool rigid = false;         ///< as held, without mass, its facets rigid; it moves as told
 };
@@ -77,9 +77,10 @@ struct ElementBlock {
   std::vector<Real> viscous_work;         ///< [J]
   std::vector<Real> stable_step;          ///< [s] bound of each element
   /// Where it conducts: share of its volume [1] that each corner stands for at time 0, n_padded x
-  /// kCorners: of its heat capacity, and of the plastic heat.
+  /// kCorners: of its heat capacity, and of the mechanical heat.
   std::vector<Real> heat_share;
-  std::vector<Real> heat_given;  ///< [J] plastic heat that nodes have been given, where it yields
+  /// [J] plastic and compression heat that nodes have been given; empty where neither arises
+  std::vector<Real> heat_given;
 
   int elements_per_tile() const { return kTile / gauss; }
   int n_tiles() const { return n_padded / elements_per_tile(); }

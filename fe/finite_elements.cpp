@@ -38,7 +38,8 @@ std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
     const std::size_t k = block.point(e, g);
     for (const auto& component : state.deviator) hash.add(component[k]);
     hash.add(state.pressure[k]);
-    for (const auto* field : {&state.eps_p, &state.temperature, &state.energy}) {
+    for (const auto* field :
+         {&state.eps_p, &state.temperature, &state.compression_heat, &state.energy}) {
       if (!field->empty()) hash.add((*field)[k]);
     }
   }
@@ -144,7 +145,7 @@ namespace {
 /// Energies [J] of elements of one body that stand one after another: each is summed once and then
 /// given to the body and to the columns.
 struct ElementSums {
-  ExactSum stress_work, heat, hourglass, viscous;
+  ExactSum stress_work, heat, compression, hourglass, viscous;
 
   template <int Dim>
   void add(const ElementBlock<Dim>& block, LocalIndex e) {
@@ -152,6 +153,7 @@ struct ElementSums {
     hourglass.add(block.hourglass_work[e]);
     viscous.add(block.viscous_work[e]);
     if (!block.state.heat.empty()) heat.add(plastic_heat(block, e));
+    if (!block.state.compression_heat.empty()) compression.add(compression_heat(block, e));
   }
 
   template <int Dim>
@@ -166,12 +168,14 @@ struct ElementSums {
     add_to(column(Column::internal), column(Column::hourglass));
     column(Column::plastic_heat).add(heat);
     column(Column::viscosity).add(viscous);
-    if (conducts) totals.heat.plastic.add(heat);
+    if (conducts) totals.heat.plastic.add(heat), totals.heat.compression.add(compression);
     if (body >= totals.bodies.size()) return;
     BodySums<Dim>& own = totals.bodies[body];
     add_to(own.internal, own.hourglass);
     own.stress_work.add(stress_work), own.viscosity.add(viscous);
-    if (!conducts) own.heat.add(heat);  // else its points carry it, and what is conducted
+    if (!conducts)
+      own.heat.add(heat),
+          own.heat.add(compression);  // else its points carry it, and what is conducted
   }
 };
 

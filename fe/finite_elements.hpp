@@ -62,7 +62,7 @@ class FiniteElements final : public Solid<Dim> {
   void sum_conduction(Real inverse_dt);
   void conduct(Real inverse_dt);
   void keep_conduction();
-  void add_plastic_heat(Real inverse_dt);
+  void add_mechanical_heat(Real inverse_dt);
   void find_elements_of_facets();
   ElementStep<Dim> element_step(const ElementBlock<Dim>& block, Real dt);
 
@@ -70,9 +70,9 @@ class FiniteElements final : public Solid<Dim> {
   Thickness thickness_;
   std::vector<ElementBlock<Dim>> blocks_;
   CornerGather gather_;
-  std::vector<Real> corner_force_;    ///< [N] [element][corner][Dim], blocks one after another
-  std::vector<Vec<2>> node_heat_;     ///< [W], [W/K] of each node, while they are summed
-  std::vector<Vec<1>> node_plastic_;  ///< [W] of plastic work alone; empty: it is in node_heat_
+  std::vector<Real> corner_force_;       ///< [N] [element][corner][Dim], blocks one after another
+  std::vector<Vec<2>> node_heat_;        ///< [W], [W/K] of each node, while they are summed
+  std::vector<Vec<1>> node_mechanical_;  ///< [W] of plastic work alone; empty: it is in node_heat_
   std::vector<Real>
       corner_heat_;    ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
   bool held_ = false;  ///< nothing of it ever moves: only its heat is computed

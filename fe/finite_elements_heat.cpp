@@ -108,7 +108,7 @@ void FiniteElements<Dim>::interpolate_temperatures() {
   }
 }
 
-/// Writes node_heat_ of conduction, and of plastic heat where inverse_dt is above 0.
+/// Writes node_heat_ of conduction, and of mechanical heat where inverse_dt is above 0.
 template <int Dim>
 void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
   for (auto& block : blocks_) {
@@ -142,29 +142,29 @@ void FiniteElements<Dim>::keep_conduction() {
   }
 }
 
-/// The plastic heat of a step alone. Its corner rates stand where those of conduction do, which are
-/// no longer needed.
+/// The mechanical heat of a step alone. Its corner rates stand where those of conduction do, which
+/// are no longer needed.
 template <int Dim>
-void FiniteElements<Dim>::add_plastic_heat(Real inverse_dt) {
+void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
   constexpr std::size_t corners = Shape<Dim>::kCorners;
-  const auto yields = [](const auto& block) { return !block.heat_given.empty(); };
-  if (!std::any_of(blocks_.begin(), blocks_.end(), yields)) return;
+  const auto warms = [](const auto& block) { return !block.heat_given.empty(); };
+  if (!std::any_of(blocks_.begin(), blocks_.end(), warms)) return;
   for (auto& block : blocks_) {
     Real* const rates = corner_heat_.data() + block.first_corner;
-    if (!yields(block)) {
+    if (!warms(block)) {
       std::fill_n(rates, static_cast<std::size_t>(block.n_padded) * corners, 0.0);
       continue;
     }
     const int n = block.n_padded / kLanes;
 #pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
-      give_plastic_heat(block, static_cast<std::size_t>(k) * kLanes, inverse_dt, rates);
+      give_mechanical_heat(block, static_cast<std::size_t>(k) * kLanes, inverse_dt, rates);
     }
   }
-  node_plastic_.assign(points_.x.size(), Vec<1>::Zero());
-  gather_.template add<1>(corner_heat_.data(), node_plastic_);
+  node_mechanical_.assign(points_.x.size(), Vec<1>::Zero());
+  gather_.template add<1>(corner_heat_.data(), node_mechanical_);
   for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
-    points_.heat_rate[i] += node_plastic_[i][0];
+    points_.heat_rate[i] += node_mechanical_[i][0];
   }
 }
 
@@ -174,7 +174,7 @@ void FiniteElements<Dim>::add_conduction(Real dt, std::int64_t step) {
   if (points_.conduction_every == 1) return conduct(1.0 / dt);
   if (points_.evaluates_conduction(step)) keep_conduction();
   points_.add_kept_conduction();
-  add_plastic_heat(1.0 / dt);
+  add_mechanical_heat(1.0 / dt);
 }
 
 template void FiniteElements<2>::set_capacities();

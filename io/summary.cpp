@@ -113,6 +113,10 @@ RunSummary from_json(const Json& json) {
   s.peak_memory = real_at(json, "peak_memory", s.peak_memory);
   s.drift = real_at(json, "drift", s.drift);
   s.energy = energy_from(object_at(json, "energy"));
+  const Json margins = object_at(json, "step_margins");
+  for (const auto& [body, unused] : margins.items()) {
+    s.step_margins.emplace_back(body, real_at(margins, body.c_str(), kUnknown));
+  }
   s.measures = measures_from(object_at(json, "measures"));
   const Json warnings = json.value("warnings", Json::array());
   for (const auto& entry : warnings) {
@@ -169,6 +173,7 @@ std::string to_json(const RunSummary& s) {
   json["peak_memory"] = s.peak_memory;
   json["drift"] = s.drift;
   json["energy"] = energy_json(s.energy);
+  if (!s.step_margins.empty()) json["step_margins"] = shares_json(s.step_margins);
   json["measures"] = measures_json(s.measures);
   json["warnings"] = Json::array();
   for (const auto& warning : s.warnings) {

@@ -52,6 +52,8 @@ struct RunSummary {
   Real peak_memory = 0;                              ///< [byte]
   Real drift = 0;                                    ///< energy.drift at the end
   EnergyShares energy;
+  /// Smallest stable step over the vote, by body, where the deck asks for it.
+  std::vector<std::pair<std::string, Real>> step_margins;
   std::vector<MeasureResult> measures;
   std::vector<RunWarning> warnings;
   int ranks = 1;

@@ -60,10 +60,11 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
       shown.conductivity = material.conductivity.at(set.temperature);
       shown.effusivity = material.effusivity(set.temperature);
     }
-    MaterialState state = material.initial_state(
-        set.particle.size(), set.temperature, set.adiabatic || (set.conducts && material.yields()));
+    const bool warms = material.yields() || material.warms_by_compression();
+    MaterialState state = material.initial_state(set.particle.size(), set.temperature,
+                                                 set.adiabatic || (set.conducts && warms));
     std::vector<Real> given;
-    if (set.conducts && !state.heat.empty()) given.assign(set.particle.size(), 0.0);
+    if (set.conducts && warms) given.assign(set.particle.size(), 0.0);
     blocks_.push_back({std::move(set), std::move(state), std::move(given)});
     for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
   }

@@ -21,8 +21,8 @@ struct ParticleSet {
   const Material* material = nullptr;  ///< outlives the particles
   SphOptions options;
   Real temperature = 0;              ///< [K] at time 0; what laws see where heat is off
-  bool adiabatic = false;            ///< plastic work heats the particle
-  bool conducts = false;             ///< particles exchange heat; plastic work heats them
+  bool adiabatic = false;            ///< mechanical work heats the particle
+  bool conducts = false;             ///< particles exchange heat; mechanical work heats them
   bool held = false;                 ///< none ever moves: only their heat is computed
   std::vector<LocalIndex> particle;  ///< ascending; a body lies in one set as a whole
 };
@@ -31,7 +31,8 @@ struct ParticleSet {
 struct ParticleBlock {
   ParticleSet set;
   MaterialState state;
-  std::vector<Real> heat_given;  ///< [J] plastic heat that particles were given; conducting, yields
+  /// [J] plastic and compression heat that particles were given; empty where neither arises
+  std::vector<Real> heat_given;
 };
 
 /// What one particle carries from phase to phase and from step to step.
@@ -142,7 +143,7 @@ class SphParticles final : public Solid<Dim> {
   void take_temperatures();
   void refresh_heat();
   void conduct(std::vector<Real>& rate, std::vector<Real>& conductance);
-  void give_plastic_heat(Real inverse_dt);
+  void give_mechanical_heat(Real inverse_dt);
 
   Points<Dim> points_;
   Surface<Dim> surface_;

@@ -107,12 +107,15 @@ void SphParticles<Dim>::conduct(std::vector<Real>& rate, std::vector<Real>& cond
 }
 
 template <int Dim>
-void SphParticles<Dim>::give_plastic_heat(Real inverse_dt) {
+void SphParticles<Dim>::give_mechanical_heat(Real inverse_dt) {
   for (auto& block : blocks_) {
     if (block.heat_given.empty()) continue;
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const auto i = static_cast<std::size_t>(block.set.particle[slot]);
-      const Real heat = block.state.heat[slot] * state_[i].start_volume;
+      Real heat = 0;
+      for (const auto* part : {&block.state.heat, &block.state.compression_heat}) {
+        if (!part->empty()) heat += (*part)[slot] * state_[i].start_volume;
+      }
       points_.heat_rate[i] += (heat - block.heat_given[slot]) * inverse_dt;
       block.heat_given[slot] = heat;
     });
@@ -133,7 +136,7 @@ void SphParticles<Dim>::add_conduction(Real dt, std::int64_t step) {
     }
     points_.add_kept_conduction();
   }
-  give_plastic_heat(1.0 / dt);
+  give_mechanical_heat(1.0 / dt);
 }
 
 template void SphParticles<2>::set_capacities();

@@ -96,14 +96,13 @@ void SphParticles<Dim>::find_spread(const ParticleBlock& block, LocalIndex i) {
 template <int Dim>
 void SphParticles<Dim>::seed_votes() {
   refresh_motion();
+  refresh_gradients();
   const SphPairOptions inviscid;
   const ForceRecords<Dim> records{motion_.data(), stress_.data(), artificial_.data()};
   for (const auto& block : blocks_) {
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
-        rows_.refresh(motion_.data(), i);
-        sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i), rows_.weights(i));
         const auto sums =
             sum_forces<Dim, Kernel>(records, i, rows_.row(i), rows_.weights(i), inviscid);
         state_[static_cast<std::size_t>(i)].speed = sums.speed;

@@ -14,7 +14,7 @@ namespace {
 void add_state(const MaterialState& state, std::size_t slot, EntityHash& hash) {
   for (const auto& component : state.deviator) hash.add(component[slot]);
   for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.temperature,
-                            &state.heat, &state.energy}) {
+                            &state.heat, &state.compression_heat, &state.energy}) {
     if (!field->empty()) hash.add((*field)[slot]);
   }
 }
@@ -89,14 +89,15 @@ void SphParticles<Dim>::add_tension(const ParticleBlock& block, std::size_t i,
 template <int Dim>
 void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
                                  Totals<Dim>& totals) const {
-  const auto& heat = block.state.heat;
+  const auto &heat = block.state.heat, &compression = block.state.compression_heat;
   const auto i = static_cast<std::size_t>(block.set.particle[slot]);
   const auto& state = state_[i];
   const Real plastic = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
+  const Real warmed = compression.empty() ? 0.0 : compression[slot] * state.start_volume;
   const Real internal = state.stress_work - plastic;
   totals.add(Column::internal, internal);
   totals.add(Column::plastic_heat, plastic);
-  if (points_.conducts) totals.heat.plastic.add(plastic);
+  if (points_.conducts) totals.heat.plastic.add(plastic), totals.heat.compression.add(warmed);
   totals.add(Column::viscosity, state.viscous_work);
   totals.add(Column::artificial_stress, state.artificial_work);
   if (points_.body[i] < totals.bodies.size()) {
@@ -105,7 +106,7 @@ void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
     body.stress_work.add(state.stress_work), body.viscosity.add(state.viscous_work);
     body.artificial_stress.add(state.artificial_work);
     if (block.set.options.artificial_stress != 0) add_tension(block, i, body);
-    if (!points_.conducts) body.heat.add(plastic);
+    if (!points_.conducts) body.heat.add(plastic), body.heat.add(warmed);
   }
   EntityHash hash(points_.id[i]);
   add_state(block.state, slot, hash);

@@ -48,6 +48,46 @@ std::string joined(const Names& names) {
   return list;
 }
 
+/// True where the rest of a wrong deck, once right, may bring the column: it is of something that
+/// stands in the deck, or in a section that could not be read, and was not built.
+bool may_come(const std::string& column, const Names& columns, const LoadedDeck& loaded) {
+  struct Head {
+    const char* name;
+    const char* section;
+  };
+  static constexpr Head kHeads[] = {{"body", "bodies"},
+                                    {"contact", "contact.pairs"},
+                                    {"boundary", "boundaries"},
+                                    {"probe", "probes"},
+                                    {"section", "sections"}};
+  const auto dot = column.find('.');
+  const std::string head = column.substr(0, dot);
+  if (head == "heat") return true;  // of a scene that conducts
+  const auto* const known = std::find_if(std::begin(kHeads), std::end(kHeads),
+                                         [&](const Head& one) { return one.name == head; });
+  if (known == std::end(kHeads)) return false;
+  const std::string name = column.substr(dot + 1, column.find('.', dot + 1) - dot - 1);
+  const std::string start = head + "." + name + ".";
+  const bool built = std::any_of(columns.begin(), columns.end(), [&](const std::string& other) {
+    return other.starts_with(start);
+  });
+  if (built) return column.starts_with(start + "temperature.");  // of a scene that conducts
+  const std::string section = known->section;
+  if (loaded.places.has(section + "." + name)) return true;
+  if (head == "contact") {  // "a-b" where the deck names no pair
+    for (auto dash = name.find('-'); dash != std::string::npos; dash = name.find('-', dash + 1)) {
+      if (loaded.places.has("bodies." + name.substr(0, dash)) &&
+          loaded.places.has("bodies." + name.substr(dash + 1))) {
+        return true;
+      }
+    }
+  }
+  const std::string top = section.substr(0, section.find('.'));
+  return std::any_of(loaded.wrong.begin(), loaded.wrong.end(), [&](const std::string& wrong) {
+    return wrong == top || (wrong.empty() && !loaded.places.has(top));
+  });
+}
+
 /// Why a body lacks a field that others have.
 std::string reason_for(const std::string& field) {
   if (field == "temperature") return " (it is not heated: see `thermal` and `heat`)";
@@ -62,6 +102,7 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
   if (loaded.deck.measures.empty()) return;
   Names columns = HistoryColumns<Dim>(scene).names();
   columns.pop_back();  // the hash is not a number
+  const bool wrong_elsewhere = !problems.empty() || !loaded.wrong.empty();
   std::map<std::string, Names> fields;
   const auto check_field = [&](const std::string& path, const auto& kind) {
     const std::string name = kind.field.substr(0, kind.field.find('.'));
@@ -69,6 +110,7 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
     auto [known, fresh] = fields.try_emplace(kind.body);
     if (fresh) known->second = fields_of(scene, kind.body);
     if (contains(known->second, name)) return;
+    if (wrong_elsewhere && name == "temperature") return;  // something may heat it yet
     problems.push_back(loaded.places.problem(
         path + ".field", "'" + kind.body + "' has no field '" + name + "'" + reason_for(name) +
                              "; it has " + joined(known->second)));
@@ -81,6 +123,7 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
           if constexpr (requires { kind.field; }) check_field(path, kind);
           if constexpr (requires { kind.column; }) {
             if (contains(columns, kind.column)) return;
+            if (wrong_elsewhere && may_come(kind.column, columns, loaded)) return;
             std::string text = "there is no column '" + kind.column + "'";
             if (kind.column.starts_with("contact.") && scene.contact &&
                 scene.contact->n_pairs() > kMostReportedPairs) {

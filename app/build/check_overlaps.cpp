@@ -204,6 +204,13 @@ template <int Dim>
 void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
                     std::vector<DeckProblem>& problems) {
   const Deck& deck = loaded.deck;
+  // What could not be read may say that they ignore each other.
+  const auto& unread = loaded.wrong;
+  if (std::any_of(unread.begin(), unread.end(), [&](const std::string& path) {
+        return path.empty() ? !loaded.places.has("contact") : deck::related(path, "contact");
+      })) {
+    return;
+  }
   const auto skins = skins_of(deck, scene);
   const auto ignored = [&](const std::string& a, const std::string& b) {
     bool ignore = deck.contact.fallback.ignore;

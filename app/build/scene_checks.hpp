@@ -18,8 +18,8 @@ void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
                     std::vector<DeckProblem>& problems);
 
 /// Adds what is to be said of pairs of bodies: those that overlap at time 0 by less, how deep, and
-/// what comes of it; elements that may touch surfaces with a rim; and heat_every where no heat is
-/// conducted. Prints it too where asked. Of a whole scene.
+/// what comes of it; elements that may touch surfaces with a rim; heat_every where no heat is
+/// conducted; and what suspicious.hpp finds. Prints it too where asked. Of a whole scene.
 template <int Dim>
 void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
                    std::vector<DeckProblem>& warnings);

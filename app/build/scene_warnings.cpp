@@ -1,14 +1,15 @@
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
 #include "app/build/scene_checks.hpp"
+#include "app/build/suspicious.hpp"
 #include "app/deck/findings.hpp"
+#include "app/place.hpp"
 
 namespace brunt {
 
 namespace {
-using Warn = std::function<void(const std::string& path, const std::string& what)>;
-
 template <int Dim>
 void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn_at) {
   if (!scene.contact) return;
@@ -30,16 +31,47 @@ void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Wa
                         "them, or close it (particles meet both sides)");
   }
 }
+
+/// Probes and measures at places that lie farther outside of their body than its size.
+template <int Dim>
+void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn) {
+  const auto look = [&](const std::string& path, const std::string& body,
+                        const std::vector<Real>& at) {
+    const auto named = std::find(scene.body_names.begin(), scene.body_names.end(), body);
+    const auto label = static_cast<Label>(named - scene.body_names.begin());
+    const deck::Body& given = loaded.deck.bodies[label].value;
+    if (given.rigid) return;  // its surface alone has points
+    const Real far = find_place(scene.view(label), at).point_distance;
+    if (far > deck::smallest_size(given)) {
+      warn(path, "lies outside of '" + body + "': values of its nearest point are taken, " +
+                     deck::length_text(far) + " away");
+    }
+  };
+  for (const auto& [name, probe] : loaded.deck.probes) {
+    look("probes." + name + ".at", probe.body, probe.at);
+  }
+  for (const auto& [name, measure] : loaded.deck.measures) {
+    if (const auto* point = std::get_if<deck::PointMeasure>(&measure.kind)) {
+      look("measures." + name + ".point.at", point->body, point->at);
+    }
+  }
+}
 }  // namespace
 
 template <int Dim>
 void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
                    std::vector<DeckProblem>& warnings) {
   const auto warn = [&](const std::string& path, const std::string& what) {
+    // A value that was doubted when it was read has been told.
+    const auto doubted = [&](const DeckProblem& one) { return one.path == path; };
+    if (std::any_of(loaded.warnings.begin(), loaded.warnings.end(), doubted)) return;
     warnings.push_back(loaded.places.problem(path, what));
     if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
   };
+  warn_of_sizes(loaded, scene, warn);
+  warn_of_missed_aims(loaded, scene, warn);
   warn_of_contact(loaded, scene, warn);
+  warn_of_places(loaded, scene, warn);
   if (loaded.deck.time.heat_every > 1 && !scene.conducts()) {
     warn("time.heat_every", "changes nothing: no body conducts heat");
   }

@@ -21,22 +21,12 @@ void keep(std::vector<Named<T>>& entries, Test test) {
   std::erase_if(entries, [&](const Named<T>& entry) { return !test(entry); });
 }
 
-/// The body or column that a measure reads, "" for an expression.
-std::string source_of(const deck::Measure& measure) {
-  return std::visit(
-      [](const auto& kind) -> std::string {
-        if constexpr (requires { kind.body; }) return kind.body;
-        if constexpr (requires { kind.column; }) return kind.column;
-        return "";
-      },
-      measure.kind);
-}
 }  // namespace
 
 LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& wrong) {
   LoadedDeck part = loaded;
   Deck& deck = part.deck;
-  std::set<std::string> gone, materials, kept;
+  std::set<std::string> materials, kept;
   for (const auto& material : deck.materials) {
     if (!is_wrong("materials." + material.name, wrong)) materials.insert(material.name);
   }
@@ -44,7 +34,7 @@ LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& 
     const bool needs_none = body.value.rigid && body.value.material.empty();
     const bool made = needs_none || materials.contains(body.value.material);
     const bool sound = made && !is_wrong("bodies." + body.name, wrong);
-    (sound ? kept : gone).insert(body.name);
+    if (sound) kept.insert(body.name);
     return sound;
   });
   keep(deck.materials, [&](const auto& material) { return materials.contains(material.name); });
@@ -59,16 +49,8 @@ LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& 
   keep(deck.boundaries, [&](const auto& boundary) {
     return kept.contains(boundary.value.body) && !is_wrong("boundaries." + boundary.name, wrong);
   });
-  keep(deck.measures, [&](const auto& measure) {
-    const std::string source = source_of(measure.value);
-    const auto names = [&](const std::string& body) {
-      return source.find(body) != std::string::npos;
-    };
-    // A column of a body or boundary that is left out cannot be told from one that is not there.
-    return std::none_of(gone.begin(), gone.end(), names) &&
-           source.find("boundary.") == std::string::npos && !source.starts_with("probe.") &&
-           !source.starts_with("section.") && !is_wrong("measures." + measure.name, wrong);
-  });
+  keep(deck.measures,
+       [&](const auto& measure) { return !is_wrong("measures." + measure.name, wrong); });
   keep(deck.probes, [&](const auto& probe) {
     return kept.contains(probe.value.body) && !is_wrong("probes." + probe.name, wrong);
   });

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/measures.hpp"
+#include "app/place.hpp"
 
 namespace brunt {
 
@@ -20,22 +20,6 @@ GlobalId id_at(const std::vector<Field>& fields, std::size_t place) {
   return static_cast<GlobalId>(field_named(fields, "id")->values[place]);
 }
 
-/// Distance [m] of a point, or of the centre of a cell.
-Real distance(const BodyView& view, const std::vector<Real>& at, bool cell, std::size_t place) {
-  const auto corners = static_cast<std::size_t>(cell ? view.corners : 1);
-  Real square = 0;
-  for (std::size_t c = 0; c < at.size(); ++c) {
-    Real x = 0;
-    for (std::size_t k = 0; k < corners; ++k) {
-      const auto p =
-          cell ? static_cast<std::size_t>(view.connectivity[place * corners + k]) : place;
-      x += view.position[3 * p + c] / static_cast<Real>(corners);
-    }
-    square += (x - at[c]) * (x - at[c]);
-  }
-  return std::sqrt(square);
-}
-
 /// Returns what is wrong, "" where nothing is.
 std::string find_probe(const deck::Probe& given, const BodyView& view, Probe& probe) {
   for (const auto& field : given.fields) {
@@ -48,15 +32,14 @@ std::string find_probe(const deck::Probe& given, const BodyView& view, Probe& pr
     probe.fields.push_back(field);
     probe.of_cell.push_back(at_point ? 0 : 1);
   }
-  const auto find = [&](bool cell, GlobalId& id, Real& far) {
-    const std::size_t place = nearest_entity(view, given.at, cell);
-    id = id_at(cell ? view.cell_fields : view.point_fields, place);
-    far = distance(view, given.at, cell, place);
-  };
-  find(false, probe.point, probe.point_distance);
+  const Place place = find_place(view, given.at);
+  for (const std::size_t point : place.points) {
+    probe.points.push_back(id_at(view.point_fields, point));
+  }
+  probe.weights = place.weights, probe.point_distance = place.point_distance;
   const auto& of_cell = probe.of_cell;
   if (std::find(of_cell.begin(), of_cell.end(), 1) != of_cell.end()) {
-    find(true, probe.cell, probe.cell_distance);
+    probe.cell = id_at(view.cell_fields, place.cell), probe.cell_distance = place.cell_distance;
   }
   return "";
 }

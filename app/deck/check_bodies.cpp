@@ -179,6 +179,26 @@ void check_element(const Deck& deck, const std::string& path, const Body& body,
   }
 }
 
+/// Points of an outline that stand in one place make a side without length.
+void check_polygon(const std::string& path, const Body& body, Findings& findings) {
+  const auto* polygon = std::get_if<PolygonShape>(&body.shape.kind);
+  if (!polygon || !body.file.empty()) return;
+  const std::string key = path + ".shape.polygon.points";
+  const std::size_t n = polygon->points.size();
+  std::string repeats;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (polygon->points[i] != polygon->points[i - 1]) continue;
+    repeats += (repeats.empty() ? "point " : ", point ") + std::to_string(i) + " repeats point " +
+               std::to_string(i - 1);
+  }
+  if (n > 1 && polygon->points.back() == polygon->points.front()) {
+    repeats += (repeats.empty() ? "point " : ", point ") + std::to_string(n - 1) +
+               " repeats point 0 (an outline closes by itself)";
+  }
+  if (repeats.empty()) return;
+  findings.warn(key, repeats + ", counted from 0: each was probably meant once");
+}
+
 void check_gravity(const Deck& deck, Findings& findings) {
   if (deck.geometry != Geometry::axisymmetric || deck.gravity.empty()) return;
   if (deck.gravity[0] != 0) {
@@ -200,6 +220,7 @@ void check_bodies(const Deck& deck, Findings& findings) {
       check_element(deck, path, body, findings);
     }
     check_count(deck, path, body, cells, findings);
+    check_polygon(path, body, findings);
   }
   check_gravity(deck, findings);
   if (deck.geometry == Geometry::axisymmetric && deck.depth != 1) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "app/deck/checks.hpp"
 
@@ -64,6 +65,41 @@ void check_equation_of_state(const Named<Material>& material, Findings& findings
   }
 }
 
+/// c = sqrt((K + 4/3 G) / rho) [m/s] of all that is solid is 50 to 20,000; beyond, a unit is wrong.
+void check_sound_speed(const Named<Material>& material, Findings& findings) {
+  const std::string path = "materials." + material.name;
+  const auto told = [&](const char* key) { return findings.warned(path + key); };
+  if (told(".density") || told(".elastic")) return;  // of the same value
+  constexpr Range kUsual{50, 20'000}, kSolid{300, 13'000};
+  const ElasticConstants& elastic = material.value.elastic;
+  const Real modulus = elastic.bulk_modulus() + 4.0 / 3 * elastic.shear_modulus();
+  const Real density = material.value.density;
+  const auto speed = [&](Real stiffer, Real denser) {
+    return std::sqrt(stiffer * modulus / (denser * density));
+  };
+  const Real c = speed(1, 1);
+  if (c >= kUsual.min && c <= kUsual.max) return;
+  const auto is_solid = [&](Real one) { return one >= kSolid.min && one <= kSolid.max; };
+  const char* modulus_key = elastic.E ? "E" : "K";
+  const Real given = elastic.E ? *elastic.E : *elastic.K;
+  const char* key = ".elastic";
+  std::string meant = "check density and elastic constants, and their units";
+  if (density < 30 && is_solid(speed(1, 1e3))) {
+    key = ".density";
+    meant = "density: " + short_text(density) + " g/cm^3, " + short_text(1e3 * density) +
+            " kg/m^3, was probably meant";
+  } else if (c < kUsual.min) {
+    for (const Real factor : {1e9, 1e6, 1e3}) {
+      if (!is_solid(speed(factor, 1))) continue;
+      meant = std::string(modulus_key) + ": " + short_text(factor * given / 1e9) +
+              " GPa was probably meant";
+      break;
+    }
+  }
+  findings.warn(path + key, "sound would travel in it at " + short_text(c) +
+                                " m/s, and in solids at 50 to 20,000: " + meant);
+}
+
 }  // namespace
 
 void check_materials(const Deck& deck, Findings& findings) {
@@ -72,6 +108,7 @@ void check_materials(const Deck& deck, Findings& findings) {
     check_melting(deck, material, findings);
     check_heat(deck, material, findings);
     check_equation_of_state(material, findings);
+    check_sound_speed(material, findings);
   }
   const auto conducts = [](const auto& material) {
     return material.value.thermal && material.value.thermal->k;

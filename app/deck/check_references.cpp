@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -23,24 +24,58 @@ Names names_of(const std::vector<Named<T>>& entries) {
   return names;
 }
 
-/// A name that could not be read is empty, and told already.
-void check_name(const std::string& path, const char* kind, const std::string& name,
-                const Names& known, Findings& findings) {
-  if (name.empty() || contains(known, name)) return;
-  findings.wrong(path, std::string("there is no ") + kind + " '" + name + "'" +
-                           (known.empty() ? "" : suggestion(name, known)));
-}
+/// The names in a section, bodies or materials. One that is not there may be missed in many places
+/// and is told once.
+class KnownNames {
+ public:
+  KnownNames(const char* section, const char* kind, Names known, Findings& findings)
+      : section_(section), kind_(kind), known_(std::move(known)), findings_(findings) {}
+
+  /// Looks a name up that stands at `path`; "" could not be read, and is told already.
+  /// also  a word that may stand instead
+  void look_up(const std::string& path, const std::string& name, const char* also = "") {
+    if (name.empty() || name == also || contains(known_, name)) return;
+    // What could not be read is there, and told at its own place; so may be its whole section.
+    if (!findings_.sound(section_ + "." + name)) return;
+    missed_[name].push_back(path);
+  }
+  bool missed_any() const { return !missed_.empty(); }
+
+  void tell() const {
+    for (const auto& [name, paths] : missed_) {
+      std::string message = std::string("there is no ") + kind_ + " '" + name + "'" +
+                            (known_.empty() ? "" : suggestion(name, known_));
+      std::set<int> lines;
+      for (const auto& path : paths) {
+        if (path != paths.front()) findings_.also_wrong(path);
+        lines.insert(findings_.line(path));
+      }
+      lines.erase(findings_.line(paths.front()));
+      std::string list;
+      for (const int line : lines) list += (list.empty() ? "" : ", ") + std::to_string(line);
+      if (!list.empty()) message += "; it is named in line " + list + " too";
+      findings_.wrong(paths.front(), message);
+    }
+  }
+
+ private:
+  std::string section_;
+  const char* kind_;
+  Names known_;
+  Findings& findings_;
+  std::map<std::string, std::vector<std::string>> missed_;  ///< paths, by name
+};
 
 void check_materials_of_bodies(const Deck& deck, Findings& findings) {
-  const Names materials = names_of(deck.materials);
+  KnownNames materials("materials", "material", names_of(deck.materials), findings);
   for (const auto& [name, body] : deck.bodies) {
     const std::string path = "bodies." + name;
     if (name == "any") findings.wrong(path, "'any' means all bodies; give it another name");
-    // One that could not be read is there, and told at its own place.
-    if (findings.sound("materials." + body.material)) {
-      check_name(path + ".material", "material", body.material, materials, findings);
-    }
+    materials.look_up(path + ".material", body.material);
   }
+  materials.tell();
+  // A material that no body is made of may be the one that a body misses.
+  if (materials.missed_any() || !findings.sound("bodies")) return;
   for (const auto& material : deck.materials) {
     const auto uses = [&](const auto& body) { return body.value.material == material.name; };
     if (std::none_of(deck.bodies.begin(), deck.bodies.end(), uses)) {
@@ -56,16 +91,14 @@ bool is_told(const Deck& deck, const std::string& name) {
   });
 }
 
-void check_pairs(const Deck& deck, Findings& findings) {
-  Names known = names_of(deck.bodies);
-  known.emplace_back("any");
+void check_pairs(const Deck& deck, KnownNames& bodies, Findings& findings) {
   std::set<std::pair<std::string, std::string>> seen;
   for (const auto& [name, pair] : deck.contact.pairs) {
     const std::string path = "contact.pairs." + name + ".between";
     if (pair.between.size() != 2) continue;
     const std::string &first = pair.between[0], &second = pair.between[1];
-    check_name(path, "body", first, known, findings);
-    if (second != first) check_name(path, "body", second, known, findings);
+    bodies.look_up(path, first, "any");
+    if (second != first) bodies.look_up(path, second, "any");
     const auto [low, high] = std::minmax(first, second);
     if (!seen.emplace(low, high).second) {
       findings.wrong(path, "another pair names the same bodies; keep one of them");
@@ -115,36 +148,56 @@ void check_friction(const Deck& deck, Findings& findings) {
   }
 }
 
-void check_names_of_bodies(const Deck& deck, Findings& findings) {
-  const Names bodies = names_of(deck.bodies);
+/// The bodies in the name of a column: body.NAME.x, contact.NAME-NAME.x where no pair has the name.
+Names bodies_in(const std::string& column, const Deck& deck) {
+  const auto dot = column.find('.');
+  const std::string head = column.substr(0, dot);
+  if (dot == std::string::npos || (head != "body" && head != "contact")) return {};
+  const std::string name = column.substr(dot + 1, column.find('.', dot + 1) - dot - 1);
+  if (head == "body") return {name};
+  const auto dash = name.find('-');
+  // With more dashes than one, where a name ends is not known.
+  if (contains(names_of(deck.contact.pairs), name) || dash == std::string::npos ||
+      name.find('-', dash + 1) != std::string::npos) {
+    return {};
+  }
+  return {name.substr(0, dash), name.substr(dash + 1)};
+}
+
+void check_names_of_bodies(const Deck& deck, KnownNames& bodies) {
   for (const auto& [name, boundary] : deck.boundaries) {
-    check_name("boundaries." + name + ".body", "body", boundary.body, bodies, findings);
+    bodies.look_up("boundaries." + name + ".body", boundary.body);
   }
   for (const auto& [name, measure] : deck.measures) {
     const std::string path = "measures." + name;
     std::visit(
         [&](const auto& kind) {
           if constexpr (requires { kind.body; }) {
-            check_name(path + "." + std::remove_cvref_t<decltype(kind)>::deck_name + ".body",
-                       "body", kind.body, bodies, findings);
+            bodies.look_up(path + "." + std::remove_cvref_t<decltype(kind)>::deck_name + ".body",
+                           kind.body);
+          }
+          if constexpr (requires { kind.column; }) {
+            for (const auto& body : bodies_in(kind.column, deck)) {
+              bodies.look_up(path + ".history.column", body);
+            }
           }
         },
         measure.kind);
   }
   for (const auto& [name, probe] : deck.probes) {
-    check_name("probes." + name + ".body", "body", probe.body, bodies, findings);
+    bodies.look_up("probes." + name + ".body", probe.body);
   }
   for (const auto& [name, section] : deck.sections) {
-    check_name("sections." + name + ".body", "body", section.body, bodies, findings);
+    bodies.look_up("sections." + name + ".body", section.body);
   }
   if (deck.stop.at_rest) {
-    check_name("stop.at_rest.body", "body", deck.stop.at_rest->body, bodies, findings);
+    bodies.look_up("stop.at_rest.body", deck.stop.at_rest->body);
   }
   if (deck.stop.beyond) {
-    check_name("stop.beyond.body", "body", deck.stop.beyond->body, bodies, findings);
+    bodies.look_up("stop.beyond.body", deck.stop.beyond->body);
   }
   for (const std::string& name : deck.output.bodies) {
-    check_name("output.bodies", "body", name, bodies, findings);
+    bodies.look_up("output.bodies", name);
   }
 }
 
@@ -157,7 +210,7 @@ void check_expressions(const Deck& deck, Findings& findings) {
     if (expression && findings.sound(path)) {
       bool known = true;
       for (const std::string& used : names_in(expression->formula)) {
-        if (contains(above, used)) continue;
+        if (contains(above, used) || !findings.sound("measures." + used)) continue;
         known = false;
         findings.wrong(path, "there is no measure '" + used + "' above it" +
                                  (above.empty() ? "" : suggestion(used, above)));
@@ -177,9 +230,11 @@ void check_expressions(const Deck& deck, Findings& findings) {
 
 void check_references(const Deck& deck, Findings& findings) {
   check_materials_of_bodies(deck, findings);
-  check_pairs(deck, findings);
+  KnownNames bodies("bodies", "body", names_of(deck.bodies), findings);
+  check_pairs(deck, bodies, findings);
+  check_names_of_bodies(deck, bodies);
+  bodies.tell();
   check_friction(deck, findings);
-  check_names_of_bodies(deck, findings);
   check_expressions(deck, findings);
 }
 

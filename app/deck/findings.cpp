@@ -18,6 +18,7 @@ Findings::Findings(const DeckPlaces& places, std::vector<DeckProblem>& problems,
     : places_(places), problems_(problems), warnings_(warnings) {
   for (const auto& problem : problems) {
     if (!problem.path.empty()) unread_.push_back(problem.path);
+    section_unknown_ = section_unknown_ || problem.path.empty();
   }
 }
 
@@ -31,7 +32,18 @@ void Findings::warn(const std::string& path, const std::string& message) {
 
 bool Findings::stands(const std::string& path) const { return places_.has(path); }
 
+int Findings::line(const std::string& path) const { return places_.place(path).line; }
+
+bool Findings::warned(const std::string& path) const {
+  return std::any_of(warnings_.begin(), warnings_.end(),
+                     [&](const DeckProblem& warning) { return related(warning.path, path); });
+}
+
+void Findings::also_wrong(const std::string& path) { also_wrong_.push_back(path); }
+
 bool Findings::sound(const std::string& path) const {
+  // A section that is not known may be any that the deck lacks.
+  if (section_unknown_ && !stands(path.substr(0, path.find('.')))) return false;
   return std::none_of(unread_.begin(), unread_.end(),
                       [&](const std::string& unread) { return related(unread, path); });
 }

@@ -14,18 +14,26 @@ class Findings {
            std::vector<DeckProblem>& warnings);
 
   void wrong(const std::string& path, const std::string& message);
+  /// A key that is wrong by what is told at another.
+  void also_wrong(const std::string& path);
+  const std::vector<std::string>& told_elsewhere() const { return also_wrong_; }
   void warn(const std::string& path, const std::string& message);
   /// False where something at, below or above the key could not be read: its values are then
   /// defaults, and nothing can be said of them.
   bool sound(const std::string& path) const;
+  /// True where a warning was given of the key, or of one below it.
+  bool warned(const std::string& path) const;
   /// True where the key itself stands in the deck.
   bool stands(const std::string& path) const;
+  /// The line of the key in its file.
+  int line(const std::string& path) const;
 
  private:
   const DeckPlaces& places_;
   std::vector<DeckProblem>& problems_;
   std::vector<DeckProblem>& warnings_;
-  std::vector<std::string> unread_;
+  std::vector<std::string> unread_, also_wrong_;
+  bool section_unknown_ = false;
 };
 
 /// True where one of the two keys is the other, or stands below it.

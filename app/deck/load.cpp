@@ -70,16 +70,34 @@ void use_library(Node& root, const Node& library, std::vector<DeckProblem>& prob
   expand_library(*materials, "materials", library, {"elastic", "strength", "eos"}, problems);
 }
 
-/// What is told of a parameter is not told again where it is used.
-void drop_consequences(const std::vector<Parameter>& parameters,
+/// What is told of a parameter is not told again where it is used: one that is wrong itself, beyond
+/// the first `n_told` problems; one that is no number, or does not fit in the same way, but once.
+void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_told,
                        std::vector<DeckProblem>& problems) {
-  std::set<std::string> places;
+  std::map<std::string, std::vector<const Parameter*>> used_at;
   for (const Parameter& parameter : parameters) {
-    if (!parameter.failed) continue;
-    for (const SourcePlace& place : parameter.used_at) places.insert(place.text());
+    for (const SourcePlace& place : parameter.used_at) {
+      used_at[place.text()].push_back(&parameter);
+    }
   }
-  std::erase_if(problems,
-                [&](const DeckProblem& problem) { return places.contains(problem.place.text()); });
+  const auto first = problems.begin() + static_cast<std::ptrdiff_t>(n_told);
+  std::set<std::pair<const Parameter*, std::string>> seen;
+  const auto repeats = [&](const DeckProblem& problem) {
+    const auto used = used_at.find(problem.place.text());
+    if (used == used_at.end()) return false;
+    return std::any_of(used->second.begin(), used->second.end(), [&](const Parameter* parameter) {
+      // "expects a length (m), got '-$size = 2 kg'": the value is written as it was used.
+      const std::string& told = problem.message;
+      const std::size_t value = told.find(", got '"), end = told.rfind('\'');
+      const std::string what =
+          value < end ? told.substr(0, value) + told.substr(end) : told.substr(0, value);
+      return parameter->failed || !seen.emplace(parameter, parameter->value ? what : "").second;
+    });
+  };
+  std::vector<DeckProblem> kept(problems.begin(), first);
+  std::copy_if(first, problems.end(), std::back_inserter(kept),
+               [&](const DeckProblem& problem) { return !repeats(problem); });
+  problems = std::move(kept);
 }
 
 }  // namespace
@@ -99,23 +117,33 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
   for (const Override& change : overrides) {
     if (!sets_library(change)) apply_override(root, change, problems);
   }
+  const bool declares = root.find("parameters") != nullptr;
+  const std::size_t n_before = problems.size();
   const std::vector<Parameter> parameters = resolve_parameters(root, units_, is_formula, problems);
   const ParameterValues values = values_of(parameters);
+  std::size_t n_told = problems.size();
   ReadReport report;
   Reader reader(root, geometry_of(root), units_, values, report);
   describe(reader, loaded.deck);
-  reader.finish();
+  reader.finish({"include", "parameters"});
+  // An unknown section may be that of the parameters.
+  const auto& read = report.problems;
+  const bool section_unknown = std::any_of(
+      read.begin(), read.end(), [](const DeckProblem& problem) { return problem.path.empty(); });
+  if (!declares && section_unknown) n_told = n_before;
   loaded.places.set("", root.place);
   for (const auto& [path, place] : report.places) loaded.places.set(path, place);
   problems.insert(problems.end(), report.problems.begin(), report.problems.end());
   loaded.warnings.insert(loaded.warnings.end(), report.warnings.begin(), report.warnings.end());
   Findings findings(loaded.places, problems, loaded.warnings);
   check_deck(loaded.deck, findings);
+  loaded.wrong = findings.told_elsewhere();
   for (const DeckProblem& problem : problems) loaded.wrong.push_back(problem.path);
-  drop_consequences(parameters, problems);
+  drop_consequences(parameters, n_told, problems);
   sort_problems(problems);
   sort_problems(loaded.warnings);
   for (const Parameter& parameter : parameters) {
+    if (!parameter.declared) continue;
     DeckParameter shown{parameter.name, parameter.text, 0, ""};
     if (parameter.value) {
       shown.value = parameter.value->value;

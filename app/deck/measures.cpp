@@ -39,14 +39,7 @@ void describe_field(Schema& s, std::string& body, std::string& field) {
   s.text({"field", "a field or a component of one: temperature, stress.xx, velocity.magnitude",
           Need::required},
          field);
-  std::string known;
-  for (const FieldInfo& info : kFields) {
-    known += (known.empty() ? "" : ", ") + std::string(info.name);
-    if (info.components == 3) known += ".x|y|z|magnitude";
-    if (info.components == 6) known += ".xx|yy|zz|xy|yz|zx";
-  }
-  s.require(unit_of_field(field) != nullptr, "field",
-            "'" + field + "' is not a number at a point; known are " + known);
+  s.require(unit_of_field(field) != nullptr, "field", field_problem(field));
 }
 
 /// The unit of a history column by the end of its name.
@@ -95,6 +88,16 @@ struct UnitOfKind {
 };
 
 }  // namespace
+
+std::string field_problem(const std::string& field) {
+  std::string known;
+  for (const FieldInfo& info : kFields) {
+    known += (known.empty() ? "" : ", ") + std::string(info.name);
+    if (info.components == 3) known += ".x|y|z|magnitude";
+    if (info.components == 6) known += ".xx|yy|zz|xy|yz|zx";
+  }
+  return "'" + field + "' is not a number at a point; known are " + known;
+}
 
 const char* unit_of_field(const std::string& field) {
   const std::size_t dot = field.find('.');

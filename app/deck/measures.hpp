@@ -36,10 +36,11 @@ struct MeanMeasure {
   std::string body, field;
 };
 
-/// The field at the point or cell that is nearest to `at` at time 0.
+/// The field at the place that is `at` at time 0, between points or of the cell that holds it.
 struct PointMeasure {
   static constexpr const char* deck_name = "point";
-  static constexpr const char* deck_help = "a field at the point nearest to a place at time 0";
+  static constexpr const char* deck_help =
+      "a field at a place of time 0, between the points around it";
   std::string body, field;
   std::vector<Real> at;  ///< [m]
 };
@@ -79,6 +80,8 @@ struct Measure {
 
 /// The SI unit of a field such as "stress.xx", or null where no such field exists.
 const char* unit_of_field(const std::string& field);
+/// What is wrong with a field that is none, and those that are.
+std::string field_problem(const std::string& field);
 /// The SI unit of a measure's value: "m", "K"; "any" for expressions and unknown columns.
 const char* unit_of(const Measure& measure);
 

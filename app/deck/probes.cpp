@@ -5,13 +5,13 @@ namespace brunt::deck {
 void describe(Schema& s, Probe& probe) {
   s.text({"body", "name of a body", Need::required}, probe.body);
   s.list({"at", "a place at time 0", Need::required}, probe.at, {"m"}, Schema::kVector);
-  s.names({"fields",
-           "fields at the nearest point or element: temperature, stress.xx, velocity.magnitude",
-           Need::required},
-          probe.fields, 0);
+  s.names(
+      {"fields",
+       "fields there, between points or of the element: temperature, stress.xx, velocity.magnitude",
+       Need::required},
+      probe.fields, 0);
   for (const std::string& field : probe.fields) {
-    s.require(unit_of_field(field) != nullptr, "fields",
-              "'" + field + "' is not a number at a point; write a component: stress.xx");
+    s.require(unit_of_field(field) != nullptr, "fields", field_problem(field));
   }
 }
 

@@ -7,7 +7,7 @@
 
 namespace brunt::deck {
 
-/// Fields at the point (point fields) or element (element fields) nearest to a place at time 0.
+/// Fields at a place of time 0: between points (point fields) or of its element (element fields).
 struct Probe {
   std::string body;
   std::vector<Real> at;             ///< [m]

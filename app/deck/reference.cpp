@@ -1,5 +1,7 @@
 #include "app/deck/reference.hpp"
 
+#include <algorithm>
+
 #include "app/deck/deck.hpp"
 
 namespace brunt::deck {
@@ -14,14 +16,52 @@ KeyInfo early_key(const char* name, const char* help, KeyInfo::Type type) {
   return key;
 }
 
-}  // namespace
-
-KeyInfo deck_keys() {
-  KeyInfo root = key_tree(Geometry::three_d, [](Schema& s) {
+KeyInfo keys_of(Geometry geometry) {
+  return key_tree(geometry, [](Schema& s) {
     Deck blank;
     describe(s, blank);
   });
+}
+
+/// What one geometry does not need is not needed in general.
+void keep_common_needs(KeyInfo& key, const KeyInfo& other) {
+  if (!other.required) key.required = false;
+  for (KeyInfo& child : key.children) {
+    const auto same = std::find_if(other.children.begin(), other.children.end(),
+                                   [&](const KeyInfo& one) { return one.name == child.name; });
+    if (same != other.children.end()) keep_common_needs(child, *same);
+  }
+}
+
+/// The needs of bodies that depend on what else stands there, as describe() has them.
+void set_conditions(KeyInfo& bodies) {
+  for (KeyInfo& key : bodies.children) {
+    if (key.name == "material") key.needed_when = "!rigid: true";
+    if (key.name == "shape") key.needed_when = "!file";
+    if (key.name == "size") key.needed_when = "method: sph";
+  }
+}
+
+/// A reference has the unit of what is measured.
+void free_the_reference(KeyInfo& measures) {
+  for (KeyInfo& key : measures.children) {
+    if (key.name == "reference") key.unit = "any";
+  }
+}
+
+}  // namespace
+
+KeyInfo schema_keys() {
+  KeyInfo root = deck_keys();
+  keep_common_needs(root, keys_of(Geometry::plane_strain));
+  return root;
+}
+
+KeyInfo deck_keys() {
+  KeyInfo root = keys_of(Geometry::three_d);
   for (KeyInfo& key : root.children) {
+    if (key.name == "bodies") set_conditions(key);
+    if (key.name == "measures") free_the_reference(key);
     if (key.name != "materials") continue;
     key.children.insert(key.children.begin(),
                         early_key("library",

@@ -32,4 +32,24 @@ void MieGruneisenEquation::update(MaterialTile& tile, const Real* deviatoric_wor
   }
 }
 
+void MieGruneisenEquation::isentropic_warming(const MaterialTile& tile, Real cutoff,
+                                              Real* logarithm) const {
+  const Pack densest = broadcast<Pack>(densest_ratio_);
+  for (int i = 0; i < tile.count; i += kLanes) {
+    Pack before = vmax(load(tile.ratio_old + i), densest),
+         now = vmax(load(tile.ratio + i), densest);
+    if (cutoff < kInfinity) {
+      // p = K (V0/V - 1) + gamma0 E = -cutoff
+      const Pack energy =
+          load(tile.state->energy.data() + tile.first + static_cast<std::size_t>(i));
+      const Pack compression = 1.0 - (1.0 / bulk_) * (cutoff + law_.gamma0 * energy);
+      const auto opens = Pack{} < compression;
+      const Pack loosest = vmax(1.0 / select(opens, compression, broadcast<Pack>(1.0)), densest);
+      before = select(opens, vmin(before, loosest), before);
+      now = select(opens, vmin(now, loosest), now);
+    }
+    store(logarithm + i, law_.gamma0 * (before - now));
+  }
+}
+
 }  // namespace brunt

@@ -11,8 +11,8 @@ void visit_material_point(Row& row, State& state, std::size_t k) {
   for (auto& component : state.deviator) row(component[k]);
   row(state.pressure[k]);
   row(state.bulk[k]);
-  for (auto* field :
-       {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat, &state.energy}) {
+  for (auto* field : {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat,
+                      &state.compression_heat, &state.energy}) {
     if (!field->empty()) row((*field)[k]);
   }
 }
@@ -24,6 +24,7 @@ inline std::string fields_of(const MaterialState& state) {
   if (!state.eps_p.empty()) text += ".plastic";
   if (!state.temperature.empty()) text += ".temperature";
   if (!state.heat.empty()) text += ".heat";
+  if (!state.compression_heat.empty()) text += ".compression";
   if (!state.energy.empty()) text += ".energy";
   return text;
 }

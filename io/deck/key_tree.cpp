@@ -52,14 +52,17 @@ class KeyWalker final : public Schema {
     if (!info.required) info.fallback = main_word(words[static_cast<std::size_t>(index)]);
   }
   void list(const Key& key, std::vector<Real>& value, const Quantity& quantity, int size,
-            bool) override {
+            bool allow_free) override {
     KeyInfo& info = add(key, KeyInfo::Type::list, quantity);
     info.size = size;
+    info.free_allowed = allow_free;
     if (!info.required) info.fallback = numbers_text(value);
   }
   void list(const Key& key, std::optional<std::vector<Real>>&, const Quantity& quantity, int size,
-            bool) override {
-    add(key, KeyInfo::Type::list, quantity).size = size;
+            bool allow_free) override {
+    KeyInfo& info = add(key, KeyInfo::Type::list, quantity);
+    info.size = size;
+    info.free_allowed = allow_free;
   }
   void direction(const Key& key, std::vector<Real>& value) override {
     KeyInfo& info = add(key, KeyInfo::Type::direction);
@@ -217,7 +220,8 @@ KeyInfo key_tree(Geometry geometry, const std::function<void(Schema&)>& describe
 
 std::string type_text(const KeyInfo& key) {
   using Type = KeyInfo::Type;
-  const std::string unit = key.unit.empty() || key.unit == "1" ? "" : " [" + key.unit + "]";
+  const std::string unit =
+      key.unit.empty() || key.unit == "1" || key.unit == "any" ? "" : " [" + key.unit + "]";
   switch (key.type) {
     case Type::map:
       return key.list_allowed ? "map, or list of maps" : "map";
@@ -288,6 +292,29 @@ const KeyInfo* find_below(const KeyInfo& key, const std::vector<std::string>& pa
 }
 
 }  // namespace
+
+namespace {
+void collect_paths(const KeyInfo& key, const std::string& path, std::vector<std::string>& all) {
+  for (const KeyInfo& child : key.children) {
+    if (child.bare) continue;
+    std::string below = path;
+    if (!child.in_line) {
+      below += (path.empty() ? "" : ".") + child.name;
+      all.push_back(below);
+    }
+    const bool named = child.type == KeyInfo::Type::named;
+    collect_paths(child, named ? below + ".NAME" : below, all);
+  }
+}
+}  // namespace
+
+std::vector<std::string> paths_ending_in(const KeyInfo& root, const std::string& tail) {
+  std::vector<std::string> all;
+  collect_paths(root, "", all);
+  std::erase_if(
+      all, [&](const std::string& path) { return path != tail && !path.ends_with("." + tail); });
+  return all;
+}
 
 const KeyInfo* find_key(const KeyInfo& root, const std::string& path) {
   std::vector<std::string> parts;

@@ -69,12 +69,25 @@ class Resolver {
   std::vector<Parameter> finish() {
     std::vector<Parameter> parameters;
     for (Declared& declared : declared_) {
-      if (!used_.contains(declared.parameter.name)) {
+      // One that nothing uses may be the one that is missed.
+      if (!used_.contains(declared.parameter.name) && undeclared_.empty()) {
         problems_.push_back({declared.parameter.place, "parameters." + declared.parameter.name,
                              "is not used; write $" + declared.parameter.name +
                                  " where it belongs, or take it out"});
       }
       parameters.push_back(std::move(declared.parameter));
+    }
+    for (auto& [name, uses] : undeclared_) {
+      if (uses.size() > 1) {
+        problems_[told_[name]].message += "; it is used " + std::to_string(uses.size()) + " times";
+      }
+      Parameter parameter;
+      parameter.name = name;
+      parameter.place = uses.front();
+      parameter.failed = true;
+      parameter.declared = false;
+      parameter.used_at = std::move(uses);
+      parameters.push_back(std::move(parameter));
     }
     return parameters;
   }
@@ -95,12 +108,20 @@ class Resolver {
   Declared* use(const std::string& name, const SourcePlace& place, const std::string& path) {
     Declared* declared = find(name);
     if (!declared) {
+      if (name.empty()) {
+        problems_.push_back(
+            {place, path,
+             "'$' is followed by a name without braces, as in $speed; '$$' is a dollar"});
+        return nullptr;
+      }
+      auto& uses = undeclared_[name];
+      uses.push_back(place);
+      if (uses.size() > 1) return nullptr;
       std::vector<std::string> known;
       for (const Declared& other : declared_) known.push_back(other.parameter.name);
+      told_[name] = problems_.size();
       problems_.push_back(
-          {place, path,
-           name.empty() ? "'$' is followed by a name without braces, as in $speed; '$$' is a dollar"
-                        : "the parameter $" + name + " is not declared" + suggestion(name, known)});
+          {place, path, "the parameter $" + name + " is not declared" + suggestion(name, known)});
       return nullptr;
     }
     used_.insert(name);
@@ -243,6 +264,7 @@ class Resolver {
   }
 
   void negate(Node& node, const Parameter& parameter, const std::string& path) {
+    if (parameter.failed) return;  // told already
     if (!parameter.value) {
       problems_.push_back({node.place, path,
                            "$" + parameter.name +
@@ -288,7 +310,9 @@ class Resolver {
   std::vector<Declared> declared_;
   std::map<std::string, std::size_t> index_;  ///< of a name in declared_
   std::set<std::string> used_;
-  std::vector<std::size_t> open_;  ///< that are being resolved, outermost first
+  std::map<std::string, std::vector<SourcePlace>> undeclared_;  ///< where each is used
+  std::map<std::string, std::size_t> told_;  ///< the problem of each that is undeclared
+  std::vector<std::size_t> open_;            ///< that are being resolved, outermost first
   bool all_resolved_ = false;
   static constexpr std::size_t kMaxNodes = 1'000'000, kLongestText = 10'000;
   std::size_t n_nodes_ = 0;  ///< that parameters have put in

@@ -18,11 +18,13 @@ struct Parameter {
   Node node;                            ///< what `$name` stands for
   std::optional<ParameterValue> value;  ///< of numbers and quantities
   bool failed = false;                  ///< it is wrong, and so is what is made of it
+  bool declared = true;                 ///< false: it is used alone
   std::vector<SourcePlace> used_at;     ///< outside of other parameters
 };
 
 /// Takes the key `parameters` out of the deck, and puts values in wherever a `$name` stands but in
-/// expressions and where `is_formula(path)`. Undeclared and unused ones are problems.
+/// expressions and where `is_formula(path)`. Undeclared and unused ones are problems, each told
+/// once. Undeclared ones come last.
 std::vector<Parameter> resolve_parameters(Node& root, const Units& units,
                                           const std::function<bool(const std::string&)>& is_formula,
                                           std::vector<DeckProblem>& problems);

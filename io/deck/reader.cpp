@@ -25,6 +25,10 @@ std::string joined(const std::vector<std::string>& names) {
   return list;
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 const Node& empty_map() {
   static const Node kEmpty = map_node();
   return kEmpty;
@@ -38,8 +42,9 @@ Reader::Reader(const Node& root, Geometry geometry, const Units& units,
   open_scope(&root, "");
 }
 
-void Reader::finish() {
+void Reader::finish(const std::vector<std::string>& taken) {
   assert(scopes_.size() == 1);
+  scope().known.insert(scope().known.end(), taken.begin(), taken.end());
   close_scope();
 }
 
@@ -72,25 +77,45 @@ void Reader::close_scope() {
       return;
     }
   }
+  tell_unknown_and_missing(closed);
+}
+
+void Reader::tell_unknown_and_missing(const Scope& closed) {
+  std::vector<const Entry*> unknown;
   std::vector<std::string> meant;
   for (const Entry& entry : closed.node->entries) {
-    if (std::find(closed.known.begin(), closed.known.end(), entry.key) != closed.known.end()) {
-      continue;
-    }
-    problem_at(entry.place, closed.path,
-               "unknown key '" + entry.key + "'" + suggestion(entry.key, closed.known));
+    if (contains(closed.known, entry.key)) continue;
+    unknown.push_back(&entry);
     meant.push_back(nearest_word(entry.key, closed.known));
   }
+  std::vector<const Key*> missing;
   for (const Key& key : closed.missing) {
-    if (std::find(meant.begin(), meant.end(), key.name) != meant.end()) continue;
-    const std::string path = closed.path.empty() ? key.name : closed.path + "." + key.name;
-    problem_at(closed.node->place, path, "is missing: " + std::string(key.help));
+    if (!contains(meant, key.name)) missing.push_back(&key);
+  }
+  // An unknown key may be the one that is missing, and then both are one mistake.
+  auto next = missing.begin();
+  for (std::size_t i = 0; i < unknown.size(); ++i) {
+    const Entry& entry = *unknown[i];
+    std::string message = "unknown key '" + entry.key + "'" + suggestion(entry.key, closed.known);
+    if (meant[i].empty() && next != missing.end()) {
+      message += "; '" + std::string((*next++)->name) + "' is missing";
+    }
+    problem_at(entry.place, closed.path, message);
+  }
+  for (; next != missing.end(); ++next) {
+    const std::string name = (*next)->name;
+    problem_at(closed.node->place, closed.path.empty() ? name : closed.path + "." + name,
+               "is missing: " + std::string((*next)->help));
+  }
+  if (unknown.empty() && !closed.choice_missing.empty()) {
+    problem(*closed.node, closed.path, closed.choice_missing);
   }
 }
 
 const Node* Reader::find(const Key& key) {
   Scope& here = scope();
   here.known.emplace_back(key.name);
+  if (here.unsettled) return nullptr;
   const Entry* entry = here.node->find_entry(key.name);
   if (!entry) {
     if (key.need == Need::required && !not_applicable_) here.missing.push_back(key);
@@ -137,6 +162,7 @@ void Reader::require(bool holds, const char* at, const std::string& message) {
   if (holds || not_applicable_) return;
   const Scope& here = scope();
   if (report_.problems.size() > here.problems_before || !here.missing.empty()) return;
+  if (here.unsettled || !here.choice_missing.empty()) return;
   const auto known = [&](const Entry& entry) {
     return std::find(here.known.begin(), here.known.end(), entry.key) != here.known.end();
   };
@@ -212,12 +238,12 @@ const Entry* Reader::chosen_alternative(const Key& key, const Node& node, const 
     chosen = &entry;
   }
   if (chosen || (is_inline && key.need == Need::optional)) return chosen;
-  // A misspelt alternative among other keys is told as an unknown key, once.
-  const bool misspelt =
-      is_inline && std::any_of(node.entries.begin(), node.entries.end(), [&](const Entry& entry) {
-        return !nearest_word(entry.key, names).empty();
-      });
-  if (!misspelt) problem(node, path, "needs one of " + joined(names));
+  const std::string needed = "needs one of " + joined(names);
+  if (is_inline) {
+    scope().choice_missing = needed;  // told unless an unknown key may be the one
+  } else {
+    problem(node, path, needed);
+  }
   return nullptr;
 }
 
@@ -280,6 +306,7 @@ void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternati
     return;
   }
   const Entry* chosen = chosen_alternative(key, *node, path, names);
+  if (!chosen && is_inline && key.need == Need::required) scope().unsettled = true;
   if (!chosen || (is_inline && not_applicable_)) return;
   choose(index_of(chosen->key));
   const std::string chosen_path = path.empty() ? chosen->key : path + "." + chosen->key;

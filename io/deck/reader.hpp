@@ -25,7 +25,8 @@ class Reader final : public Schema {
   Reader(const Node& root, Geometry geometry, const Units& units, const ParameterValues& parameters,
          ReadReport& report);
   /// Call once, after describe(): unknown and missing keys of the outermost map.
-  void finish();
+  /// taken  keys of it that were read before and taken out
+  void finish(const std::vector<std::string>& taken = {});
 
   Geometry geometry() const override { return geometry_; }
   void real(const Key& key, Real& value, const Quantity& quantity) override;
@@ -86,7 +87,9 @@ class Reader final : public Schema {
     std::vector<std::string> known;  ///< keys of the schema so far
     std::vector<Key> missing;        ///< required and not there
     std::size_t problems_before = 0;
-    bool value_taken = false;  ///< a bare value was read
+    std::string choice_missing;  ///< what to tell where no alternative stands
+    bool unsettled = false;      ///< which alternative is meant is not known, nor what it asks
+    bool value_taken = false;    ///< a bare value was read
   };
 
   int dimensions() const { return geometry_ == Geometry::three_d ? 3 : 2; }
@@ -98,6 +101,8 @@ class Reader final : public Schema {
   const Node* find(const Key& key);
   void open_scope(const Node* node, const std::string& path);
   void close_scope();
+  /// Tells the keys of a map that are not known, and those that are missing.
+  void tell_unknown_and_missing(const Scope& closed);
   /// The one alternative among the keys of a map, or null after a problem.
   const Entry* chosen_alternative(const Key& key, const Node& node, const std::string& path,
                                   const std::vector<std::string>& names);

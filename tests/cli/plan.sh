@@ -30,4 +30,15 @@ compare "$decks/projectile-2d/projectile-2d.yaml" "parameters.size=0.5 mm"
 for text in "bound by" "body.striker.velocity.x" "contact.striker-target.force.x"; do
   grep -qF "$text" plan.txt || { cat plan.txt; echo "FAILED: the plan lacks: $text"; exit 1; }
 done
+# How far elements flatten is not known: a range, which holds what the run takes.
+range=$("$brunt" plan "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml" |
+  sed -n 's/^steps *\([0-9]*\) to \([0-9]*\) up to .*/\1 \2/p')
+read -r least most <<<"$range"
+"$brunt" run "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml" --quiet --out steps
+steps=$(sed -n 's/.*"steps": *\([0-9]*\).*/\1/p' steps/summary.json)
+echo "taylor-bar-axisymmetric: planned $least to $most steps, taken $steps"
+[ "$least" -le "$steps" ] && [ "$steps" -le "$most" ]
+
+# A key is found by its last part, wherever it stands.
+"$brunt" explain friction | grep -q '^contact.pairs.NAME.friction'
 echo "all good"

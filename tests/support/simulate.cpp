@@ -127,6 +127,8 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   for (const auto& [body, text] : monitor.artificial_tension()) {
     result.told.push_back({artificial_stress_path(body), text});
   }
+  result.step_margins = monitor.step_check().margins();
+  for (const auto& warning : monitor.step_check().warnings()) result.told.push_back(warning);
   result.created = monitor.energy_shares().created;
   return result;
 }

@@ -31,6 +31,19 @@ TEST(DeckReference, FindsKeysWithAndWithoutNamesOfEntries) {
   EXPECT_EQ(find_key(root, "materials.densty"), nullptr);
 }
 
+TEST(DeckReference, FindsKeysByTheirLastParts) {
+  const KeyInfo root = deck_keys();
+  EXPECT_EQ(paths_ending_in(root, "friction"),
+            (std::vector<std::string>{"contact.default.friction", "contact.pairs.NAME.friction"}));
+  EXPECT_EQ(paths_ending_in(root, "johnson-cook.T_melt"),
+            std::vector<std::string>{"materials.NAME.strength.johnson-cook.T_melt"});
+  EXPECT_TRUE(paths_ending_in(root, "riction").empty());
+  // Whatever stands in a deck is found by its last part, and each path leads to its key.
+  for (const std::string& path : paths_ending_in(root, "axis")) {
+    EXPECT_NE(find_key(root, path), nullptr) << path;
+  }
+}
+
 TEST(DeckReference, ExplainsUnitRangeDefaultAndHelp) {
   const KeyInfo root = deck_keys();
   const std::string text = explain_text(*find_key(root, "time.safety"), "time.safety");

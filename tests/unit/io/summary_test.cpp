@@ -30,6 +30,7 @@ RunSummary example() {
   s.ns_particle_step = std::nan("");
   s.peak_memory = 123456768;
   s.drift = -1.25e-13;
+  s.step_margins = {{"bar", 1.25}, {"plate", 0.75}};
   s.measures = {{"length", 0.0173, "m", 0.017, 0.0173 / 0.017 - 1}, {"bounce", 0.5, "", {}, {}}};
   s.warnings = {{"coarse-body", "body 'a': \"one\" element"}};
   s.ranks = 4;
@@ -57,6 +58,7 @@ TEST(Summary, ReadsBackTheSame) {
   EXPECT_TRUE(std::isnan(b.ns_particle_step));
   EXPECT_EQ(b.peak_memory, a.peak_memory);
   EXPECT_EQ(b.drift, a.drift);
+  EXPECT_EQ(b.step_margins, a.step_margins);
   ASSERT_EQ(b.measures.size(), 2u);
   EXPECT_EQ(b.measures[0].name, "length");
   EXPECT_EQ(b.measures[0].value, a.measures[0].value);
