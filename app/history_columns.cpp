@@ -99,7 +99,7 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   names_.push_back("state_hash");
   largest_ = energy_of_rounding(scene);
   energies_ = EnergyWatch(scene.body_names.size());
-  energies_.start(largest_);
+  energies_.start(1e6 * largest_);  // strains of 1e-9, speeds of 1e-9 c: no run stops for less
   for (std::size_t c = 0; c < names_.size(); ++c) {
     const auto& name = names_[c];
     if (name == "step" || name == "dt_body" || name.ends_with(".planes")) whole_.push_back(c);

@@ -22,16 +22,17 @@ struct Section {
 };
 
 /// Cosines of the angle between two faces from which their pressure fades in, up to the whole of
-/// it. Sides of boxes that lie flat on each other must be without force, and knives whose edges
-/// cross have no faces that oppose each other better than sin(a/2) sin(b/2), a and b their angles:
-/// so that is the scale.
+/// it. Sides of boxes that lie flat on each other must be without force, and a point has no side
+/// that opposes a floor better than sin(a/2), a its angle: so that, of the sharper body, is the
+/// scale. Blades that cross oppose each other by the product of both; where the blunter has less
+/// than 0.13 to 0.24 their edges carry them (contact/edge_contact.hpp).
 template <int Dim>
 struct FacingRamp {
   Real none, whole;
 
   FacingRamp(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper)
-      : none(0.18 * lower.sharpness * upper.sharpness),
-        whole(0.34 * lower.sharpness * upper.sharpness) {}
+      : none(0.18 * kBoxSharpness * std::min(lower.sharpness, upper.sharpness)),
+        whole(0.34 * kBoxSharpness * std::min(lower.sharpness, upper.sharpness)) {}
   Real at(Real facing) const { return std::min((facing - none) / (whole - none), 1.0); }
   /// Derivative of ln at(facing).
   Real growth(Real facing) const { return facing < whole ? 1 / (facing - none) : 0.0; }

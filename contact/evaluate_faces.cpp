@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "contact/crossing.hpp"
-#include "contact/evaluate.hpp"
+#include "contact/evaluate_edges.hpp"
 #include "contact/face_votes.hpp"
 
 namespace brunt {
@@ -39,20 +39,28 @@ Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate
       .dot(plane.normal);
 }
 
-/// Notes a plane that lets go, or one that comes from behind. Slivers, less than a hundredth of the
-/// smaller face, come and go deep at the borders of faces: what they would push is next to nothing.
+/// True for planes of less than a hundredth of the smaller face: they come and go deep at the
+/// borders of faces, where what they would push is next to nothing, and are all that a corner has,
+/// which pushes as much as any other contact.
+template <int Dim>
+bool is_sliver(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const CommonPlane<Dim>& plane) {
+  constexpr Real kSliver = 0.01;
+  const Real smaller = std::min(entities.planes[static_cast<std::size_t>(candidate.lower)].area,
+                                entities.planes[static_cast<std::size_t>(candidate.upper)].area);
+  // In 2D as a length, as that of faces.
+  const Real pressed = Dim == 3 ? plane.area : plane.polygon[1][0] - plane.polygon[0][0];
+  return pressed < kSliver * smaller;
+}
+
+/// Notes a plane that lets go, or one that comes from behind.
 template <int Dim>
 void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const CommonPlane<Dim>& plane, std::uint32_t how,
                typename Records<Dim>::Part& part) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
-  constexpr Real kSliver = 0.01;
-  const Real smaller = std::min(entities.planes[static_cast<std::size_t>(candidate.lower)].area,
-                                entities.planes[static_cast<std::size_t>(candidate.upper)].area);
-  // In 2D as a length, as that of faces.
-  const Real pressed = Dim == 3 ? plane.area : plane.polygon[1][0] - plane.polygon[0][0];
-  if (pressed < kSliver * smaller) return;
+  if (is_sliver(entities, candidate, plane)) return;
   part.lost.push_back(
       {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
 }
@@ -339,7 +347,9 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     int n = step.touches.time_zero && !candidate.presses
                 ? 0
                 : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
-    if (!touch.matters()) {
+    const bool held = touch.held;
+    touch.held = false;
+    if (!touch.matters() && !held) {
       if (const auto* plane = from_behind(entities, candidate, planes, n, section, step.dt)) {
         touch.overlap = deepest_of<Dim>(planes, n);
         // An overlap that came in over borders is held by the faces beside it.
@@ -350,23 +360,27 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
-      if (plane.penetration > candidate.limit) {
+      if (plane.penetration > candidate.limit && !(held && is_sliver(entities, candidate, plane))) {
         // By the way of the step it was within the limit at the last evaluation, and pushed. What
         // is seen from behind was beyond it then too, and what opens comes nearer.
         const Real way = closing_speed(entities, candidate, plane) * step.dt;
-        if (plane.penetration - way <= candidate.limit) {
+        if ((held && plane.fade > 0.5) || plane.penetration - way <= candidate.limit) {
           note_lost(entities, candidate, plane, kLetGo, part);
         }
         continue;
       }
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
+      touch.held = touch.held || plane.deepest > FirstTouch::kHeldFrom * candidate.limit;
       if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
       if (candidate.rubs == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
     }
+    if (!step.touches.time_zero || candidate.presses) {
+      add_blades(entities, candidate, step, part);
+    }
     touch.key = {0, 0, first, second};
-    if (touch.matters()) part.face_touches.push_back(touch);
+    if (touch.matters() || touch.held) part.face_touches.push_back(touch);
     const bool free = part.face_on_face.size() == ends.record && !touch.matters();
     if (free) note_crossing<Dim>(entities, candidate, part);
     if (candidate.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);

@@ -9,18 +9,22 @@ namespace brunt {
 /// 2.9): from time 0 an overlap of which contact takes no notice, which only shrinks, by as much as
 /// they open, and a bond of cohesion and tension, which breaks for good; and from when a particle
 /// came near an open surface the side from which it came, until it leaves; and while it
-/// touches a thin plate of elements the face that was nearest.
+/// touches a thin plate of elements the face that was nearest. Faces whose deepest corner nears the
+/// limit remember that they push: they have not come from behind when it is beyond.
 struct FirstTouch {
   ContactKey key;       ///< with ordinal 0; of a particle and a surface `second` is the surface
   Real overlap = 0;     ///< [m]
   bool bonded = false;  ///< in the last evaluation
   bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
   int side = 0;         ///< of an open surface: 1 before it, -1 behind it; 0: none
+  bool held =
+      false;  ///< of faces: they pushed in the last evaluation, deeper than kHeldFrom limits
   GlobalId entry = kNoEntry;  ///< of a thin plate: the face that was nearest to the particle
 
   static constexpr GlobalId kNoEntry = ~GlobalId{0};
+  static constexpr Real kHeldFrom = 0.75;
 
-  /// False once nothing is left that would make the contact unlike any other.
+  /// False once nothing is left that would make the force unlike that of any other contact.
   bool matters() const { return overlap > 0 || bonded || side != 0 || entry != kNoEntry; }
 };
 

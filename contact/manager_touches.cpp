@@ -18,6 +18,7 @@ void visit_touch(Row& row, AnyTouch& touch) {
   row(touch.bonded);
   row(touch.slips);
   row(touch.side);
+  row(touch.held);
   row(touch.entry);
 }
 }  // namespace
@@ -72,7 +73,7 @@ std::uint64_t ContactManager<Dim>::Implementation::touch_hash() const {
     hash.add(touch.key.second);
     hash.add(touch.overlap);
     hash.add(static_cast<std::uint64_t>(touch.bonded ? 1 : 0) + (touch.slips ? 2 : 0) +
-             4 * static_cast<std::uint64_t>(touch.side + 1));
+             4 * static_cast<std::uint64_t>(touch.side + 1) + (touch.held ? 16 : 0));
     if (touch.entry != FirstTouch::kNoEntry) hash.add(touch.entry);
     sum += hash.value();
   }

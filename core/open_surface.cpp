@@ -85,6 +85,7 @@ void mark_open(std::span<Facet<Dim>> facets) {
 
 template <int Dim>
 void mark_borders(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x) {
+  constexpr Real kBlade = -0.866;  // faces of an edge of less than 30 degrees
   for (auto& facet : facets) facet.borders = 0;
   for_holders(facets, [&](std::span<const Holder> holders) {
     for (const auto& own : holders) {
@@ -95,6 +96,10 @@ void mark_borders(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x) {
       if (goes_on) continue;
       auto& borders = facets[own.facet].borders;
       borders = static_cast<std::uint8_t>(borders | 1U << own.number);
+      const bool blade = Dim == 3 && std::any_of(holders.begin(), holders.end(), [&](auto& other) {
+                           return side.normal.dot(side_of(facets[other.facet], x).normal) < kBlade;
+                         });
+      if (blade) borders = static_cast<std::uint8_t>(borders | 16U << own.number);
     }
   });
 }

@@ -39,7 +39,7 @@ struct Facet {
   /// [1/kg] the same of the whole body, by area, on springs of all of its surface at once
   Real mean_compliance = 0;
   bool open = false;  ///< of a surface with a rim: both of its sides can be touched
-  /// Bit c: the surface ends at its edge from corner c to the next (2D: at corner c)
+  /// Bit c: the surface ends at its edge from corner c to the next (2D: at c); 4 + c: as a blade
   std::uint8_t borders = 0;
   /// [1] sine of half the sharpest angle of the body at one of its corners; as of a box where that
   /// is blunter

@@ -273,12 +273,20 @@ TEST(ThinRigid, TouchingIsNotInside) {
   const std::string deck = R"(
 title: a plate on a block, just so
 geometry: 3d
-parameters: {gap: 0}
+parameters: {gap: 0 m, base: 40 mm}
 time: {end: 0.2 ms}
 materials: {rubber: {density: 1000 kg/m^3, elastic: {E: 10 MPa, nu: 0.3}}}
 bodies:
-  block: {method: sph, material: rubber, shape: {box: {min: [-50 mm, -50 mm, 0], max: [50 mm, 50 mm, 40 mm]}}, size: 20 mm}
-  plate: {rigid: true, material: rubber, shape: {box: {min: [-60 mm, -60 mm, = 40 mm + $gap], max: [60 mm, 60 mm, = 60 mm + $gap]}}}
+  block:
+    method: sph
+    material: rubber
+    shape: {box: {min: [-50 mm, -50 mm, 0], max: [50 mm, 50 mm, 40 mm]}}
+    size: 20 mm
+  plate:
+    rigid: true
+    material: rubber
+    shape: {box: {min: [-60 mm, -60 mm, 0], max: [60 mm, 60 mm, 20 mm]},
+            translate: [0, 0, = $base + $gap]}
 output: {history: 1 us}
 )";
   for (const char* gap : {"0 m", "2e-17 m", "1e-17 m", "7e-18 m", "-7e-18 m", "-1e-12 m"}) {

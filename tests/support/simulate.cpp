@@ -68,6 +68,9 @@ class Watcher final : public Observer<Dim> {
     if constexpr (Dim == 3) {
       if (hooks_.step_done) hooks_.step_done(scene, clock);
     }
+    if (hooks_.moved) {
+      hooks_.moved(clock.step(), [&](Label body) { return scene.view(body); });
+    }
     if (rearrange_) scene.rearrange();
   }
 

@@ -19,10 +19,12 @@ struct RunVariation {
   std::int64_t split_at = 0;
 };
 
-/// What a test does to a scene of a 3D deck from outside.
+/// What a test does to a scene of a 3D deck from outside, or sees of any.
 struct SceneHooks {
   std::function<void(Scene<3>&)> built;
   std::function<void(Scene<3>&, const Clock&)> step_done;
+  /// After each step of any deck: its number, and how the bodies are now, by label.
+  std::function<void(std::int64_t, const std::function<BodyView(Label)>&)> moved;
 };
 
 /// All that a run of a deck leaves, in memory.

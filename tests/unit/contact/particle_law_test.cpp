@@ -53,8 +53,9 @@ TEST(ParticleLaw, HoldsNoDeeperThanTheBody) {
   EXPECT_EQ(held_behind(particle(), one), 3);
   one.open = false;
   EXPECT_EQ(held_behind(particle(), one), 1.5);
-  one.half_thickness = 0.2;  // in front of it the other side is 0.4 behind
-  EXPECT_EQ(held_behind(particle(), one), 0.9);
+  one.half_thickness = 0.2;  // in front of it the other side is 0.4 behind: just not as deep
+  EXPECT_NEAR(held_behind(particle(), one), 0.9, 1e-6);
+  EXPECT_LT(held_behind(particle(), one), 0.9);
 }
 
 // 25/2 m c^2 of a particle at five times its speed of sound, m c^2 = M (2 r)^3, is what the barrier

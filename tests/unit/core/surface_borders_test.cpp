@@ -4,6 +4,7 @@
 // neighbour ends.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/open_surface.hpp"
@@ -52,6 +53,21 @@ TEST(SurfaceBorders, OfATriangleAloneAreAllOfThem) {
   std::vector<Facet<3>> facets = {facet<3>({0, 1, 2, -1})};
   mark_borders<3>(facets, x);
   EXPECT_EQ(facets[0].borders, 0b0111);
+}
+
+// Two sides that share an edge, edge 0 of the first and edge 0 of the second, at 20 and 40 degrees.
+TEST(SurfaceBorders, OfABladeAreMarkedAsSuch) {
+  const auto sides = [](Real degrees) {
+    const Real w = std::tan(0.5 * degrees * kPi / 180);
+    const std::vector<Vec3> x = {{0, 0, 1},  {0, 0, 0},   {w, -1, 0},
+                                 {w, -1, 1}, {-w, -1, 0}, {-w, -1, 1}};
+    std::vector<Facet<3>> facets = {facet<3>({1, 0, 3, 2}), facet<3>({0, 1, 4, 5})};
+    mark_borders<3>(facets, x);
+    return std::array<int, 2>{facets[0].borders, facets[1].borders};
+  };
+  const std::array<int, 2> sharp = sides(20), blunt = sides(40);
+  EXPECT_EQ(sharp, (std::array<int, 2>{0b00011111, 0b00011111}));
+  EXPECT_EQ(blunt, (std::array<int, 2>{0b00001111, 0b00001111}));
 }
 
 // A needle of square section whose sides lean by 10 degrees against its axis: sides that share
