@@ -1,6 +1,7 @@
 #pragma once
 /// The visitor that fills a struct from a tree. It goes on after a problem, so that all of a deck
 /// is told at once, and remembers where each key stands.
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -144,6 +145,7 @@ class Reader final : public Schema {
   const Units& units_;
   const ParameterValues& parameters_;
   ReadReport& report_;
+  std::uintmax_t table_bytes_ = 0;  ///< of all files of tables so far
   std::vector<Scope> scopes_;
   const char* not_applicable_ = nullptr;  ///< inside a section that does not apply: when it does
 };

@@ -44,6 +44,9 @@ const char* over_unit(Varying::Over over) {
 
 namespace {
 
+/// Read, all of a deck take some 500 MB and half a second where their rows are as short as can be.
+constexpr std::uintmax_t kMostTableBytes = std::uintmax_t{4} << 20;
+
 /// One row of a file of columns; a blank line and a comment have none.
 Node csv_row(std::string line, const SourcePlace& place) {
   Node row = list_node();
@@ -95,8 +98,18 @@ std::optional<Node> Reader::table_rows(const Node& node, const std::string& path
   }
   const auto file = std::filesystem::path(name.place.file).parent_path() / name.text;
   std::error_code error;
-  std::ifstream stream(file);
-  if (!std::filesystem::is_regular_file(file, error) || !stream) {
+  // A pipe would be opened for ever.
+  const bool is_file = std::filesystem::is_regular_file(file, error);
+  if (is_file) table_bytes_ += std::filesystem::file_size(file, error);
+  if (!error && table_bytes_ > kMostTableBytes) {
+    problem(name, path,
+            "the files of tables are larger than 4 MiB together, some 100,000 rows: write fewer "
+            "rows, what is between them is interpolated");
+    return {};
+  }
+  std::ifstream stream;
+  if (is_file && !error) stream.open(file);
+  if (!stream.is_open()) {
     problem(name, path, "cannot read the file '" + file.string() + "'");
     return {};
   }

@@ -69,6 +69,16 @@ for path in . pipe /dev/zero /dev/full; do
   echo "include: [$path]" >including.yaml
   bounded 2 including.yaml
 done
+table="method: fe, size: 5 mm, $box}\nboundaries:\n  b: {body: a, where: surface, force: [0, 0, {file: rows.csv, over: time}]"
+deck "$(printf "$table")" >table.yaml
+printf '0,1\n1,2\n' >rows.csv
+bounded 0 table.yaml
+awk 'BEGIN { for (i = 0; i < 1048576; ++i) print "1,2" }' >rows.csv
+bounded 2 table.yaml 'rises from row to row'
+echo 3,4 >>rows.csv
+bounded 2 table.yaml 'larger than 4 MiB together'
+rm rows.csv && mkfifo rows.csv
+bounded 2 table.yaml 'cannot read'
 printf 'solid' >huge.stl
 truncate -s 20G huge.stl
 deck "method: sph, size: 1 mm, file: huge.stl" >stl.yaml
