@@ -113,7 +113,6 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
     // product it is 0 to the last digit in the first step from rest
     const Vec<Dim> half = 0.5 * dt * points.a[i];
     body.kinetic.add(0.5 * m * (points.v[i] - half).dot(points.v[i] + half));
-    totals.add(Column::integration, points.integration[i]);
     body.integration.add(points.integration[i]);
   }
 }
@@ -159,6 +158,9 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
       add_points(points, first, last, dt, part);
     });
     solid->add_totals(totals);
+  }
+  for (const auto& body : totals.bodies) {  // so far of points, once for both
+    totals.columns[static_cast<std::size_t>(Column::integration)].add(body.integration);
   }
   if (contact) contact->add_totals(totals);
   supports.add_totals(totals);

@@ -17,6 +17,7 @@ class ExactSum {
     const auto bits = std::bit_cast<std::uint64_t>(value);
     int exponent = static_cast<int>((bits >> 52) & 0x7ff);
     std::uint64_t mantissa = bits & 0xfffffffffffffULL;
+    if ((bits << 1) == 0) return;  // most of what is summed before anything has happened
     if (exponent == 0x7ff) {
       poisoned_ = true;
       return;

@@ -19,7 +19,7 @@ struct ShapeGuard {
   static constexpr Real kFlat = 0.003;
   /// Part of its height, or of h where that is less, that a place may lose in a step: what comes
   /// faster would be through the energy before its steepness bounds the step.
-  static constexpr Real kClosing = 0.1;
+  static constexpr Real kClosing = 0.05;
 };
 
 /// Adds the guard's forces to the corner forces of element e, their work to hourglass_work and

@@ -37,8 +37,7 @@ materials:
     density: 2703 kg/m^3
     elastic: {E: 68.9 GPa, nu: 0.33}
     strength:
-      johnson-cook:
-        {A: 324 MPa, B: 114 MPa, n: 0.42, C: 0.002, m: 1.34, T_melt: 925 K, T_ref: 298 K}
+      johnson-cook: {A: 324 MPa, B: 114 MPa, n: 0.42, C: 0.002, m: 1.34, T_melt: 925 K}
     eos: {mie-gruneisen: {c0: 5240 m/s, s: 1.40, gamma0: 1.97}}
     thermal: {cp: 896 J/kg/K, k: 167 W/m/K}
 contact: {default: {friction: 0}}
