@@ -38,7 +38,9 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
 template <int Dim>
 Real held_behind(const ContactParticle& particle, const ContactFace<Dim>& face) {
   const Real held = (face.open ? kOpenDepthRadii : kDepthRadii) * particle.radius;
-  return std::min(held, face.deforms() ? face.depth : 2 * face.half_thickness + particle.radius);
+  // What touches the other side from outside is as deep, to rounding, and must not be held.
+  const Real other_side = (1 - kTouchingGap) * (2 * face.half_thickness + particle.radius);
+  return std::min(held, face.deforms() ? face.depth : other_side);
 }
 
 /// Whether the face is that of a plate of elements which, squeezed, may be passed in a step.

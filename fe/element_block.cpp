@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/errors.hpp"
+#include "fe/shape_guard.hpp"
 
 namespace brunt {
 namespace {
@@ -81,6 +82,7 @@ void measure_elements(const Points<Dim>& points, const Thickness& thickness,
   block.element_volume.resize(padded);
   block.reference_size.resize(padded);
   block.mass.resize(padded);
+  if (block.material->yields()) block.guard_reach.resize(padded);
   for (LocalIndex e = 0; e < block.n_padded; ++e) {
     const auto x = corner_positions(block, e, points);
     const auto part = gauss_volumes<Dim>(x, thickness);
@@ -93,6 +95,7 @@ void measure_elements(const Points<Dim>& points, const Thickness& thickness,
     block.mass[e] = block.material->density * exact;
     const Real size = Dim == 3 ? volume : element_volume<Dim>(x, true, Thickness{1, 0});
     block.reference_size[e] = Dim == 3 ? std::cbrt(size) : std::sqrt(size);
+    if (!block.guard_reach.empty()) block.guard_reach[e] = guard_reach<Dim>(x);
     for (int g = 0; g < block.gauss; ++g) {
       block.reference_volume[block.point(e, g)] = block.gauss == 1 ? volume : part[g];
     }
@@ -196,6 +199,16 @@ Real element_volume(const Corners<Dim>& x, bool one_point, const Thickness& thic
 }
 
 template <int Dim>
+Real one_point_volume(const Corners<Dim>& x, const Thickness& thickness) {
+  const Modal<Dim, Real> modes = modes_at<Dim>(x);
+  Real E[Shape<Dim>::kActive][Dim];
+  volume_gradient(modes, E);
+  const Real size = measure<Dim, Real>(modes, E);
+  if constexpr (Dim == 3) return size;
+  return size * (thickness.constant + thickness.radial * modes.m[Shape<Dim>::kModes - 1][0]);
+}
+
+template <int Dim>
 ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
                              const Thickness& thickness) {
   ElementBlock<Dim> block;
@@ -283,6 +296,8 @@ template std::array<Real, 4> gauss_volumes<2>(const Corners<2>&, const Thickness
 template std::array<Real, 8> gauss_volumes<3>(const Corners<3>&, const Thickness&);
 template Real element_volume<2>(const Corners<2>&, bool, const Thickness&);
 template Real element_volume<3>(const Corners<3>&, bool, const Thickness&);
+template Real one_point_volume<2>(const Corners<2>&, const Thickness&);
+template Real one_point_volume<3>(const Corners<3>&, const Thickness&);
 template ElementBlock<2> make_block(const ElementSet<2>&, const Points<2>&, const Thickness&);
 template ElementBlock<3> make_block(const ElementSet<3>&, const Points<3>&, const Thickness&);
 template std::vector<Real> corner_shares(const ElementBlock<2>&, const Points<2>&,

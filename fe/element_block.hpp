@@ -70,12 +70,14 @@ struct ElementBlock {
   /// Viscous control: [N] generalised forces Q at n, kHourglassValues x n_padded.
   std::vector<Real> hourglass;
   std::vector<Real> hourglass_stiffness;  ///< [N/m] stiffness control: of each element
-  BendingModuli bending;                  ///< assumed-strain control
-  std::vector<Real> viscous_pressure;     ///< [Pa] bulk viscosity q at n
-  std::vector<Real> stress_work;          ///< [J] of each element since time 0
-  std::vector<Real> hourglass_work;       ///< [J]
-  std::vector<Real> viscous_work;         ///< [J]
-  std::vector<Real> stable_step;          ///< [s] bound of each element
+  /// Where the material yields: from where on its shape is looked at [m^2], see guard_shapes.
+  std::vector<Real> guard_reach;
+  BendingModuli bending;               ///< assumed-strain control
+  std::vector<Real> viscous_pressure;  ///< [Pa] bulk viscosity q at n
+  std::vector<Real> stress_work;       ///< [J] of each element since time 0
+  std::vector<Real> hourglass_work;    ///< [J]
+  std::vector<Real> viscous_work;      ///< [J]
+  std::vector<Real> stable_step;       ///< [s] bound of each element
   /// Where it conducts: share of its volume [1] that each corner stands for at time 0, n_padded x
   /// kCorners: of its heat capacity, and of the mechanical heat.
   std::vector<Real> heat_share;
@@ -118,6 +120,12 @@ std::array<Real, Shape<Dim>::kGauss> gauss_volumes(
 template <int Dim>
 Real element_volume(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x, bool one_point,
                     const Thickness& thickness);
+
+/// Volume [m^3] as one-point elements measure it, from its gradient: to round-off that of
+/// element_volume, for a tenth of the price.
+template <int Dim>
+Real one_point_volume(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x,
+                      const Thickness& thickness);
 
 template <int Dim>
 std::array<Vec<Dim>, Shape<Dim>::kCorners> corner_positions(const ElementBlock<Dim>& block,

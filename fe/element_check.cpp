@@ -45,7 +45,8 @@ template <int Dim>
 PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
                                const Points<Dim>& points, const Thickness& thickness) {
   const auto x = corner_positions(block, e, points);
-  Real least = element_volume<Dim>(x, block.gauss == 1, thickness);
+  Real least = block.gauss == 1 ? one_point_volume<Dim>(x, thickness)
+                                : element_volume<Dim>(x, false, thickness);
   int where = -1;
   if (block.gauss > 1) {
     const auto part = gauss_volumes<Dim>(x, thickness);

@@ -2,6 +2,7 @@
 /// pressure serve the element (mean dilatation, Nagtegaal, Parks & Rice 1974; B-bar, Hughes 1980).
 #include "fe/element_step.hpp"
 #include "fe/gauss_point.hpp"
+#include "fe/shape_guard.hpp"
 
 namespace brunt {
 namespace {
@@ -287,6 +288,7 @@ BRUNT_INLINE void dynamics(const Group<Dim>& group, GaussWork<Dim>& w) {
   }
   for (int i = 0; i < Dim; ++i) to_corners(f, i, node);
   scatter<Dim>(node, group.step.corner_force + group.e * Shape<Dim>::kCorners * Dim);
+  guard_shapes<Dim>(block, group.e, w.norm, w.c.m + Dim, group.step);
 }
 
 }  // namespace

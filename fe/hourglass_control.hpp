@@ -27,6 +27,9 @@ BRUNT_INLINE void hourglass_amplitudes(const OnePointConfiguration<Dim>& at,
   }
 }
 
+/// Part of a corner's momentum that viscous control may take in a step; 2 is the limit.
+inline constexpr Real kStableRates = 1.6;
+
 template <int Dim>
 BRUNT_INLINE Pack dot(const HourglassModes<Dim>& Q, const HourglassModes<Dim>& q) {
   Pack sum = broadcast<Pack>(0);
@@ -59,6 +62,23 @@ BRUNT_INLINE void set_hourglass_forces(const OnePointConfiguration<Dim>& at,
   }
 }
 
+/// Largest Q/q [N/m] that takes from nodes of this element no more in a step than is stable: mass
+/// of a corner over dt^2 gamma^2. In crushed and skewed elements gamma has parts along the linear
+/// modes that are larger than it: gamma^2 <= 1 + sum (grad h)^2 (mode)^2 <= 1 + |B B/V^2| sum
+/// mode^2.
+template <int Dim>
+BRUNT_INLINE Pack most_rate_stiffness(const OnePointLane<Dim>& lane, const OnePointWork<Dim>& w) {
+  constexpr Real corners = Shape<Dim>::kCorners;
+  Pack square = broadcast<Pack>(0);
+  for (const auto& mode : w.now.mode) {
+    for (int i = 0; i < Dim; ++i) square += mode[i] * mode[i];
+  }
+  const Pack gamma_square = 1.0 + corners * w.norm.largest * square;
+  const Real dt = lane.step.dt;
+  return (kStableRates / (corners * dt * dt)) * load(lane.block.mass.data() + lane.e) /
+         gamma_square;
+}
+
 /// Viscous control: Q = 2 Q_HG rho c l^2 dq/dt at mid-step.
 template <int Dim>
 BRUNT_INLINE void resist_rates(const OnePointLane<Dim>& lane, Real coefficient,
@@ -79,7 +99,8 @@ BRUNT_INLINE void resist_rates(const OnePointLane<Dim>& lane, Real coefficient,
   const Pack size = load(block.reference_size.data() + lane.e);
   Pack area = size * size;
   if constexpr (Dim == 2) area = size * w.now.thickness;
-  const Pack k = (2.0 * coefficient / lane.step.dt) * w.rho * w.speed * area;
+  const Pack k = vmin((2.0 * coefficient / lane.step.dt) * w.rho * w.speed * area,
+                      most_rate_stiffness(lane, w));
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
     for (int i = 0; i < Dim; ++i) {
       Q[a][i] = k * q[a][i];

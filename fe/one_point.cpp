@@ -1,5 +1,6 @@
 /// One-point elements, Flanagan & Belytschko 1981, in modal coordinates.
 #include "fe/hourglass_control.hpp"
+#include "fe/shape_guard.hpp"
 
 namespace brunt {
 namespace {
@@ -132,6 +133,7 @@ BRUNT_INLINE void dynamics(const OnePointLane<Dim>& lane, OnePointWork<Dim>& w) 
   store_stable_step<Dim>(block, e, w.norm, w.rho, load(block.state.bulk.data() + e), w.rate);
   corner_forces(w, s, p + w.q, lane.step.corner_force + e * Shape<Dim>::kCorners * Dim,
                 lane.step.thickness);
+  guard_shapes<Dim>(block, e, w.norm, w.now.mode, lane.step);
 }
 
 }  // namespace

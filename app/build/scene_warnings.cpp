@@ -32,11 +32,15 @@ void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Wa
   }
 }
 
-/// Probes and measures at places that lie farther outside of their body than its size.
+/// Probes and measures at places that lie farther outside of their body than its size, unless
+/// `warnings` tells of them by now.
 template <int Dim>
-void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn) {
+void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                    const std::vector<DeckProblem>& warnings, const Warn& warn) {
   const auto look = [&](const std::string& path, const std::string& body,
                         const std::vector<Real>& at) {
+    const auto told = [&](const DeckProblem& one) { return one.path == path; };
+    if (std::any_of(warnings.begin(), warnings.end(), told)) return;
     const auto named = std::find(scene.body_names.begin(), scene.body_names.end(), body);
     const auto label = static_cast<Label>(named - scene.body_names.begin());
     const deck::Body& given = loaded.deck.bodies[label].value;
@@ -71,7 +75,7 @@ void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print
   warn_of_sizes(loaded, scene, warn);
   warn_of_missed_aims(loaded, scene, warn);
   warn_of_contact(loaded, scene, warn);
-  warn_of_places(loaded, scene, warn);
+  warn_of_places(loaded, scene, warnings, warn);
   if (loaded.deck.time.heat_every > 1 && !scene.conducts()) {
     warn("time.heat_every", "changes nothing: no body conducts heat");
   }

@@ -245,11 +245,11 @@ TEST(HeatEvery, PlasticHeatDoesNotWait) {
     const auto once = simulate_shipped(name, deck), kept = simulate_shipped(name, with);
     ASSERT_EQ(kept.failure, "");
     const auto a = once.column("heat.plastic"), b = kept.column("heat.plastic");
-    const auto stored = kept.column("heat.stored");
+    const auto stored = kept.column("heat.stored"), shock = kept.column("heat.compression");
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
       EXPECT_NEAR(b[k], a[k], 1e-3 * a.back());  // the flow stress sees another temperature
-      EXPECT_NEAR(stored[k], b[k], 1e-12 * a.back());
+      EXPECT_NEAR(stored[k], b[k] + shock[k], 1e-12 * a.back());
     }
     EXPECT_GT(a.back(), 0);
   }

@@ -1,0 +1,253 @@
+#include "fe/shape_guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt {
+namespace {
+
+/// Plain arrays: what Eigen vectorises depends on the instruction set.
+template <int Dim>
+using Square = std::array<std::array<Real, Dim>, Dim>;
+template <int Dim>
+using Places = std::array<Vec<Dim>, Shape<Dim>::kCorners>;
+
+/// The corner beside I along the local axis j.
+constexpr int beside(int I, int j) {
+  constexpr int kAlong[2][4] = {{1, 0, 3, 2}, {3, 2, 1, 0}};
+  return j == 2 ? (I + 4) % 8 : I / 4 * 4 + kAlong[j][I % 4];
+}
+
+/// Where the guard looks: at the corners, between which det(dx/dxi) is linear in 2D, and at the
+/// Gauss points of a hexahedron, which warps such that it has volume at its corners alone.
+template <int Dim>
+inline constexpr int kPlaces = Dim == 3 ? 2 * Shape<3>::kCorners : Shape<2>::kCorners;
+
+/// Slopes of shape functions at the places, [place][corner][j].
+template <int Dim>
+using SlopeTable =
+    std::array<std::array<std::array<Real, Dim>, Shape<Dim>::kCorners>, kPlaces<Dim>>;
+template <int Dim>
+constexpr SlopeTable<Dim> make_slopes() {
+  constexpr int n = Shape<Dim>::kCorners;
+  SlopeTable<Dim> table{};
+  for (int p = 0; p < kPlaces<Dim>; ++p) {
+    std::array<Real, Dim> at = gauss_place<Dim>(p % n);
+    for (int j = 0; j < Dim && p < n; ++j) at[j] = Shape<Dim>::kSign[p][j];
+    const auto slope = Shape<Dim>::mode_slopes(at);
+    for (int I = 0; I < n; ++I) {
+      std::array<Real, Dim> corner{};
+      for (int j = 0; j < Dim; ++j) corner[j] = Shape<Dim>::kSign[I][j];
+      const auto value = Shape<Dim>::mode_values(corner);
+      for (int j = 0; j < Dim; ++j) {
+        for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
+          table[p][I][j] += value[m] * slope[m][j] / n;
+        }
+      }
+    }
+  }
+  return table;
+}
+template <int Dim>
+constexpr SlopeTable<Dim> kSlopes = make_slopes<Dim>();
+
+/// dx/dxi at a place, [i][j].
+template <int Dim>
+Square<Dim> jacobian_at(const Places<Dim>& x, int place) {
+  Square<Dim> a{};
+  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < Dim; ++j) a[i][j] += x[I][i] * kSlopes<Dim>[place][I][j];
+    }
+  }
+  return a;
+}
+
+template <std::size_t Dim>
+std::array<std::array<Real, Dim>, Dim> product(const std::array<std::array<Real, Dim>, Dim>& a,
+                                               const std::array<std::array<Real, Dim>, Dim>& b) {
+  std::array<std::array<Real, Dim>, Dim> c{};
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t j = 0; j < Dim; ++j) {
+      for (std::size_t k = 0; k < Dim; ++k) c[i][j] += a[i][k] * b[k][j];
+    }
+  }
+  return c;
+}
+template <std::size_t Dim>
+std::array<std::array<Real, Dim>, Dim> transpose(const std::array<std::array<Real, Dim>, Dim>& a) {
+  std::array<std::array<Real, Dim>, Dim> t;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t j = 0; j < Dim; ++j) t[j][i] = a[i][j];
+  }
+  return t;
+}
+/// a : b
+template <std::size_t Dim>
+Real double_dot(const std::array<std::array<Real, Dim>, Dim>& a,
+                const std::array<std::array<Real, Dim>, Dim>& b) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t j = 0; j < Dim; ++j) sum += a[i][j] * b[i][j];
+  }
+  return sum;
+}
+/// d det/da.
+Square<2> cofactors_of(const Square<2>& a) { return {{{a[1][1], -a[1][0]}, {-a[0][1], a[0][0]}}}; }
+Square<3> cofactors_of(const Square<3>& a) {
+  Square<3> c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
+      c[i][j] = a[p][r] * a[q][s] - a[p][s] * a[q][r];
+    }
+  }
+  return c;
+}
+template <std::size_t Dim>
+Real determinant(const std::array<std::array<Real, Dim>, Dim>& a,
+                 const std::array<std::array<Real, Dim>, Dim>& cofactors) {
+  Real sum = 0;
+  for (std::size_t j = 0; j < Dim; ++j) sum += a[0][j] * cofactors[0][j];
+  return sum;
+}
+/// Half of d|cof F|^2/dF: F in 2D, tr(C) F - F C in 3D with C = F^T F.
+Square<2> cofactor_slope(const Square<2>& F) { return F; }
+Square<3> cofactor_slope(const Square<3>& F) {
+  const Square<3> FC = product(F, product(transpose(F), F));
+  const Real trace = double_dot(F, F);
+  Square<3> slope;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) slope[i][j] = trace * F[i][j] - FC[i][j];
+  }
+  return slope;
+}
+
+/// What one place with dx/dxi = a adds, over V0 k/places: slopes by a [1/m] and a bound of its
+/// stiffness [1/m^2].
+template <int Dim>
+struct PlaceGuard {
+  bool acts = false;
+  Real height = 0;  ///< 1/|F^-1|
+  Square<Dim> slope{};
+  Real stiffness = 0;
+
+  /// inverse_start: A^-1
+  PlaceGuard(const Square<Dim>& inverse_start, const Square<Dim>& a) {
+    const Square<Dim> F = product(a, inverse_start), cof = cofactors_of(F);
+    const Real J = determinant(F, cof), square = double_dot(cof, cof);
+    const Real root = std::sqrt(J * J + 4 * ShapeGuard::kFlat * ShapeGuard::kFlat);
+    const Real positive = 0.5 * (J + root);  // J where it is not small, never below 0
+    height = positive / std::sqrt(square);
+    const Real excess = 2 * std::log(ShapeGuard::kHeight / height);
+    if (!(excess > 0)) return;
+    acts = true;
+    const Square<Dim> of_cof = cofactor_slope(F);
+    Square<Dim> by_F;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      for (std::size_t j = 0; j < Dim; ++j) {
+        by_F[i][j] = 2 * (of_cof[i][j] / square - cof[i][j] / root);
+      }
+    }
+    slope = product(by_F, transpose(inverse_start));
+    stiffness = double_dot(slope, slope) * (1 + excess);
+    for (auto& row : slope) {
+      for (Real& component : row) component *= excess;
+    }
+  }
+};
+
+/// A^-1; zero, so that nothing acts, where dx/dxi is as good as flat at time 0.
+template <int Dim>
+Square<Dim> inverse_of(const Square<Dim>& A) {
+  constexpr Real kFlatCorner = 0.05;  // sine of the angle
+  const Square<Dim> cof = cofactors_of(A);
+  const Real J = determinant(A, cof);
+  Real box = 1;
+  for (std::size_t j = 0; j < Dim; ++j) {
+    Real square = 0;
+    for (std::size_t i = 0; i < Dim; ++i) square += A[i][j] * A[i][j];
+    box *= std::sqrt(square);
+  }
+  Square<Dim> inverse{};
+  if (!(J > kFlatCorner * box)) return inverse;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t j = 0; j < Dim; ++j) inverse[i][j] = cof[j][i] / J;
+  }
+  return inverse;
+}
+
+/// Adds to an element's corner forces what a place gives by `slope`, times `scale`.
+template <int Dim>
+void add_forces(int place, const Square<Dim>& slope, Real scale, Real* force) {
+  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+    for (int i = 0; i < Dim; ++i) {
+      Real sum = 0;
+      for (int j = 0; j < Dim; ++j) sum += slope[i][j] * kSlopes<Dim>[place][I][j];
+      force[I * Dim + i] -= scale * sum;
+    }
+  }
+}
+}  // namespace
+
+template <int Dim>
+void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step) {
+  constexpr int n = Shape<Dim>::kCorners;
+  Places<Dim> start, now, old;
+  for (int I = 0; I < n; ++I) {
+    const LocalIndex node = block.corner[e * n + static_cast<std::size_t>(I)];
+    start[I] = step.x_start[node], now[I] = step.x[node];
+    old[I] = now[I] - step.dt * step.v[node];
+  }
+  const Real scale =
+      ShapeGuard::kStiffness * block.material->bulk * block.element_volume[e] / kPlaces<Dim>;
+  Real work = 0, stiffness = 0, closing = 0;
+  for (int place = 0; place < kPlaces<Dim>; ++place) {
+    const Square<Dim> inverse = inverse_of<Dim>(jacobian_at<Dim>(start, place));
+    const Square<Dim> a = jacobian_at<Dim>(now, place), a_old = jacobian_at<Dim>(old, place);
+    const PlaceGuard<Dim> at(inverse, a), before(inverse, a_old);
+    closing =
+        std::max(closing, (before.height - at.height) / std::max(at.height, ShapeGuard::kHeight));
+    if (!at.acts && !before.acts) continue;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      for (std::size_t j = 0; j < Dim; ++j) {
+        work += 0.5 * (before.slope[i][j] + at.slope[i][j]) * (a[i][j] - a_old[i][j]);
+      }
+    }
+    stiffness += at.stiffness;
+    add_forces<Dim>(place, at.slope, scale, step.corner_force + e * n * Dim);
+  }
+  block.hourglass_work[e] += scale * work;
+  // dx/dxi moves by at most sqrt(Dim + 1)/2 of what the corners do, which have equal masses.
+  const Real omega_square = 0.25 * (Dim + 1) * scale * stiffness * n / block.mass[e];
+  Real& bound = block.stable_step[e];
+  if (stiffness > 0) bound /= std::sqrt(1 + 0.25 * omega_square * bound * bound);
+  if (closing > 0) bound = std::min(bound, ShapeGuard::kClosing * step.dt / closing);
+}
+
+template <int Dim>
+Real guard_reach(const Places<Dim>& x) {
+  Real sum =
+      0;  // of the squares of the longest edges: of columns of dx/dxi, which lie between them
+  for (int j = 0; j < Dim; ++j) {
+    Real longest = 0;
+    for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+      if (Shape<Dim>::kSign[I][j] > 0) continue;
+      Real square = 0;
+      for (int i = 0; i < Dim; ++i) {
+        const Real along = x[beside(I, j)][i] - x[I][i];
+        square += along * along;
+      }
+      longest = std::max(longest, 0.25 * square);
+    }
+    sum += longest;
+  }
+  return ShapeGuard::kHeight * ShapeGuard::kHeight * sum;
+}
+
+template void guard_shape(ElementBlock<2>&, std::size_t, const ElementStep<2>&);
+template void guard_shape(ElementBlock<3>&, std::size_t, const ElementStep<3>&);
+template Real guard_reach<2>(const Places<2>&);
+template Real guard_reach<3>(const Places<3>&);
+
+}  // namespace brunt

@@ -1,0 +1,57 @@
+#pragma once
+/// What keeps elements of materials that flow from being crushed to nothing or turned inside out at
+/// a corner. Where strength has gone, with heat above all, stresses resist a change of volume
+/// alone: an element between a wall and what follows it thins without end, as exp(-rate t), and its
+/// corners pass each other.
+#include "fe/element_step.hpp"
+
+namespace brunt {
+
+/// Of n places in an element F is the gradient of x over the positions of time 0. The energy is
+///   W = V0 k/(2 n) sum ln^2(|F^-1|^2 h^2) where |F^-1| h > 1, else none:
+/// 1/|F^-1| is the least height over that at time 0, and h the least that is free. The stress in
+/// the direction of that height is 2 k ln(..), the stiffness there about 4 k: it does not grow as
+/// heights fall, so that steps follow heights alone.
+struct ShapeGuard {
+  static constexpr Real kHeight = 0.02;     ///< h [1]
+  static constexpr Real kStiffness = 0.02;  ///< k over the bulk modulus [1]
+  /// det F about which places that are inside out begin to feel what turns them back.
+  static constexpr Real kFlat = 0.003;
+  /// Part of its height, or of h where that is less, that a place may lose in a step: what comes
+  /// faster would be through the energy before its steepness bounds the step.
+  static constexpr Real kClosing = 0.1;
+};
+
+/// Adds the guard's forces to the corner forces of element e, their work to hourglass_work and
+/// their stiffness to the stable step.
+template <int Dim>
+void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step);
+
+/// Square of the largest least singular value of dx/dxi at which the guard may act [m^2], in an
+/// element with positions x at time 0: |F^-1| <= |dx0/dxi| |(dx/dxi)^-1|.
+template <int Dim>
+Real guard_reach(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x);
+
+/// Guards those of four elements that it may act on. mode: the hourglass modes of the positions.
+/// With s half of the least height of the linear modes and t the most that the others change dx/dxi
+/// by, its least singular value is at least s - t.
+template <int Dim>
+BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e,
+                               const OperatorNorm<Pack>& norm, const Pack (*mode)[Dim],
+                               const ElementStep<Dim>& step) {
+  if (block.guard_reach.empty()) return;
+  constexpr Real kHeightSquare = Dim == 3 ? 0.5 : 1.0;  // times the largest eigenvalue
+  constexpr Real kOtherModes = Dim == 3 ? 9 : 2;        // t^2 over the sum of their squares
+  Pack square = broadcast<Pack>(0);
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    for (int i = 0; i < Dim; ++i) square += mode[a][i] * mode[a][i];
+  }
+  const Pack reach = load(block.guard_reach.data() + e);
+  const auto safe = 8.0 * norm.largest * (kOtherModes * square + reach) < kHeightSquare;
+  if (!any(~safe)) return;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (!lane_of(safe, lane)) guard_shape(block, e + static_cast<std::size_t>(lane), step);
+  }
+}
+
+}  // namespace brunt

@@ -1,0 +1,224 @@
+/// The guard of shapes, of a material that flows at 1e-6 Pa, so that pressure and guard alone act.
+/// - Closed form: a unit cube stretched by F = diag(l_i) at constant volume has no pressure, and
+///   W = k/2 ln^2(h^2 sum l_i^-2), so that the face across i is pushed by
+///   -dW/dl_i = 2 k ln(h^2 sum l_j^-2) l_i^-3 / sum l_j^-2. kFlat moves det F by its square, 1e-5.
+/// - A potential: what is booked over a path that twists the element and takes a corner through
+///   zero is W at its end. Trapezia of 2 x 4000 steps: 1e-4 of the largest W on the way.
+/// - The bound: 2/omega of the stiffness, assembled column by column, is never below the step.
+#include "fe/shape_guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fe_scene.hpp"
+#include "tests/support/eigenvalues.hpp"
+
+namespace brunt {
+namespace {
+using namespace testing;
+
+constexpr Real kBulk = 70e9;
+constexpr Real kStiffness = ShapeGuard::kStiffness * kBulk;
+
+Material fluid() {
+  Material material = elastic(1, 0.25, 2700);
+  material.bulk = kBulk, material.shear = 1;
+  material.strength = make_strength(J2{1e-6, {}}, {material.shear, 0, 0});
+  material.eos = make_eos(LinearEos{}, {material.density, material.bulk});
+  return material;
+}
+
+ElementOptions without_damping() {
+  ElementOptions options;
+  options.bulk_viscosity = {0, 0};
+  options.hourglass = ViscousHourglass{0};
+  return options;
+}
+
+template <int Dim>
+Mesh<Dim> cube() {
+  return cell_mesh<Dim>(Vec<Dim>::Ones(), 0.0, 1);
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> stretched(const std::vector<Vec<Dim>>& x, const Vec<Dim>& stretch) {
+  std::vector<Vec<Dim>> moved;
+  for (const auto& at : x) moved.push_back(at.cwiseProduct(stretch));
+  return moved;
+}
+
+template <int Dim>
+Real log_of(const Vec<Dim>& stretch) {
+  const Real square = stretch.cwiseInverse().squaredNorm();
+  return std::log(ShapeGuard::kHeight * ShapeGuard::kHeight * square);
+}
+
+template <int Dim>
+Vec<Dim> film(Real height) {
+  Vec<Dim> stretch = Vec<Dim>::Constant(std::pow(height, -1.0 / (Dim - 1)));
+  stretch[Dim - 1] = height;
+  return stretch;
+}
+
+constexpr Variant variant_of(int dim, Integration integration) {
+  return {dim == 3 ? Geometry::three_d : Geometry::plane_strain, integration};
+}
+
+template <int Dim>
+void expect_push(Integration integration) {
+  const Material material = fluid();
+  for (const Real height : {0.021, 0.017, 0.01}) {
+    SCOPED_TRACE(height);
+    auto body =
+        make_body(cube<Dim>(), material, variant_of(Dim, integration), without_damping(), 1);
+    const Vec<Dim> stretch = film<Dim>(height);
+    step_to(*body, stretched<Dim>(body->points().x, stretch), 1e-3);
+    Real push = 0;  // of the upper face
+    for (LocalIndex k = 0; k < body->points().size(); ++k) {
+      if (body->points().x_start[k][Dim - 1] > 0.5) push += body->points().f[k][Dim - 1];
+    }
+    const Real excess = log_of<Dim>(stretch);
+    const Real expected = excess > 0 ? 2 * kStiffness * excess * std::pow(height, -3) /
+                                           stretch.cwiseInverse().squaredNorm()
+                                     : 0.0;
+    // Round-off of the volume, 1e-15 of the bulk modulus on a face of 1/height.
+    EXPECT_NEAR(push, expected, 1e-4 * expected + 1e-15 * kBulk / height * 100);
+  }
+}
+TEST(ShapeGuard, PushesFilmsAsItsEnergySays) {
+  for (const auto integration : {Integration::one_point, Integration::q1p0}) {
+    expect_push<2>(integration);
+    expect_push<3>(integration);
+  }
+}
+
+/// Places of a path: a cube whose first corner goes through the plane (the line) of those beside it
+/// and back while it twists, from 0 to 1, and a film of it, from 1 to 2.
+template <int Dim>
+std::vector<Vec<Dim>> on_path(const std::vector<Vec<Dim>>& start, Real at) {
+  const Vec<Dim> height = film<Dim>(std::pow(0.012, std::max(at - 1, 0.0)));
+  std::vector<Vec<Dim>> x = stretched<Dim>(start, height);
+  const Real there = at < 1 ? std::sin(kPi * at) : 0.0;
+  x[0] += Vec<Dim>::Constant(1.02 / Dim * there);
+  for (auto& place : x) place[0] += 0.2 * there * place[Dim - 1];
+  return x;
+}
+
+template <int Dim>
+void expect_potential() {
+  const Material material = fluid();
+  auto body = make_body(cube<Dim>(), material, variant_of(Dim, Integration::one_point),
+                        without_damping(), 1);
+  const auto start = body->points().x;
+  Real largest = 0;
+  constexpr int kSteps = 4000;
+  for (int k = 1; k <= 2 * kSteps; ++k) {
+    step_to(*body, on_path<Dim>(start, k / Real(kSteps)), 1e-3);
+    largest = std::max(largest, totals_of(*body).bodies[0].hourglass.value());
+  }
+  const Real log_end = log_of<Dim>(film<Dim>(0.012));
+  EXPECT_GT(largest, 0.5 * kStiffness);  // it was felt on the way
+  EXPECT_NEAR(totals_of(*body).bodies[0].hourglass.value(), 0.5 * kStiffness * log_end * log_end,
+              1e-4 * largest);
+}
+TEST(ShapeGuard, BooksThePotentialWhateverThePath) {
+  expect_potential<2>();
+  expect_potential<3>();
+}
+
+template <int Dim>
+void expect_bound(const std::vector<Vec<Dim>>& x, Integration integration) {
+  const Material material = fluid();
+  constexpr int n = Shape<Dim>::kCorners * Dim;
+  auto body = make_body(cube<Dim>(), material, variant_of(Dim, integration), without_damping(), 1);
+  step_to(*body, x, 1e-3);
+  step_to(*body, x, 1e-3);  // at rest
+  const Real bound = body->stable_step().step;
+  Real shortest = kInfinity;
+  for (const auto& at : x) {
+    for (const auto& other : x) {
+      if (&at != &other) shortest = std::min(shortest, (at - other).norm());
+    }
+  }
+  const Real size = 1e-6 * shortest;
+  Eigen::MatrixXd K(n, n);
+  for (int k = 0; k < n; ++k) {
+    std::vector<Vec<Dim>> f[2];
+    for (const int side : {0, 1}) {
+      auto moved = x;
+      moved[static_cast<std::size_t>(k / Dim)][k % Dim] += side == 1 ? size : -size;
+      step_to(*body, moved, 1e-3);
+      f[side] = body->points().f;
+    }
+    for (int r = 0; r < n; ++r) {
+      const auto node = static_cast<std::size_t>(r / Dim);
+      K(r, k) =
+          (f[0][node][r % Dim] - f[1][node][r % Dim]) / (2 * size) / body->points().mass[node];
+    }
+  }
+  EXPECT_LT(bound, 2 / std::sqrt(test::largest_eigenvalue_of(K)));
+}
+TEST(ShapeGuard, StepsStayStable) {
+  for (const auto integration : {Integration::one_point, Integration::q1p0}) {
+    for (const Real height : {0.019, 0.012, 0.006}) {
+      expect_bound<2>(stretched<2>(cube<2>().points.x, film<2>(height)), integration);
+      expect_bound<3>(stretched<3>(cube<3>().points.x, film<3>(height)), integration);
+    }
+  }
+  // Corners that are nearly flat, and inside out.
+  for (const Real in : {0.485, 0.495, 0.5, 0.52}) {
+    SCOPED_TRACE(in);
+    auto plane = cube<2>().points.x;
+    plane[0] += Vec<2>::Constant(in);
+    expect_bound<2>(plane, Integration::one_point);
+    auto space = cube<3>().points.x;
+    space[0] += Vec<3>::Constant(in * 2 / 3);
+    expect_bound<3>(space, Integration::one_point);
+  }
+}
+
+/// What viscous control takes of any motion in a step of the length that is voted leaves no more of
+/// it than there was: v + dt f/m is no longer than v, in the norm of the masses. Power iteration
+/// finds the motion that it acts on most. A crushed and warped element.
+TEST(ShapeGuard, ViscousControlTakesNoMoreThanThereIs) {
+  const Material material = fluid();
+  for (const Real height : {1.0, 0.1, 0.03}) {
+    SCOPED_TRACE(height);
+    auto x = stretched<3>(cube<3>().points.x, film<3>(height));
+    for (std::size_t k = 0; k < x.size(); ++k) {  // saddles, which warp it as a whole
+      const Vec<3> sign = 2 * cube<3>().points.x[k] - Vec<3>::Ones();
+      x[k][2] += 0.3 * sign[0] * sign[1];
+    }
+    std::vector<Vec<3>> v(x.size(), Vec<3>(1, -0.3, 0.2));
+    v[3] *= -2, v[5] *= 3;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      std::vector<Vec<3>> f[2];
+      std::vector<Real> mass;
+      Real dt = 0;
+      for (const int damped : {0, 1}) {
+        ElementOptions options = without_damping();
+        options.hourglass = ViscousHourglass{0.1 * damped};
+        auto body = make_body(cube<3>(), material, variant_of(3, Integration::one_point), options);
+        step_to(*body, x, 1e-3);
+        step_to(*body, x, 1e-3);
+        dt = body->stable_step().step;
+        auto moved = x;
+        for (std::size_t k = 0; k < x.size(); ++k) moved[k] += dt * 1e-6 * v[k];
+        step_to(*body, moved, dt);
+        f[damped] = body->points().f, mass = body->points().mass;
+      }
+      Real before = 0, after = 0, largest = 0;
+      std::vector<Vec<3>> next;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        const Vec<3> change = dt / mass[k] * 1e6 * (f[1][k] - f[0][k]);
+        before += mass[k] * v[k].squaredNorm(), after += mass[k] * (v[k] + change).squaredNorm();
+        next.push_back(change), largest = std::max(largest, change.norm());
+      }
+      EXPECT_LE(after, before * (1 + 1e-6));
+      for (auto& each : next) each /= largest;
+      v = next;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brunt
