@@ -212,6 +212,10 @@ Impact random_impact(std::uint64_t seed) {
       {Method::particles, Method::elements},
   };
   const auto& [first, second] = kPairs[dice.below(9)];
+  for (const Method method : {first, second}) {
+    const bool deforms = method == Method::elements || method == Method::particles;
+    impact.n_deforming += deforms ? 1 : 0;
+  }
   const Shape a = random_shape(dice, first, flat), b = random_shape(dice, second, flat);
   const Vec3 way = dice.direction(flat);
   const bool aimed = dice.below(3) > 0;

@@ -8,9 +8,10 @@ namespace brunt::test {
 
 /// Two convex bodies, thrown at each other: a deck of the seed alone.
 struct Impact {
-  std::string text;   ///< of the deck
-  std::string what;   ///< both bodies in words
-  bool flat = false;  ///< 2D
+  std::string text;     ///< of the deck
+  std::string what;     ///< both bodies in words
+  bool flat = false;    ///< 2D
+  int n_deforming = 0;  ///< bodies of elements or particles
 };
 
 /// Needles, knives, chisels, wedges and boxes of up to 1:20, 2D and 3D; elements and rigid bodies

@@ -1,0 +1,82 @@
+// Needles, knives, chisels, wedges and boxes, thrown at each other at 2 to 20 m/s without friction
+// (tests/support/random_impacts.hpp). What keeps two convex bodies apart keeps some plane between
+// them, but for a penetration: bodies shrunk by 15 % about their middles never have a point in
+// common, or the run has told of contacts that did not hold. Springs hold what they were given:
+// contact.pairs, what forces did besides, stays below 1 % of the largest energy.
+//
+// Of the first 500 seeds 130 are of rigid bodies alone. Six of them miss the 1 % as measured: 121,
+// 142, 337, 439, 455 and 499, of which 121, 142 and 499 tell of lost contacts: needles and wedges
+// thrown on needles of 0.6 to 1.7 degrees, and wedges and boxes whose sides slide over a border.
+// Elements and particles bend: the hulls of slender ones may meet where the bodies do not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "tests/support/random_impacts.hpp"
+#include "tests/support/simulate.hpp"
+
+namespace brunt::test {
+namespace {
+
+struct Count {
+  int pairs = 0, silent = 0, off = 0;
+};
+
+/// Throws the pairs of seeds first .. last - 1 that are wanted; prints each that is not as it
+/// should.
+template <class Wanted>
+Count throw_pairs(std::uint64_t first, std::uint64_t last, const Wanted& wanted) {
+  Count count;
+  for (auto seed = first; seed < last; ++seed) {
+    const Impact impact = random_impact(seed);
+    if (!wanted(impact)) continue;
+    const Outcome outcome = outcome_of(impact);
+    const bool told = outcome.lost > 0 || !outcome.failure.empty() || outcome.created > 0.05;
+    const bool silent = outcome.crossed && !told, off = outcome.pairs > 0.01;
+    ++count.pairs;
+    count.silent += silent ? 1 : 0;
+    count.off += off ? 1 : 0;
+    if (!silent && !off) continue;
+    std::cout << "seed " << seed << ": " << impact.what << ": contact.pairs " << outcome.pairs
+              << ", created " << outcome.created << (outcome.crossed ? ", crossed" : "")
+              << (told ? ", told" : "") << '\n';
+  }
+  return count;
+}
+
+TEST(RandomImpacts, OfRigidBodiesPassNoneInSilence) {
+  const Count count =
+      throw_pairs(1, 501, [](const Impact& impact) { return impact.n_deforming == 0; });
+  EXPECT_EQ(count.pairs, 130);
+  EXPECT_EQ(count.silent, 0);
+  EXPECT_LE(count.off, 6);
+}
+
+TEST(RandomImpacts, LongOfElementsAndParticlesPassNoneInSilence) {
+  const Count count =
+      throw_pairs(1, 61, [](const Impact& impact) { return impact.n_deforming > 0; });
+  EXPECT_GT(count.pairs, 40);
+  EXPECT_EQ(count.silent, 0);
+  EXPECT_LE(count.off, 3);
+}
+
+// A corner of one box in another, deeper than faces are held, as a sliver of the face beside it:
+// what that pair remembers, that it pushes, goes over a restart.
+TEST(RandomImpacts, AreTheSameOverARestartInTheMiddle) {
+  const Impact impact = random_impact(226);
+  const Simulation whole = simulate_text(impact.text);
+  const auto planes = whole.column("contact.a-b.planes");
+  const auto depth = whole.column("contact.a-b.max_penetration");
+  const auto deepest = std::max_element(depth.begin(), depth.end()) - depth.begin();
+  ASSERT_GT(planes[static_cast<std::size_t>(deepest)], 0);
+  const auto middle =
+      static_cast<std::int64_t>(whole.column("step")[static_cast<std::size_t>(deepest)]);
+  for (const std::int64_t at : {middle - 4, middle, middle + 4}) {
+    const Simulation split = simulate_text(impact.text, {}, {.split_at = at});
+    EXPECT_EQ(split.hashes, whole.hashes) << at;
+  }
+}
+
+}  // namespace
+}  // namespace brunt::test
