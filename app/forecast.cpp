@@ -68,8 +68,9 @@ Flattening flattening_of(const Deck& deck) {
   Flattening worst;
   for (const auto& [name, body] : deck.bodies) {
     if (body.rigid || body.method != deck::Method::fe) continue;
-    const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
-                                       [&](const auto& one) { return one.name == body.material; });
+    const auto material =
+        std::find_if(deck.materials.begin(), deck.materials.end(),
+                     [&wanted = body.material](const auto& one) { return one.name == wanted; });
     if (material == deck.materials.end()) continue;
     const Real speed = impact_speed(deck, body);
     const Real strain = stopping_strain(material->value, speed);

@@ -106,6 +106,7 @@ std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
     overlaps.deepest = std::max(overlaps.deepest, touch.overlap);
   }
   std::vector<InitialOverlaps> found;
+  found.reserve(by_pair.size());
   for (const auto& [pair, overlaps] : by_pair) found.push_back(overlaps);
   return found;
 }

@@ -247,6 +247,7 @@ std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) co
     }
   }
   std::vector<LostPair> lost;
+  lost.reserve(of_all.size());
   for (const auto& [pair, report] : of_all) lost.push_back({own.pairs.name(pair), report});
   return lost;
 }

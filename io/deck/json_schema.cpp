@@ -141,7 +141,7 @@ class SchemaWriter {
   }
 
   Json varying_schema(const KeyInfo& key) {
-    const Json value = any_of({quantity(key.unit, key.range), table_schema(key)});
+    Json value = any_of({quantity(key.unit, key.range), table_schema(key)});
     if (key.children.empty()) return value;
     Json law = map_schema(key.children);
     law["type"] = "object";
@@ -259,7 +259,7 @@ class SchemaWriter {
     if (key.bare || is_bare(key)) return nullptr;
     switch (key.type) {
       case Type::map: {
-        const Json one = needs_of_map(key.children);
+        Json one = needs_of_map(key.children);
         if (!key.list_allowed || one.is_null()) return one;
         Json both = one;
         both["items"] = one;
