@@ -10,7 +10,7 @@ constexpr int kBias = 1074;  // the least significant bit of digit 0 is 2^-1074
 }  // namespace
 
 void ExactSum::combine(const ExactSum& other, std::int64_t sign) {
-  if (pending_ + other.pending_ >= 1U << 29) carry();
+  if (pending_ + other.pending_ >= kMostPending) carry();
   for (std::size_t i = 0; i < digit_.size(); ++i) digit_[i] += sign * other.digit_[i];
   pending_ += other.pending_ + 1;
   poisoned_ = poisoned_ || other.poisoned_;
@@ -19,7 +19,7 @@ void ExactSum::combine(const ExactSum& other, std::int64_t sign) {
 void ExactSum::carry() {
   for (std::size_t i = 0; i + 1 < digit_.size(); ++i) {
     const std::int64_t high = digit_[i] >> 32;  // floor, so that the low part is in [0, 2^32)
-    digit_[i] &= kMask;
+    digit_[i] &= static_cast<std::int64_t>(kMask);
     digit_[i + 1] += high;
   }
   pending_ = 1;

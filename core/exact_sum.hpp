@@ -8,34 +8,22 @@
 namespace brunt {
 
 /// Sum of any doubles that does not depend on their order: a fixed-point number of 68 digits of
-/// 32 bits, each in a 64-bit word so that 2^30 additions need no carry. Adding the words of two
+/// 32 bits, each in a 64-bit word so that 2^10 additions need no carry. Adding the words of two
 /// sums is exact too, so a reduction over threads or ranks keeps every bit.
-/// Kulisch, Computer Arithmetic and Validity, 2008.
+/// Kulisch, Computer Arithmetic and Validity, 2008; a number lies over two words, as in Neal, Fast
+/// exact summation using small and large superaccumulators, 2015.
 class ExactSum {
  public:
   void add(Real value) {  ///< NaN and infinity poison the sum
     const auto bits = std::bit_cast<std::uint64_t>(value);
-    int exponent = static_cast<int>((bits >> 52) & 0x7ff);
-    std::uint64_t mantissa = bits & 0xfffffffffffffULL;
-    if ((bits << 1) == 0) return;  // most of what is summed before anything has happened
-    if (exponent == 0x7ff) {
+    const std::uint64_t exponent = bits >> 52 & kMaxExponent;
+    if (exponent - 1 < kMaxExponent - 1) {
+      add_scaled(bits, 1ULL << 52 | (bits & kFraction), exponent - 1);
+    } else if (exponent == kMaxExponent) {
       poisoned_ = true;
-      return;
+    } else if ((bits & kFraction) != 0) {
+      add_scaled(bits, bits & kFraction, 0);
     }
-    if (exponent == 0) {
-      exponent = 1;
-    } else {
-      mantissa |= 1ULL << 52;
-    }
-    // value = mantissa 2^(exponent - 1075): its lowest bit is bit (exponent - 1) of the accumulator
-    const int shift = exponent - 1;
-    const auto first = static_cast<std::size_t>(shift / 32);
-    const auto wide = static_cast<Wide>(mantissa) << (shift % 32);
-    const std::int64_t sign = bits >> 63 ? -1 : 1;
-    digit_[first] += sign * static_cast<std::int64_t>(wide & kMask);
-    digit_[first + 1] += sign * static_cast<std::int64_t>((wide >> 32) & kMask);
-    digit_[first + 2] += sign * static_cast<std::int64_t>(wide >> 64);
-    if (++pending_ == 1U << 29) carry();
   }
   void add(const ExactSum& other) { combine(other, 1); }
   void subtract(const ExactSum& other) { combine(other, -1); }
@@ -44,7 +32,19 @@ class ExactSum {
  private:
   __extension__ using Wide = unsigned __int128;
   static constexpr int kDigits = 68;
-  static constexpr std::int64_t kMask = 0xffffffffLL;
+  static constexpr std::uint64_t kMask = 0xffffffffULL;
+  static constexpr std::uint64_t kMaxExponent = 0x7ff, kFraction = 0xfffffffffffffULL;
+  static constexpr std::uint32_t kMostPending = 1U << 10;
+  /// Adds mantissa 2^(shift - 1074), with the sign of `bits`: its lowest bit is bit `shift`.
+  void add_scaled(std::uint64_t bits, std::uint64_t mantissa, std::uint64_t shift) {
+    const std::uint64_t first = shift / 32, within = shift % 32;
+    const auto low = static_cast<std::int64_t>(mantissa << within & kMask);
+    const auto high = static_cast<std::int64_t>(mantissa >> (32 - within));  // below 2^52
+    const std::int64_t sign = static_cast<std::int64_t>(bits) >> 63;         // 0 or -1
+    digit_[first] += (low ^ sign) - sign;
+    digit_[first + 1] += (high ^ sign) - sign;
+    if (++pending_ >= kMostPending) carry();
+  }
   void combine(const ExactSum& other, std::int64_t sign);
   void carry();
   std::array<std::int64_t, kDigits> digit_{};

@@ -15,20 +15,20 @@ std::string entity_text(const ElementBlock<Dim>& block, LocalIndex e, int g) {
 
 /// Corners that are no finite number: none has a volume, and the corner is what can be named.
 template <int Dim>
-PhysicsFailure lost_corner(const ElementBlock<Dim>& block, LocalIndex e, const Points<Dim>& points,
-                           const std::string& advice) {
+std::optional<PhysicsFailure> lost_corner(const ElementBlock<Dim>& block, LocalIndex e,
+                                          const Points<Dim>& points, const std::string& advice) {
   constexpr auto n = static_cast<std::size_t>(Shape<Dim>::kCorners);
   for (std::size_t I = 0; I < n; ++I) {
     const LocalIndex node = block.corner[static_cast<std::size_t>(e) * n + I];
     if (std::isfinite(points.x[node].sum())) continue;
-    return {0,
-            "",
-            entity_text(block, e, -1),
-            "corner without a finite position, id",
-            static_cast<Real>(points.id[node]),
-            "a force on it was no number in one of the last steps; " + advice};
+    return PhysicsFailure{0,
+                          "",
+                          entity_text(block, e, -1),
+                          "corner without a finite position, id",
+                          static_cast<Real>(points.id[node]),
+                          "a force on it was no number in one of the last steps; " + advice};
   }
-  return {};
+  return std::nullopt;
 }
 }  // namespace
 
@@ -42,8 +42,9 @@ std::string distortion_advice(const ElementBlock<Dim>& block) {
 }
 
 template <int Dim>
-PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
-                               const Points<Dim>& points, const Thickness& thickness) {
+std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, LocalIndex e,
+                                              const Points<Dim>& points,
+                                              const Thickness& thickness) {
   const auto x = corner_positions(block, e, points);
   Real least = block.gauss == 1 ? one_point_volume<Dim>(x, thickness)
                                 : element_volume<Dim>(x, false, thickness);
@@ -56,28 +57,30 @@ PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
   }
   if (!std::isfinite(least)) return lost_corner(block, e, points, distortion_advice(block));
   if (!(least > 0)) {
-    return {0, "", entity_text(block, e, where), "volume", least, distortion_advice(block)};
+    return PhysicsFailure{0,        "",    entity_text(block, e, where),
+                          "volume", least, distortion_advice(block)};
   }
   for (int g = 0; g < block.gauss; ++g) {
     const std::size_t k = block.point(e, g);
     Real sum = block.viscous_pressure[e] + block.state.pressure[k];
     for (const auto& component : block.state.deviator) sum += component[k];
     if (std::isfinite(sum)) continue;
-    return {0,
-            "",
-            entity_text(block, e, block.gauss > 1 ? g : -1),
-            "stress",
-            sum,
-            "the step was too long for what the material did: try a smaller time.safety"};
+    return PhysicsFailure{
+        0,
+        "",
+        entity_text(block, e, block.gauss > 1 ? g : -1),
+        "stress",
+        sum,
+        "the step was too long for what the material did: try a smaller time.safety"};
   }
-  return {};
+  return std::nullopt;
 }
 
 template std::string distortion_advice(const ElementBlock<2>&);
 template std::string distortion_advice(const ElementBlock<3>&);
-template PhysicsFailure element_failure(const ElementBlock<2>&, LocalIndex, const Points<2>&,
-                                        const Thickness&);
-template PhysicsFailure element_failure(const ElementBlock<3>&, LocalIndex, const Points<3>&,
-                                        const Thickness&);
+template std::optional<PhysicsFailure> element_failure(const ElementBlock<2>&, LocalIndex,
+                                                       const Points<2>&, const Thickness&);
+template std::optional<PhysicsFailure> element_failure(const ElementBlock<3>&, LocalIndex,
+                                                       const Points<3>&, const Thickness&);
 
 }  // namespace brunt

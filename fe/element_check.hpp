@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "core/errors.hpp"
@@ -6,11 +7,12 @@
 
 namespace brunt {
 
-/// What is wrong with an element, which names its Gauss point, from 1, where it has several; entity
-/// is empty where nothing is. Its value is finite where that of the element's state is.
+/// What is wrong with an element, which names its Gauss point, from 1, where it has several; none
+/// where nothing is. Its value is finite where that of the element's state is.
 template <int Dim>
-PhysicsFailure element_failure(const ElementBlock<Dim>& block, LocalIndex e,
-                               const Points<Dim>& points, const Thickness& thickness);
+std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, LocalIndex e,
+                                              const Points<Dim>& points,
+                                              const Thickness& thickness);
 
 /// What may help where an element of this block is crushed, sheared or turned inside out: what its
 /// options leave open, and nothing that is on already.

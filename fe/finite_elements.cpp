@@ -212,13 +212,13 @@ void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_
   for (const auto& block : blocks_) {
     for (LocalIndex e = 0; e < block.n; ++e) {
       if (where != nullptr && where->id[element] < block.id[e]) continue;
-      if (element_failure(block, e, points_, thickness_).entity.empty()) continue;
+      if (!element_failure(block, e, points_, thickness_)) continue;
       where = &block;
       element = e;
     }
   }
   if (where == nullptr) return;
-  PhysicsFailure failure = element_failure(*where, element, points_, thickness_);
+  PhysicsFailure failure = element_failure(*where, element, points_, thickness_).value();
   failure.time = time;
   const Label body = where->body[element];
   if (body < body_names.size()) failure.body = body_names[body];

@@ -97,6 +97,28 @@ TEST(ExactSum, AgreesWithIntegersInAnyOrderAndGrouping) {
   }
 }
 
+/// n times the largest mantissa at each place of its lowest bit within a word: words carry in time,
+/// also where a sum that is nearly full takes in another.
+TEST(ExactSum, CarriesBeforeAWordIsFull) {
+  constexpr int kTimes = 2000;
+  for (int place = 0; place < 64; ++place) {
+    const auto mantissa = static_cast<Real>((1LL << 53) - 1);
+    const Real value = std::ldexp(mantissa, place);
+    const Real wanted = std::ldexp(static_cast<Real>(Wide{(1LL << 53) - 1} * kTimes), place);
+    for (const Real sign : {1.0, -1.0}) {
+      ExactSum total, of_sums, nearly_full;
+      for (int i = 0; i < kTimes; ++i) total.add(sign * value);
+      EXPECT_EQ(total.value(), sign * wanted);
+      for (int i = 0; i < 1023; ++i) nearly_full.add(sign * value);
+      for (int i = 0; i < 1023; ++i) of_sums.add(sign * value);
+      of_sums.add(nearly_full);
+      for (int i = 2046; i < kTimes + 1023; ++i) of_sums.add(sign * value);
+      of_sums.subtract(nearly_full);
+      EXPECT_EQ(of_sums.value(), sign * wanted);
+    }
+  }
+}
+
 TEST(ExactSum, DoublingFillsAndCarriesEveryDigit) {
   ExactSum total;
   total.add(1.0);
