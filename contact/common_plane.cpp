@@ -107,6 +107,16 @@ void set_weights(const Polygon& below, const Polygon& above, const Vec<2>& p, co
   plane.lower_at_middle = found[2], plane.upper_at_middle = found[3];
 }
 
+/// Lets the spring fade as omega, and its barrier as omega^3: what came in over borders is as deep
+/// as the bodies are long there, where a barrier would push a hundred times as hard as the sides
+/// that meet.
+template <int Dim>
+void set_fade(Real omega, CommonPlane<Dim>& plane) {
+  plane.fade = omega;
+  plane.ramp *= omega;
+  plane.barrier.strength *= omega * omega;
+}
+
 /// Sets volume and energy of a plane; returns the share that its barrier has of the push.
 /// total  [m^3] integral of the penetration;  mean  [m] where the linear pressure acts
 /// deep   DeepArea or DeepLine;  whole  one pressure everywhere, of the mean penetration
@@ -127,6 +137,7 @@ Real set_spring(Real total, Real mean, const Deep& deep, bool whole, CommonPlane
   }
   plane.volume = plane.ramp * (total + beside);
   plane.energy = plane.ramp * (linear + energy);
+  plane.energy_by_fade = plane.ramp * (linear + 3 * energy);
   plane.energy_by_facing = plane.ramp_growth * plane.energy + barrier.growth * plane.ramp * energy;
   return whole ? 0.0 : beside / (total + beside);
 }
@@ -163,8 +174,7 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   BorderFade<3> fade;
   if (pushes) fade = fade_of(lower, upper, area, plane);
   if (fade.factor == 0) return false;
-  plane.ramp *= fade.factor;
-  plane.fade = fade.factor;
+  set_fade(fade.factor, plane);
   plane.area = sum.area;
   Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
   const Real of_barrier = set_spring(sum.total, penetration.at(p), deep, needs.whole, plane);
@@ -248,8 +258,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   BorderFade<2> fade;
   if (pushes) fade = fade_of(lower, upper, line, plane);
   if (fade.factor == 0) return false;
-  plane.ramp *= fade.factor;
-  plane.fade = fade.factor;
+  set_fade(fade.factor, plane);
   plane.area = area;
   Real p = middle + (needs.whole ? first / area : moment / total);
   const Real of_barrier = set_spring(total, penetration(p), deep, needs.whole, plane);

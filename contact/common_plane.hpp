@@ -57,6 +57,7 @@ struct CommonPlane {
   /// plane's normal g grows by 1, but a corner that goes into a face goes along that face's normal,
   /// half the angle away (test 8: k d^3/(6 sin)).
   Real energy = 0;
+  Real energy_by_fade = 0;    ///< [m^4] by ln fade: the barrier fades as its cube
   Real energy_by_facing = 0;  ///< [m^4] by `facing`, of what fades in with it
   Real penetration = 0;       ///< [m] at `point`
   Real deepest = 0;           ///< [m] largest penetration

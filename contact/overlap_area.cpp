@@ -59,7 +59,7 @@ class AreaGradient {
       const auto& pair = fade.pair[k];
       rooms_[n_rooms_++] = {border_of(overlap, false, pair.lower),
                             border_of(overlap, true, pair.upper), density_.by_room[k],
-                            plane.energy * pair.by_facing};
+                            plane.energy_by_fade * pair.by_facing};
     }
     const auto& sum = overlap.sum;
     push(2 * density_.squared * c_ * sum.total + density_.linear * sum.area,

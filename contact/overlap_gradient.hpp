@@ -30,11 +30,11 @@ struct Density {
 
   Density(const BorderFade<Dim>& fade, const CommonPlane<Dim>& plane) {
     squared = 0.5 * plane.ramp;
-    linear = plane.energy * fade.by_volume;
+    linear = plane.energy_by_fade * fade.by_volume;
     if (plane.barrier.onset > 0) cubed = plane.ramp * plane.barrier.steepness() / 3;
     for (int b = 0; b < fade.n; ++b) {
       const auto k = static_cast<std::size_t>(b);
-      by_room[k] = plane.energy * fade.pair[k].by_room;
+      by_room[k] = plane.energy_by_fade * fade.pair[k].by_room;
     }
   }
 };

@@ -48,6 +48,18 @@ Real face_area(const std::array<LocalIndex, 2>& node, const std::vector<Vec<2>>&
   return (x[node[1]] - x[node[0]]).norm();
 }
 
+/// Least width of a face [m]: its area over its longest edge.
+Real face_width(const std::array<LocalIndex, 4>& node, const std::vector<Vec<3>>& x) {
+  Real longest = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    longest = std::max(longest, (x[node[(c + 1) % 4]] - x[node[c]]).norm());
+  }
+  return face_area(node, x) / longest;
+}
+Real face_width(const std::array<LocalIndex, 2>& node, const std::vector<Vec<2>>& x) {
+  return face_area(node, x);
+}
+
 template <int Dim>
 Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
                     const Points<Dim>& points, const std::vector<const Material*>& varying) {
@@ -61,10 +73,11 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   facet.body = block.body[e];
   facet.piece = block.piece[e];
   const Real size = element_volume<Dim>(corner_positions(block, e, points), true, Thickness{1, 0});
-  facet.depth = size / face_area(facet.node, points.x);
+  const Real behind = size / face_area(facet.node, points.x);
+  facet.depth = std::min(behind, face_width(facet.node, points.x));
   facet.stiffness = block.material->modulus() / facet.depth;
   facet.temperature = block.temperature;
-  facet.areal_mass = 0.5 * block.material->density * facet.depth;
+  facet.areal_mass = 0.5 * block.material->density * behind;
   if (block.conducts) {
     const auto at = std::find(varying.begin(), varying.end(), block.material);
     if (at == varying.end()) {
