@@ -169,7 +169,8 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (!needs.whole) {
     deep = deep_area(plane.polygon, penetration, plane.half_cosine(), plane.deepest, plane.barrier);
   }
-  const OverlapArea area{below, above, penetration, sum, deep, needs.opening};
+  const OverlapArea area{below,         above,         penetration, sum,
+                         lower.borders, upper.borders, deep,        needs.opening};
   const bool pushes = needs.pushes && !needs.whole;
   BorderFade<3> fade;
   if (pushes) fade = fade_of(lower, upper, area, plane);
@@ -186,8 +187,9 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (needs.middle) {
     plane.middle = plane.origin + middle[0] * plane.axis_1 + middle[1] * plane.axis_2;
   }
-  const Real share = pushes ? potential_share(plane.facing, area.change(plane), fade) : 0.0;
-  if (share > 0) add_potential(lower, upper, area, fade, share, plane);
+  if (!pushes) return true;
+  const PotentialShare share = potential_share(plane.facing, area.change(plane), fade);
+  if (share.value > 0) add_potential(lower, upper, area, fade, share, plane);
   return true;
 }
 
@@ -251,6 +253,8 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
                          first,
                          total,
                          moment,
+                         lower.borders,
+                         upper.borders,
                          deep,
                          needs.opening,
                          section};
@@ -278,8 +282,9 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
     plane.lower_at_middle = {1 - below.share(m), below.share(m)};
     plane.upper_at_middle = {1 - above.share(m), above.share(m)};
   }
-  const Real follows = pushes ? potential_share(plane.facing, line.change(), fade) : 0.0;
-  if (follows > 0) add_potential(lower, upper, line, fade, follows, plane);
+  if (!pushes) return true;
+  const PotentialShare follows = potential_share(plane.facing, line.change(), fade);
+  if (follows.value > 0) add_potential(lower, upper, line, fade, follows, plane);
   return true;
 }
 

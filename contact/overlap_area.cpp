@@ -1,4 +1,5 @@
 // The potential of the overlap of two faces in 3D (contact/overlap_push.hpp).
+#include <algorithm>
 #include <cmath>
 
 #include "contact/overlap_gradient.hpp"
@@ -51,10 +52,31 @@ Edge border_of(const OverlapArea& overlap, bool of_upper, int c) {
                  side_of_edge(of_upper ? overlap.above : overlap.below, of_upper, c));
 }
 
+bool is_border(const OverlapArea& overlap, bool of_upper, int c) {
+  return ((of_upper ? overlap.upper_borders : overlap.lower_borders) >> c & 1U) != 0;
+}
+
+Real cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Which part of the way from the border of the lower face to that of the upper the overlap has.
+Real filled_part(const CommonPlane<3>& plane, const Vec<2>& inward, Real between) {
+  Real least = kInfinity, most = -kInfinity;
+  for (int i = 0; i < plane.polygon.size; ++i) {
+    const Real at = inward.dot(plane.polygon[i]);
+    least = std::min(least, at), most = std::max(most, at);
+  }
+  return most - least < between ? (most - least) / between : 1.0;
+}
+
 class AreaGradient {
  public:
-  AreaGradient(const OverlapArea& overlap, const BorderFade<3>& fade, const CommonPlane<3>& plane)
-      : overlap_(overlap), plane_(plane), density_(fade, plane), c_(plane.half_cosine()) {
+  AreaGradient(const OverlapArea& overlap, const BorderFade<3>& fade, Real layer,
+               const CommonPlane<3>& plane)
+      : overlap_(overlap),
+        plane_(plane),
+        layer_(layer),
+        density_(fade, plane),
+        c_(plane.half_cosine()) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(fade.n); ++k) {
       const auto& pair = fade.pair[k];
       rooms_[n_rooms_++] = {border_of(overlap, false, pair.lower),
@@ -115,14 +137,50 @@ class AreaGradient {
     }
   }
 
-  /// Moves the side from p to q by what moves the edge that it lies on; dU/dA along it.
+  /// Moves the side from p to q by what moves the edge that it lies on, and by the border of the
+  /// other face that is flush with it; dU/dA along it.
   void move_side(const Vec<2>& p, const Vec<2>& q, int side, const SideMeans& density) {
-    const auto [all, late] = density;
     const Vec<2> out(q[1] - p[1], p[0] - q[0]);  // as long as the side
     const bool of_upper = side >= Polygon::kOfSecond;
-    const Edge edge = edge_of(overlap_, of_upper, of_upper ? side - Polygon::kOfSecond : side);
-    const Real begins = edge.share(p);
-    const Real of_last = begins * all + (edge.share(q) - begins) * late;
+    const int number = of_upper ? side - Polygon::kOfSecond : side;
+    const Edge edge = edge_of(overlap_, of_upper, number);
+    const int corner = of_upper ? side_of_edge(overlap_.above, true, number) : number;
+    Real moved = 0;
+    if (layer_ > 0 && is_border(overlap_, of_upper, corner)) {
+      moved = move_flush(p, q, edge, of_upper, out, density);
+    }
+    move_edge(edge, of_upper, edge.share(p), edge.share(q), (1 - moved) * out, density);
+  }
+
+  /// Moves the borders of the other face that are flush with an edge; returns the part that they
+  /// have.
+  Real move_flush(const Vec<2>& p, const Vec<2>& q, const Edge& edge, bool of_upper,
+                  const Vec<2>& out, const SideMeans& density) {
+    const Polygon& own = of_upper ? overlap_.above : overlap_.below;
+    const Polygon& other = of_upper ? overlap_.below : overlap_.above;
+    Real moved = 0;
+    for (int c = 0; c < other.size; ++c) {
+      if (!is_border(overlap_, !of_upper, c)) continue;
+      const Edge border = border_of(overlap_, !of_upper, c);
+      const Vec<2> in = border.inward();
+      const Real width = std::min(area(own) / edge.along.norm(), area(other) / border.along.norm());
+      const Real part =
+          layer_ * part_of_flush(in.dot(0.5 * (p + q) - border.from), in.dot(edge.inward()), width);
+      if (part == 0) continue;
+      // Where `out` meets the border: the force keeps its line.
+      const Real per_length = 1 / cross(border.along, out);
+      move_edge(border, !of_upper, cross(p - border.from, out) * per_length,
+                cross(q - border.from, out) * per_length, part * out, density);
+      moved += part;
+    }
+    return moved;
+  }
+
+  /// Moves an edge by `out`, from one share of it to another by what density has along there.
+  void move_edge(const Edge& edge, bool of_upper, Real begins, Real ends, const Vec<2>& out,
+                 const SideMeans& density) {
+    const auto [all, late] = density;
+    const Real of_last = begins * all + (ends - begins) * late;
     auto& corners = of_upper ? gradient_.upper : gradient_.lower;
     corners[edge.first] += (all - of_last) * in_space(out);
     corners[edge.last] += of_last * in_space(out);
@@ -148,6 +206,7 @@ class AreaGradient {
 
   const OverlapArea& overlap_;
   const CommonPlane<3>& plane_;
+  Real layer_;
   Density<3> density_;
   std::array<Room, BorderFade<3>::kMost> rooms_;
   std::size_t n_rooms_ = 0;
@@ -166,22 +225,23 @@ BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
     return edge.inward().dot(sum.first - sum.area * edge.from);
   };
   for (int i = 0; i < lower.n_corners; ++i) {
-    if ((lower.borders >> i & 1U) == 0) continue;
+    if (!is_border(overlap, false, i)) continue;
     const Edge of_lower = border_of(overlap, false, i);
     for (int j = 0; j < upper.n_corners; ++j) {
-      if ((upper.borders >> j & 1U) == 0) continue;
+      if (!is_border(overlap, true, j)) continue;
       const Edge of_upper = border_of(overlap, true, j);
-      fade.add(i, j, -of_lower.inward().dot(of_upper.inward()), volume,
-               room_of(of_lower) + room_of(of_upper));
+      const Real room = room_of(of_lower) + room_of(of_upper);
+      fade.add(i, j, -of_lower.inward().dot(of_upper.inward()), volume, room,
+               filled_part(plane, of_lower.inward(), room / sum.area));
     }
   }
   return fade;
 }
 
 void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
-                   const BorderFade<3>& fade, Real share, CommonPlane<3>& plane) {
-  const AreaGradient area(overlap, fade, plane);
-  finish(lower, upper, overlap.opening, share, area.gradient(), plane);
+                   const BorderFade<3>& fade, const PotentialShare& share, CommonPlane<3>& plane) {
+  const AreaGradient area(overlap, fade, share.layer, plane);
+  finish(lower, upper, overlap.opening, share.value, area.gradient(), plane);
 }
 
 }  // namespace brunt

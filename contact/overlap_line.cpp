@@ -1,4 +1,5 @@
 // The potential of the overlap of two edges in 2D (contact/overlap_push.hpp).
+#include <algorithm>
 #include <cmath>
 
 #include "contact/overlap_gradient.hpp"
@@ -18,9 +19,11 @@ End end_of(const OverlapLine& overlap, bool of_upper, int c) {
 
 class LineGradient {
  public:
-  LineGradient(const OverlapLine& overlap, const BorderFade<2>& fade, const CommonPlane<2>& plane)
+  LineGradient(const OverlapLine& overlap, const BorderFade<2>& fade, Real layer,
+               const CommonPlane<2>& plane)
       : overlap_(overlap),
         plane_(plane),
+        layer_(layer),
         fade_(fade),
         density_(fade, plane),
         c_(plane.half_cosine()) {
@@ -76,20 +79,35 @@ class LineGradient {
     const Real here = breadth * density(s, c_ * overlap_.penetration[e]);
     const Vec<2> out = (e == 0 ? -here : here) * plane_.axis_1;
     for (std::size_t c = 0; c < 2; ++c) {
-      if (s == overlap_.below[c]) {
-        gradient_.lower[c] += out;
-        return;
-      }
+      if (s == overlap_.below[c]) return move(false, c, out);
     }
     for (std::size_t c = 0; c < 2; ++c) {
-      if (s == overlap_.above[c]) {
-        gradient_.upper[c] += out;
-        return;
-      }
+      if (s == overlap_.above[c]) return move(true, c, out);
     }
     const Real slope = c_ * std::fabs(overlap_.penetration[1] - overlap_.penetration[0]) /
                        (overlap_.end[1] - overlap_.end[0]);
     push(here / slope, s * here / slope);
+  }
+
+  /// Moves a corner, and the border of the other face that is flush with it.
+  void move(bool of_upper, std::size_t c, const Vec<2>& out) {
+    const auto is_border = [&](bool upper, std::size_t k) {
+      return ((upper ? overlap_.upper_borders : overlap_.lower_borders) >> k & 1U) != 0;
+    };
+    const auto length = [](const std::array<Real, 2>& edge) {
+      return std::fabs(edge[1] - edge[0]);
+    };
+    const Real width = std::min(length(overlap_.below), length(overlap_.above));
+    const End end = end_of(overlap_, of_upper, static_cast<int>(c));
+    Real left = 1;
+    for (std::size_t k = 0; k < 2 && is_border(of_upper, c); ++k) {
+      if (!is_border(!of_upper, k)) continue;
+      const End other = end_of(overlap_, !of_upper, static_cast<int>(k));
+      const Real part = layer_ * part_of_flush(end.at - other.at, end.into * other.into, width);
+      (of_upper ? gradient_.lower : gradient_.upper)[k] += part * out;
+      left -= part;
+    }
+    (of_upper ? gradient_.upper : gradient_.lower)[c] += left * out;
   }
 
   /// A ring of the plane at r: moving the plane along its normal, or turning it, changes r.
@@ -111,6 +129,7 @@ class LineGradient {
 
   const OverlapLine& overlap_;
   const CommonPlane<2>& plane_;
+  Real layer_;
   const BorderFade<2>& fade_;
   Density<2> density_;
   Real c_;
@@ -131,16 +150,19 @@ BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
     for (int j = 0; j < 2; ++j) {
       if ((upper.borders >> j & 1U) == 0) continue;
       const End of_upper = end_of(overlap, true, j);
-      fade.add(i, j, -of_lower.into * of_upper.into, volume, room_of(of_lower) + room_of(of_upper));
+      const Real room = room_of(of_lower) + room_of(of_upper);
+      const Real between = room / overlap.area, length = overlap.end[1] - overlap.end[0];
+      fade.add(i, j, -of_lower.into * of_upper.into, volume, room,
+               length < between ? length / between : 1.0);
     }
   }
   return fade;
 }
 
 void add_potential(const FacePlane<2>& lower, const FacePlane<2>& upper, const OverlapLine& overlap,
-                   const BorderFade<2>& fade, Real share, CommonPlane<2>& plane) {
-  const LineGradient line(overlap, fade, plane);
-  finish(lower, upper, overlap.opening, share, line.gradient(), plane);
+                   const BorderFade<2>& fade, const PotentialShare& share, CommonPlane<2>& plane) {
+  const LineGradient line(overlap, fade, share.layer, plane);
+  finish(lower, upper, overlap.opening, share.value, line.gradient(), plane);
 }
 
 }  // namespace brunt

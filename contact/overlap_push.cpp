@@ -21,6 +21,14 @@ Fading fades(Real rho) {
   return {v * w, -2 * u * v * v * w - v * 6 * s * (1 - s) / kLast};
 }
 
+/// How much of the force between two borders the potential has, for what they ask.
+/// steep  kappa^2 rho
+Real share_between(Real steep, Real filled) {
+  constexpr Real kShallow = 0.005, kSteep = 0.05;
+  const Real deep = std::clamp((steep - kShallow) / (kSteep - kShallow), 0.0, 1.0);
+  return deep * filled * filled * (3 - 2 * filled);
+}
+
 /// Adds the gradient by a face's normal, d = (dU/dn) / k, at its corners: n = D/|D|.
 void add_turn(const FacePlane<3>& face, const Vec3& d, std::array<Vec3, 4>& gradient) {
   const auto& x = face.corner;
@@ -59,7 +67,7 @@ Vec<Dim> turn_of_outline(const FacePlane<Dim>& face, const CommonPlane<Dim>& pla
 }  // namespace
 
 template <int Dim>
-void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real room) {
+void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real room, Real filled) {
   if (!(facing > 0)) return;
   constexpr Real kNothing = 1e-12;  // less is a rest of rounding, by which nothing is divided
   const Real squared = facing * facing;
@@ -70,7 +78,7 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real r
     factor = 0;
     return;
   }
-  steepest = std::max(steepest, squared * std::min(rho, 1.0));
+  share = std::max(share, share_between(squared * std::min(rho, 1.0), filled));
   if (fading.value < 1) {
     // Where nothing is left of v nothing can be divided by the room, which may be none.
     const bool ends = fading.value == 0;
