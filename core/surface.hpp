@@ -19,13 +19,13 @@ struct Facet {
   GlobalId id = 0;  ///< element id << 3 | face; unique in the scene
   Label body = 0;
   Label piece = 0;
-  /// [Pa/m] M over the least of h, the depth of the element behind it, and the width of the face,
-  /// M = K + 4G/3; 0: rigid. What bounds the step of a slender element, its width, lets its spring
-  /// be as stiff, and overlaps have to be shallow against the width of a face.
+  /// [Pa/m] M over h, the depth of the element behind it, or the width of the face where that is
+  /// less, M = K + 4G/3; 0: rigid. A slender element's width bounds its step anyway, so that its
+  /// spring may be as stiff, and overlaps have to be shallow against the width of a face.
   Real stiffness = 0;
   Real areal_mass = 0;  ///< [kg/m^2] rho h / 2 of the element behind; 0: rigid
-  /// [m] penetration at which it lets go: that length at the birth of the face, half of it where
-  /// the element's other face is free too; rigid: 0
+  /// [m] penetration at which it lets go: at the birth of the face h, half of it where the
+  /// element's other face is free too, or the width of the face where that is less; rigid: 0
   Real depth = 0;
   /// [m] of a closed rigid body: to the middle between the facet and what lies opposite; infinite:
   /// thick, open or no rigid body (core/rigid/half_thickness.hpp)

@@ -73,11 +73,11 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   facet.body = block.body[e];
   facet.piece = block.piece[e];
   const Real size = element_volume<Dim>(corner_positions(block, e, points), true, Thickness{1, 0});
-  const Real behind = size / face_area(facet.node, points.x);
-  facet.depth = std::min(behind, face_width(facet.node, points.x));
-  facet.stiffness = block.material->modulus() / facet.depth;
+  facet.depth = size / face_area(facet.node, points.x);
+  facet.stiffness =
+      block.material->modulus() / std::min(facet.depth, face_width(facet.node, points.x));
   facet.temperature = block.temperature;
-  facet.areal_mass = 0.5 * block.material->density * behind;
+  facet.areal_mass = 0.5 * block.material->density * facet.depth;
   if (block.conducts) {
     const auto at = std::find(varying.begin(), varying.end(), block.material);
     if (at == varying.end()) {
@@ -92,9 +92,10 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
 }
 
 /// An element between two outer faces is a plate one element thick: each face lets go at its
-/// middle, or a body that has come in from one side would be pushed out of the other.
+/// middle, or a body that has come in from one side would be pushed out of the other. No face holds
+/// what is deeper than it is wide.
 template <int Dim>
-void halve_plates(std::vector<Facet<Dim>>& facets) {
+void limit_depths(std::vector<Facet<Dim>>& facets, const std::vector<Vec<Dim>>& x) {
   const auto opposite = [](GlobalId id) {
     const auto number = static_cast<int>(id & 7);
     const int other = Dim == 2     ? (number + 2) % 4
@@ -107,6 +108,7 @@ void halve_plates(std::vector<Facet<Dim>>& facets) {
   for (const auto& facet : facets) ids.push_back(facet.id);
   for (auto& facet : facets) {
     if (std::binary_search(ids.begin(), ids.end(), opposite(facet.id))) facet.depth *= 0.5;
+    facet.depth = std::min(facet.depth, face_width(facet.node, x));
   }
 }
 
@@ -144,7 +146,7 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
   }
   std::sort(facets.begin(), facets.end(),
             [](const Facet<Dim>& a, const Facet<Dim>& b) { return a.id < b.id; });
-  halve_plates<Dim>(facets);
+  limit_depths<Dim>(facets, points.x);
   mark_borders<Dim>(facets, points.x);
   mark_sharpness<Dim>(facets, points.x);
   end_at_no_axis<Dim>(axis, facets);

@@ -91,7 +91,7 @@ TEST_P(EdgesAndCorners, PartWithTheirMomenta) {
   ASSERT_EQ(run.failure, "");
   const Real approach = run.first("energy.kinetic");
   const auto planes = run.column("contact.lower-upper.planes");
-  EXPECT_GE(*std::max_element(planes.begin(), planes.end()), 3);
+  EXPECT_GE(*std::max_element(planes.begin(), planes.end()), 2);  // edges and corners: some faces
   EXPECT_EQ(planes.back(), 0);
   EXPECT_LT(worst, 1e-12);
   const Real momentum = run.first("body.lower.mass") * run.first("body.lower.velocity.z");

@@ -204,6 +204,7 @@ TEST(finite_elements, surface_of_two_bricks) {
   // 2 x 1 x 1 cells each, bricks without common nodes: 10 outer faces each, closed: sum A n = 0,
   // sum x . A n = 3 V. Faces at the ends have an element of depth 0.5 behind
   // them, all others one of depth 1 that is a plate: it lets go at its middle, at 0.5 as well.
+  // Those are 0.5 wide, less than their depth, so that their springs are those of that length too.
   const Material material = elastic(200e9, 0.3, 7850);
   Mesh<3> a = box_mesh<3>({2, 1, 1}, Vec<3>::Zero(), Vec<3>::Ones());
   const Mesh<3> b = box_mesh<3>({2, 1, 1}, {0, 1.0, 0}, Vec<3>::Ones());
@@ -244,7 +245,7 @@ TEST(finite_elements, surface_of_two_bricks) {
       const bool end = std::abs(normal[0]) > 0.5;
       const Real depth = end ? 0.5 : 1.0;
       EXPECT_NEAR(facet.depth, 0.5, 1e-14);
-      EXPECT_NEAR(facet.stiffness, material.modulus() / depth, 1e-3);
+      EXPECT_NEAR(facet.stiffness, material.modulus() / 0.5, 1e-3);
       EXPECT_NEAR(facet.areal_mass, 0.5 * 7850 * depth, 1e-9);
     }
     EXPECT_LT(area.norm(), 1e-14);
