@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/manager.hpp"
+#include "contact/manager/manager.hpp"
 
 namespace brunt {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "contact/candidates.hpp"
+#include "contact/search/candidates.hpp"
 #include "fe/element_block.hpp"
 #include "sph/particles.hpp"
 

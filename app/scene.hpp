@@ -9,7 +9,7 @@
 #include "app/probes.hpp"
 #include "app/sections.hpp"
 #include "app/supports.hpp"
-#include "contact/manager.hpp"
+#include "contact/manager/manager.hpp"
 #include "core/errors.hpp"
 #include "core/materials/material.hpp"
 #include "core/rigid/free_bodies.hpp"

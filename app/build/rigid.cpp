@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "app/build/materials.hpp"
-#include "contact/particle_face.hpp"
+#include "contact/geometry/particle_face.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/rigid/half_thickness.hpp"
 #include "core/rigid/mass_properties.hpp"

@@ -11,7 +11,7 @@
 #include "app/deck/materials.hpp"
 #include "app/deck/measures.hpp"
 #include "app/deck/probes.hpp"
-#include "contact/options.hpp"
+#include "contact/law/options.hpp"
 #include "core/errors.hpp"
 #include "core/schema.hpp"
 

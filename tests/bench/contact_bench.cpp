@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "contact/manager.hpp"
+#include "contact/manager/manager.hpp"
 
 namespace {
 

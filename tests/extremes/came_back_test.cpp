@@ -2,8 +2,8 @@
 // on those of the hole, 0.2 mm in, and hold it there. Behind it the faces of its base and of the
 // plate's far side lie over each other by these 0.2 mm, from farther apart than an element is deep,
 // where faces let go, until the bolt has left. They came in over the borders of both, the force of
-// that overlap has faded to next to nothing (contact/overlap_push.hpp), and so they are none that
-// came back.
+// that overlap has faded to next to nothing (contact/geometry/overlap_push.hpp), and so they are
+// none that came back.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/law.hpp"
+#include "contact/law/springs.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 #include "tests/unit/contact/contact_scene.hpp"

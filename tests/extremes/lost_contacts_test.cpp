@@ -1,8 +1,8 @@
 // Contacts that do not hold are told of where they begin to spoil the answer, and only there.
 //
 // A particle of radius r on a rigid face has k d up to d = r and b (d - r)^3 / r^2 more behind it,
-// with k = phi M per breadth and b = 16 k (contact/particle_face.hpp), and is given up n radii
-// behind, n = 3, or 6 of an open surface. Until there the spring takes, with d = (n + 1) r,
+// with k = phi M per breadth and b = 16 k (contact/geometry/particle_face.hpp), and is given up n
+// radii behind, n = 3, or 6 of an open surface. Until there the spring takes, with d = (n + 1) r,
 //   E = k r^2 ((n + 1)^2/2 + 4 n^4) = 332 k r^2, 5208.5 k r^2,
 // of a square particle of mass 4 rho r^2 and speed v: v^2 = c^2 phi ((n + 1)^2/4 + 2 n^4),
 // v = 12.88 c sqrt(phi), 51.03 c sqrt(phi). Slower ones come back.

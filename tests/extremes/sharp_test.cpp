@@ -5,8 +5,8 @@
 // A point of half angle a has no side that opposes a floor better than sin(a): faces that oppose
 // each other by less than a box's edges do, 1/2, must count where bodies are sharp (FacingRamp).
 // Edges that cross have none better than sin(a) sin(b), which is nothing: below some 10 degrees
-// they push each other themselves (contact/edge_contact.hpp). tests/cases/chisel-4 and knives-12
-// ask for 1 mm at most.
+// they push each other themselves (contact/geometry/edge_contact.hpp). tests/cases/chisel-4 and
+// knives-12 ask for 1 mm at most.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // times as fast as their sound, 0 to 89 degrees off the normal: none comes out behind. The plates
 // are a half to two spacings thick, in the plane and in space; held, so that they give way nowhere,
 // or free. A particle whose centre has passed the middle is nearer to the back, and lost: the
-// barrier of thin plates has to stop it before (barrier_of in contact/particle_law.hpp).
+// barrier of thin plates has to stop it before (barrier_of in contact/evaluate/particle_law.hpp).
 // Closed rigid bodies that are as thin know how thin they are from time 0 on: boxes and STL files,
 // held, driven against shots that stand, or free.
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@
 
 #include <cmath>
 
-#include "contact/manager.hpp"
+#include "contact/manager/manager.hpp"
 #include "tests/unit/fe/fe_scene.hpp"
 
 namespace brunt::test {

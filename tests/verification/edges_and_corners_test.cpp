@@ -5,11 +5,11 @@
 // Nothing acts from outside: momentum and angular momentum, 0 and that of the offset, stay to 1e-12
 // of sum m |v| and sum m |x| |v|: some 1e3 steps of 1e3 nodes that round by 1e-16 each. A pair that
 // has parted holds nothing any more: its spring has given back what it took, since its force is the
-// gradient of what it holds (contact/overlap_push.hpp), to 0.2 % of the energy of the approach: at
-// most 0.17 % where they rub; corners leave 0.15 % and with steps a third as long 0.016 %. At 1 m/s
-// corners are crushed so that their faces warp and are split, which no potential knows: momenta
-// alone are asked for. Faces of elements 1 mm deep let go there: edges_uneven and corners_uneven
-// fly at 0.1 m/s.
+// gradient of what it holds (contact/geometry/overlap_push.hpp), to 0.2 % of the energy of the
+// approach: at most 0.17 % where they rub; corners leave 0.15 % and with steps a third as long
+// 0.016 %. At 1 m/s corners are crushed so that their faces warp and are split, which no potential
+// knows: momenta alone are asked for. Faces of elements 1 mm deep let go there: edges_uneven and
+// corners_uneven fly at 0.1 m/s.
 //
 // Corners beside each other by 1 mm and 0.5 mm meet by the pair of parallel faces that is the least
 // deep, whose normal lies 35 degrees over the level: without friction the cubes slide past each

@@ -4,12 +4,13 @@
 // side lets into each other by p = v h/(phi c), h = 2 mm: 0.08 mm.
 //   The potential of that overlap is k p^2/2 (w - |s|)^2. Its gradient by s, p/(2w) = 2 % of the
 // axial force at 100 m/s and 8 % at 400 m/s, would have its sign from a shift of a rounding. Bars
-// under such a force part. It is smooth in s instead (contact/overlap_push.hpp, part_of_flush): of
-// what is flush it has 3 (2s/w)^2, which is 1e-11 for s = 1e-6 w. What is left is linear in s: the
-// axial force F acts s/2 beside the middles of both ends, turns them, and bars under pressure bend
-// the more. Their largest side force over 20 us is therefore twice as large at 2s as at s, within
-// (s/w): less than 1e-3 as the measure of a force that grows from nothing. The criterion is 0.1 %
-// of the axial force up to s = 1e-6 w, and the axial force changes by less than that.
+// under such a force part. It is smooth in s instead (contact/geometry/overlap_push.hpp,
+// part_of_flush): of what is flush it has 3 (2s/w)^2, which is 1e-11 for s = 1e-6 w. What is left
+// is linear in s: the axial force F acts s/2 beside the middles of both ends, turns them, and bars
+// under pressure bend the more. Their largest side force over 20 us is therefore twice as large at
+// 2s as at s, within (s/w): less than 1e-3 as the measure of a force that grows from nothing. The
+// criterion is 0.1 % of the axial force up to s = 1e-6 w, and the axial force changes by less than
+// that.
 #include <gtest/gtest.h>
 
 #include <algorithm>

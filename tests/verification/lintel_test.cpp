@@ -1,7 +1,7 @@
 // A lintel of brick lies 30 mm on each of two blocks, elements of 100 mm, and the whole stands on a
 // rigid floor. The faces at the ends of the lintel lie 30 mm deep in those of the blocks, over the
 // height that the lintel sinks into them: they came in over the borders and not through the faces,
-// and push nothing (contact/overlap_push.hpp). Closed form, at rest:
+// and push nothing (contact/geometry/overlap_push.hpp). Closed form, at rest:
 //   each block carries half of the lintel, m g/2 = 2000 kg/m^3 4.6 l 9.81 m/s^2 / 2 = 45.13 N.
 // Damping of 20 1/s leaves exp(-10 0.6) = 0.2 % of what moves at the start: 1 %. Nothing pushes the
 // blocks apart but the bending of the lintel, which friction takes: below mu m g/2 = 13.5 N, and no

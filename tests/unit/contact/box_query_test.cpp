@@ -1,6 +1,6 @@
 // All components at once are to give the bits that one after another give: boxes and points at
 // random, many of them on a side or a corner, and some that are no numbers.
-#include "contact/box_query.hpp"
+#include "contact/geometry/box_query.hpp"
 
 #include <gtest/gtest.h>
 

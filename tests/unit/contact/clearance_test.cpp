@@ -2,7 +2,7 @@
 // random, moved at random, all that is left out must still be beyond its radius and what speed
 // votes look ahead in some component, and before the face. And it must prove something: a particle
 // three radii beside a face at rest, half a radius before it, is left out.
-#include "contact/clearance.hpp"
+#include "contact/search/clearance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,14 +6,14 @@
 // Hinge: two squares of side 1 share an edge and overlap by the angle th. On the bisecting plane
 // the penetration is 2 u tan(th/2) for 0 < u < cos(th/2) = L: volume tan(th/2) L^2, centre of
 // pressure at u = 2/3 L.
-#include "contact/common_plane.hpp"
+#include "contact/geometry/common_plane.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "contact/bilinear_weights.hpp"
+#include "contact/geometry/bilinear_weights.hpp"
 
 namespace brunt {
 namespace {

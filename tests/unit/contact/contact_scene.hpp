@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "contact/manager.hpp"
+#include "contact/manager/manager.hpp"
 
 namespace brunt::testing {
 

@@ -2,7 +2,7 @@
 // right angles, one upright through the other: it reaches `deep` behind the other's plane, the
 // other half its width behind the upright one's, and both share a line as long as the narrower is
 // wide. The least of the three is the depth.
-#include "contact/crossing.hpp"
+#include "contact/geometry/crossing.hpp"
 
 #include <gtest/gtest.h>
 

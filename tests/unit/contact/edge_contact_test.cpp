@@ -4,14 +4,14 @@
 //
 // The force is minus the gradient of U, which a motion of both faces as one does not change: so it
 // has no resultant and no moment, and keeps energy. Central differences of a step h err by h^2.
-#include "contact/edge_contact.hpp"
+#include "contact/geometry/edge_contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "contact/evaluate_edges.hpp"
+#include "contact/evaluate/edges.hpp"
 #include "tests/unit/contact/contact_scene.hpp"
 
 namespace brunt {

@@ -4,13 +4,13 @@
 // and, where a face leans, by integrals along the wedge: u from 0 to u1 over a length l has
 //   int u = l u1/2, int u^2 = l u1^2/3, int u^3 = l u1^3/4, int u^2 s = l^2 u1^2/4.
 // Tolerances are those of sums of ten numbers.
-#include "contact/face_barrier.hpp"
+#include "contact/geometry/face_barrier.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "contact/common_plane.hpp"
+#include "contact/geometry/common_plane.hpp"
 
 namespace brunt {
 namespace {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/law.hpp"
+#include "contact/law/springs.hpp"
 #include "tests/unit/contact/contact_scene.hpp"
 
 namespace brunt {

@@ -1,6 +1,6 @@
 // A quad whose corners stand alternately w over and under a plane has warp w; it is split beyond 5
 // % of sqrt(area), or where it is not convex. Halves add up to the area of the quad's projection.
-#include "contact/face_plane.hpp"
+#include "contact/geometry/face_plane.hpp"
 
 #include <gtest/gtest.h>
 

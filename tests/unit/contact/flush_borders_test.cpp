@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/overlap_push.hpp"
+#include "contact/geometry/overlap_push.hpp"
 
 namespace brunt {
 namespace {

@@ -1,6 +1,6 @@
 // Friction of common planes (contact.md 3, tests 6, 7, 15, 16). Two faces whose springs S = M/h are
 // equal have k = phi S / 2 per area, along the normal and across it.
-#include "contact/friction.hpp"
+#include "contact/contacts/friction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A number with its derivatives, against those of x y / (x - y) + sqrt(x):
 //   d/dx = -y^2/(x - y)^2 + 1/(2 sqrt(x)),   d/dy = x^2/(x - y)^2.
-#include "contact/gradient_number.hpp"
+#include "contact/geometry/gradient_number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Bounce: a particle on a spring against a rigid face leaves as fast as it came. Mean over the
 // phase at which steps meet the surface: 1.000 at any omega dt (velocity Verlet; contact.md finding
 // 3), never exp(-pi omega dt / 4).
-#include "contact/manager.hpp"
+#include "contact/manager/manager.hpp"
 
 #include <gtest/gtest.h>
 

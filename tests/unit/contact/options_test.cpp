@@ -1,6 +1,6 @@
 // mu = kinetic + (static - kinetic) exp(-decay |v|): static at rest, the mean of both at ln 2 /
 // decay, kinetic far beyond.
-#include "contact/options.hpp"
+#include "contact/law/options.hpp"
 
 #include <gtest/gtest.h>
 

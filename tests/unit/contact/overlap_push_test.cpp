@@ -4,7 +4,7 @@
 // penetration where the push acts is int g^2 dA / int g dA then. The gradient is found here by
 // central differences of U, corner by corner: of second order in the difference d, whose rounding
 // is 1e-16 U/d. In 2D the breadth of an axisymmetric deck is 2 pi r of the plane itself.
-#include "contact/overlap_push.hpp"
+#include "contact/geometry/overlap_push.hpp"
 
 #include <gtest/gtest.h>
 

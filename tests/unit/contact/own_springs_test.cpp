@@ -1,10 +1,10 @@
 // Bounds on the step from the springs of all faces of a free rigid body, and the mass that it shows
 // to a particle.
-#include "contact/own_springs.hpp"
+#include "contact/surfaces/own_springs.hpp"
 
 #include <gtest/gtest.h>
 
-#include "contact/law.hpp"
+#include "contact/law/springs.hpp"
 #include "tests/unit/contact/contact_scene.hpp"
 
 namespace brunt {

@@ -1,6 +1,6 @@
 // Which of the bodies in a scene may touch follows from what they show: faces or particles, rigid
 // or not, one piece or more; and from what the deck ignores.
-#include "contact/pair_table.hpp"
+#include "contact/law/pair_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A particle of radius r at height d over a flat surface overlaps it by r - d along the normal,
 // whatever the triangulation: exactly one contact. Outside a convex edge or corner it overlaps by
 // r minus the distance to it; in a concave corner it touches each wall.
-#include "contact/particle_face.hpp"
+#include "contact/geometry/particle_face.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A plate of elements 1 m thick is squeezed to 0.2 m about a particle of radius 0.6 m that came in
 // from above: 0.15 m behind the upper face it is nearer to the lower one, and at 0.25 m beyond it,
 // and still belongs to the upper. Once it has let go of the plate the nearest face has it.
-#include "contact/particle_touches.hpp"
+#include "contact/evaluate/particle_touches.hpp"
 
 #include <gtest/gtest.h>
 

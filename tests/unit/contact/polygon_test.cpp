@@ -1,6 +1,6 @@
 // Two unit squares about the same centre, one turned by 45 degrees, overlap in a regular octagon of
 // apothem 1/2: area 8 (1/2)^2 tan(pi/8) = 2 (sqrt 2 - 1) = 0.8284271247461903.
-#include "contact/polygon.hpp"
+#include "contact/geometry/polygon.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // (1.08 + sqrt(1.08^2 - 1))^n = 1.49^n until the contact opens.
 #include <gtest/gtest.h>
 
-#include "contact/law.hpp"
+#include "contact/law/springs.hpp"
 #include "tests/unit/contact/contact_scene.hpp"
 
 namespace brunt {

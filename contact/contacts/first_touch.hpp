@@ -1,0 +1,62 @@
+#pragma once
+#include <vector>
+
+#include "contact/contacts/friction.hpp"
+
+namespace brunt {
+
+/// What two faces or particles, or a particle and a surface, remember of how they met (contact.md
+/// 2.9): from time 0 an overlap of which contact takes no notice, which only shrinks, by as much as
+/// they open, and a bond of cohesion and tension, which breaks for good; and from when a particle
+/// came near an open surface the side from which it came, until it leaves; and while it
+/// touches a thin plate of elements the face that was nearest. Faces whose deepest corner nears the
+/// limit remember that they push: they have not come from behind when it is beyond.
+struct FirstTouch {
+  ContactKey key;       ///< with ordinal 0; of a particle and a surface `second` is the surface
+  Real overlap = 0;     ///< [m]
+  bool bonded = false;  ///< in the last evaluation
+  bool slips = false;   ///< it slid in the last evaluation: the bond is broken from the next one on
+  int side = 0;         ///< of an open surface: 1 before it, -1 behind it; 0: none
+  bool held =
+      false;  ///< of faces: they pushed in the last evaluation, deeper than kHeldFrom limits
+  GlobalId entry = kNoEntry;  ///< of a thin plate: the face that was nearest to the particle
+
+  static constexpr GlobalId kNoEntry = ~GlobalId{0};
+  static constexpr Real kHeldFrom = 0.75;
+
+  /// False once nothing is left that would make the force unlike that of any other contact.
+  bool matters() const { return overlap > 0 || bonded || side != 0 || entry != kNoEntry; }
+};
+
+/// Names the surface that the pieces of a body show to particles.
+inline GlobalId surface_of(Label body, Label piece) {
+  return (static_cast<GlobalId>(body) << 32) | piece;
+}
+
+/// Every first touch whose contact is evaluated here, in the order of keys.
+class FirstTouches {
+ public:
+  bool empty() const { return touches_.empty(); }
+  void clear() { touches_.clear(); }
+  /// In the order of keys.
+  void add(const FirstTouch& touch) { touches_.push_back(touch); }
+  /// nullptr where there is none.
+  const FirstTouch* of_faces(GlobalId lower, GlobalId upper) const;
+  const FirstTouch* of_particles(GlobalId lower, GlobalId upper) const;
+  const FirstTouch* of_particle(GlobalId particle, Label body, Label piece) const;
+  std::vector<FirstTouch>& all() { return touches_; }
+  const std::vector<FirstTouch>& all() const { return touches_; }
+
+ private:
+  const FirstTouch* find(const ContactKey& key) const;
+  std::vector<FirstTouch> touches_;
+};
+
+/// How a step finds the touches of time 0, or makes them.
+struct TouchStep {
+  const FirstTouches* before = nullptr;  ///< those of the last evaluation
+  bool time_zero = false;                ///< they begin now, and no force is evaluated
+  bool again = false;  ///< the last evaluation is repeated: what slid in it has not broken yet
+};
+
+}  // namespace brunt

@@ -1,0 +1,280 @@
+#include "contact/contacts/friction.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "contact/contacts/record.hpp"
+#include "contact/law/spring_slider.hpp"
+
+namespace brunt {
+
+namespace {
+/// The corners of one side about their mean, with the weights of the point of contact.
+template <int Dim>
+struct Corners {
+  int n = 0;
+  std::array<Vec<Dim>, Facet<Dim>::kNodes> arm;  // [m] from the mean
+  std::array<Vec<Dim>, Facet<Dim>::kNodes> v;    // [m/s] relative to the mean
+  std::array<Real, Facet<Dim>::kNodes> weight{};
+  Vec<Dim> point = Vec<Dim>::Zero();     // [m] of contact, on the face
+  Vec<Dim> velocity = Vec<Dim>::Zero();  // [m/s] there
+
+  Corners(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+          const std::array<Real, Friction<Dim>::kNodes>& weights, const ContactSide& side) {
+    Vec<Dim> mean = Vec<Dim>::Zero(), mean_v = Vec<Dim>::Zero();
+    for (int i = side.first; i < side.last; ++i, ++n) {
+      const auto node = static_cast<std::size_t>(record.node[static_cast<std::size_t>(i)]);
+      const auto k = static_cast<std::size_t>(n);
+      weight[k] = weights[static_cast<std::size_t>(i)];
+      arm[k] = nodes.x[node], v[k] = nodes.v[node];
+      mean += arm[k], mean_v += v[k];
+      point += weight[k] * arm[k], velocity += weight[k] * v[k];
+    }
+    mean /= n, mean_v /= n;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) arm[k] -= mean, v[k] -= mean_v;
+  }
+};
+
+/// Turns the torque about a face into its turn, J^-1 torque with J = sum |r|^2 I - r r^T [m^2].
+Real turn_of(const Corners<2>& side, Real torque) {
+  const Real inertia = side.arm[0].squaredNorm() + side.arm[1].squaredNorm();
+  return inertia > 0 ? torque / inertia : 0.0;
+}
+Vec3 turn_of(const Corners<3>& side, const Vec3& torque) {
+  // Six numbers in registers: sums of whole matrices wait for memory, a quarter of all friction.
+  Real xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    const Vec3& r = side.arm[k];
+    const Real square = r.squaredNorm();
+    xx += square - r[0] * r[0], yy += square - r[1] * r[1], zz += square - r[2] * r[2];
+    xy -= r[0] * r[1], xz -= r[0] * r[2], yz -= r[1] * r[2];
+  }
+  Mat3 inertia;
+  inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  // A face as thin as a line cannot carry a torque about it.
+  const Real size = inertia.trace();
+  if (!(inertia.determinant() > 1e-12 * size * size * size)) return Vec3::Zero();
+  return inertia.inverse() * torque;
+}
+
+/// Shares a force at `at` among the corners of a side, with its couple where the side turns.
+template <int Dim>
+void share(const Corners<Dim>& side, const ContactSide& which, const Vec<Dim>& at,
+           const Vec<Dim>& force, Friction<Dim>& friction) {
+  using brunt::cross, brunt::turn;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    friction.force[static_cast<std::size_t>(which.first) + k] = side.weight[k] * force;
+  }
+  if (!which.turns) return;
+  const auto couple = turn_of(side, cross(Vec<Dim>(at - side.point), force));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    friction.force[static_cast<std::size_t>(which.first) + k] += turn(couple, side.arm[k]);
+  }
+}
+
+/// Adds the spin of a face about the new normal, as a unit vector of its cosine and sine.
+void add_spin(const Corners<3>& side, const PlaneTurn<3>& turn, const Vec3& normal, Real dt,
+              Real& cosine, Real& sine) {
+  Real c = 0, s = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+    const Vec3 before = turn.tilted(side.arm[k] - dt * side.v[k]);
+    c += before.dot(side.arm[k]) - normal.dot(before) * normal.dot(side.arm[k]);
+    s += normal.dot(before.cross(side.arm[k]));
+  }
+  const Real size = std::sqrt(c * c + s * s);
+  if (!(size > 0)) return;
+  cosine += c / size, sine += s / size;
+}
+
+void find_spin(const Corners<3>& lower, const Corners<3>& upper, const Vec3& normal, Real dt,
+               PlaneTurn<3>& turn) {
+  Real cosine = 0, sine = 0;
+  for (const auto* side : {&lower, &upper}) {
+    if (side->n > 1) add_spin(*side, turn, normal, dt, cosine, sine);
+  }
+  turn.spin(cosine, sine);
+}
+void find_spin(const Corners<2>&, const Corners<2>&, const Vec<2>&, Real, PlaneTurn<2>&) {}
+
+template <int Dim>
+Vec<Dim> in_plane(const Vec<Dim>& v, const Vec<Dim>& normal) {
+  return v - normal.dot(v) * normal;
+}
+
+/// [J] half of what forces take from the motion of a step of dt.
+template <int Dim>
+Real half_taken(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes, Real dt) {
+  Real power = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(friction.n_nodes); ++k) {
+    power += friction.force[k].dot(nodes.v[static_cast<std::size_t>(friction.node[k])]);
+  }
+  return -0.5 * dt * power;
+}
+}  // namespace
+
+template <int Dim>
+void FrictionHistory<Dim>::add(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes,
+                               Real dt) {
+  past_.push_back(friction);
+  past_.back().taken = half_taken(friction, nodes, dt);
+  used_.push_back(0);
+  first_warmed_.push_back(warmed_.size());
+  if (!friction.slips || friction.warmth == 0) return;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(friction.n_nodes); ++k) {
+    if (friction.warms[k] == 0) continue;
+    const auto node = static_cast<std::size_t>(friction.node[k]);
+    warmed_.push_back({nodes.surface[node], nodes.id[node], friction.warms[k]});
+  }
+}
+
+template <int Dim>
+std::vector<EndedHeat> FrictionHistory<Dim>::ended_heat() const {
+  std::vector<EndedHeat> ended;
+  for (std::size_t i = 0; i < past_.size(); ++i) {
+    if (used_[i]) continue;
+    const std::size_t end = i + 1 < past_.size() ? first_warmed_[i + 1] : warmed_.size();
+    for (std::size_t k = first_warmed_[i]; k < end; ++k) {
+      const auto& [surface, point, share] = warmed_[k];
+      ended.push_back({past_[i].key, surface, point, share * past_[i].last_heat()});
+    }
+  }
+  return ended;
+}
+
+template <int Dim>
+std::size_t FrictionHistory<Dim>::place_of(const ContactKey& key, std::size_t from) const {
+  assert(from == 0 || past_[from - 1].key < key);
+  // Most often it is the next one, or one of the next: steps that double pass by what ended.
+  std::size_t to = from;
+  for (std::size_t step = 1; to < past_.size() && past_[to].key < key; step *= 2) {
+    from = to + 1;
+    to += step;
+  }
+  const auto begin = past_.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto end = past_.begin() + static_cast<std::ptrdiff_t>(std::min(to, past_.size()));
+  const auto at = std::lower_bound(
+      begin, end, key,
+      [](const FrictionMemory<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
+  return static_cast<std::size_t>(at - past_.begin());
+}
+
+template <int Dim>
+const FrictionMemory<Dim>* FrictionHistory<Dim>::of_faces(const ContactKey& key,
+                                                          std::size_t& from) {
+  from = place_of(key, from);
+  if (from == past_.size() || !(past_[from].key == key)) return nullptr;
+  used_[from] = 1;
+  return &past_[from];
+}
+
+template <int Dim>
+const FrictionMemory<Dim>* FrictionHistory<Dim>::of_particle(const ContactKey& key, Label body,
+                                                             Label piece, const Vec<Dim>& normal,
+                                                             std::size_t& from) {
+  from = place_of({1, 0, key.first, 0}, from);
+  std::size_t found = past_.size();
+  Real nearest = 0;  // only normals less than a right angle apart are the same surface
+  for (std::size_t i = from; i < past_.size(); ++i) {
+    const auto& one = past_[i];
+    if (one.key.of_particle != 1 || one.key.first != key.first) break;
+    if (used_[i] || one.body != body || one.piece != piece) continue;
+    const Real along = one.normal.dot(normal);
+    const bool same_face = one.key.second == key.second;
+    if (same_face ? along > 0 : along > nearest) {
+      found = i;
+      nearest = same_face ? 2.0 : along;
+    }
+  }
+  if (found == past_.size()) return nullptr;
+  used_[found] = 1;
+  return &past_[found];
+}
+
+template <int Dim>
+void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                   const FrictionStep<Dim>& step, Friction<Dim>& friction) {
+  friction.key = key_of(record);
+  friction.normal = record.normal;
+  friction.n_nodes = record.n_nodes;
+  friction.node = record.node;
+  friction.area = step.area;
+  friction.stiffness = step.stiffness;
+  const Corners<Dim> lower(nodes, record, step.weight, step.lower);
+  const Corners<Dim> upper(nodes, record, step.weight, step.upper);
+  const Vec<Dim>& n = record.normal;
+  // The common plane of large tilted faces lies off both: friction acts where they are.
+  const Vec<Dim> point =
+      record.of_particle ? step.point : Vec<Dim>(0.5 * (lower.point + upper.point));
+  friction.point = point;
+
+  const Vec<Dim> velocity = upper.velocity - lower.velocity;
+  Vec<Dim> slip = step.dt * velocity;
+  Vec<Dim> traction = in_plane<Dim>(step.inherited, n);
+  Vec<Dim> slider_before = Vec<Dim>::Zero(), drag_before = Vec<Dim>::Zero();
+  Real taken_before = 0, energy_before = 0;
+  const Vec<Dim> distance = upper.point - lower.point;
+  const auto with_bodies = [&](const Vec<Dim>& v) { return step.turn ? (*step.turn)(v) : v; };
+  const Vec<Dim> between_centres = step.turn ? in_plane<Dim>(slip, n) : slip;
+  if (step.turn) slip = distance - (*step.turn)(distance - slip);
+  if (const auto* before = step.before) {
+    taken_before = before->taken;
+    energy_before = before->energy();
+    PlaneTurn<Dim> turn(with_bodies(before->normal), n);
+    traction.setZero();
+    if (turn.cosine() > 0) {  // else it is another contact between the same faces
+      if (!step.turn) {
+        find_spin(lower, upper, n, step.dt, turn);
+        slip = distance - turn(distance - step.dt * velocity);
+      }
+      const Vec<Dim> turned = in_plane<Dim>(turn(with_bodies(before->traction)), n);
+      traction = step.kept * turned;
+      slider_before = before->area * turned;
+      drag_before = before->area * turn(with_bodies(before->drag));
+    }
+  }
+  slip = in_plane<Dim>(slip, n);
+  const bool told = step.turn && step.dt > 0;
+  const Real speed = told ? slip.norm() / step.dt : in_plane<Dim>(velocity, n).norm();
+  const Real push = record.spring + record.damping;
+  const Real normal_force = step.bonded ? push : std::max(push, 0.0);
+  const Real pressure = std::max(push, 0.0) / step.pressed;
+  friction.state = {step.material.temperature, step.material.flow_stress, pressure, speed};
+  // A coefficient may be infinite at no pressure: c/p, a friction that does not depend on it.
+  if (pressure > 0 || step.bonded) {
+    friction.coefficient = step.options->coefficient(friction.state);
+  }
+  Real limit = friction.coefficient * normal_force;
+  if (step.bonded) limit = std::max(limit + step.options->cohesion * step.pressed, 0.0);
+  if (step.options->shear_limit) {
+    limit = std::min(limit, step.material.flow_stress / std::sqrt(3.0) * step.pressed);
+  }
+  auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  if (slid.slips && step.turn) {  // what the forces take from the centres is heat (decisions.md)
+    slip = between_centres;
+    slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  }
+  friction.traction = slid.traction;
+  friction.slips = slid.slips;
+  if (!slid.slips && step.dt > 0) {
+    const Vec<Dim> drag = -step.damping / step.dt * slip;
+    friction.drag = within_limit<Dim>(slid.traction, drag, limit / step.area);
+  }
+  share(upper, step.upper, point, friction.resultant(), friction);
+  share<Dim>(lower, step.lower, point, -friction.resultant(), friction);
+  // The old force may be above the limit that there is now, and point along a slip that has turned
+  // back: the mean of both would cool. What it gives then goes to pairs.
+  friction.heat = std::max(-0.5 * (slider_before + friction.slider()).dot(slid.slip), 0.0);
+  friction.damped = -0.5 * (drag_before + step.area * friction.drag).dot(slip);
+  friction.stored = friction.energy() - energy_before;
+  friction.pairs = taken_before + half_taken(friction, nodes, step.dt) - friction.heat -
+                   friction.stored - friction.damped;
+}
+
+template class FrictionHistory<2>;
+template class FrictionHistory<3>;
+template void find_friction<2>(const ContactNodes<2>&, const ContactRecord<2>&,
+                               const FrictionStep<2>&, Friction<2>&);
+template void find_friction<3>(const ContactNodes<3>&, const ContactRecord<3>&,
+                               const FrictionStep<3>&, Friction<3>&);
+
+}  // namespace brunt

@@ -1,0 +1,182 @@
+#include "contact/contacts/record.hpp"
+
+namespace brunt {
+
+namespace {
+/// Adds to the nodes first .. last what the records give them.
+template <int Dim>
+void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere,
+            LocalIndex first, LocalIndex last, ContactNodes<Dim>& nodes) {
+  auto next = elsewhere.begin();
+  const auto add_next = [&] {
+    if (next->node >= first && next->node < last) {
+      const auto at = static_cast<std::size_t>(next->node);
+      for (int c = 0; c < Dim; ++c) {
+        nodes.spring[at][c] += next->spring[c];
+        nodes.damping[at][c] += next->damping[c];
+        if (nodes.rubs) nodes.friction[at][c] += next->friction[c];
+      }
+      nodes.pressed[at] = 1;
+    }
+    ++next;
+  };
+  Vec<Dim>*const springs = nodes.spring.data(), *const dampings = nodes.damping.data();
+  char* const pressed = nodes.pressed.data();
+  records.visit_whole([&](const WholeRecord<Dim>& whole) {
+    const auto& record = whole.record;
+    while (next != elsewhere.end() && next->key < key_of(record)) add_next();
+    const Vec<Dim> normal = record.normal;
+    const Real damping = record.damping;
+    const auto n = static_cast<std::size_t>(record.n_nodes);
+    for (std::size_t k = 0; k < n; ++k) {
+      const LocalIndex node = record.node[k];
+      if (node < first || node >= last) continue;
+      const auto at = static_cast<std::size_t>(node);
+      springs[at] += whole.spring_on(k);
+      dampings[at] += record.weight[k] * damping * normal;
+      if (whole.friction != nullptr) nodes.friction[at] += whole.friction->force[k];
+      pressed[at] = 1;
+    }
+  });
+  while (next != elsewhere.end()) add_next();
+}
+
+template <int Dim>
+void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
+          ContactNodes<Dim>& nodes) {
+  if (!nodes.owned[i]) return;
+  const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
+  nodes.spring_work[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
+  nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
+  if (!nodes.pressed[i]) return;
+  auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+  auto& f = points.f[static_cast<std::size_t>(nodes.point[i])];
+  f += nodes.spring[i] + nodes.damping[i];
+  if (nodes.rubs) f += nodes.friction[i];
+}
+}  // namespace
+
+template <int Dim>
+void Records<Dim>::clear() {
+  for (auto& part : parts_) {
+    part.face_on_face.clear();
+    part.particle_on_face.clear();
+    part.two_particles.clear();
+    part.pair_heat.clear();
+    part.frictions.clear();
+    part.pushes.clear();
+    part.face_heat.clear();
+    part.particle_heat.clear();
+    part.face_touches.clear();
+    part.particle_touches.clear();
+    part.pair_touches.clear();
+    part.lost.clear();
+    part.deep.clear();
+    part.past = 0;
+    part.vote = StepVote{};
+  }
+}
+
+template <int Dim>
+void Records<Dim>::collect_touches(FirstTouches& touches) const {
+  touches.clear();
+  for (const auto& part : parts_) {
+    for (const auto& touch : part.face_touches) touches.add(touch);
+  }
+  for (const auto& part : parts_) {
+    for (const auto& touch : part.particle_touches) touches.add(touch);
+  }
+  for (const auto& part : parts_) {
+    for (const auto& touch : part.pair_touches) touches.add(touch);
+  }
+}
+
+template <int Dim>
+void Records<Dim>::collect_deep(std::vector<DeepParticle<Dim>>& deep) const {
+  deep.clear();
+  for (const auto& part : parts_) deep.insert(deep.end(), part.deep.begin(), part.deep.end());
+}
+
+template <int Dim>
+std::size_t Records<Dim>::size() const {
+  std::size_t n = 0;
+  for (const auto& part : parts_) {
+    n += part.face_on_face.size() + part.particle_on_face.size() + part.two_particles.size();
+  }
+  return n;
+}
+
+template <int Dim>
+StepVote Records<Dim>::vote() const {
+  StepVote vote;
+  for (const auto& part : parts_) vote.take(part.vote);
+  return vote;
+}
+
+template <int Dim>
+void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
+           const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
+  std::swap(nodes.spring, nodes.spring_last);
+  std::swap(nodes.damping, nodes.damping_last);
+  std::swap(nodes.pressed, nodes.pressed_last);
+  const std::size_t n = nodes.size();
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    // Each thread owns a range of nodes and reads all records: sums keep the order of keys.
+    const auto count = static_cast<std::size_t>(omp_get_num_threads());
+    const auto k = static_cast<std::size_t>(omp_get_thread_num());
+    const std::size_t first = n * k / count, last = n * (k + 1) / count;
+    char* const pressed = nodes.pressed.data();
+    const char* const pressed_last = nodes.pressed_last.data();
+    const bool rubs = nodes.rubs;
+    for (std::size_t i = first; i < last; ++i) {
+      if (rubs && pressed_last[i]) nodes.friction[i].setZero();
+      if (!pressed[i]) continue;  // most touch nothing, and are not even read
+      nodes.spring[i].setZero();
+      nodes.damping[i].setZero();
+      pressed[i] = 0;
+    }
+    gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
+           nodes);
+    for (std::size_t i = first; i < last; ++i) {
+      if (pressed[i] || pressed_last[i]) book(i, dt, surfaces, nodes);
+    }
+  }
+}
+
+template <int Dim>
+void apply_heat(const Records<Dim>& records, std::span<const HeatShare> elsewhere,
+                const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
+  std::fill(nodes.heat_rate.begin(), nodes.heat_rate.end(), 0.0);
+  auto next = elsewhere.begin();
+  const auto add_next = [&] {
+    nodes.heat_rate[static_cast<std::size_t>(next->node)] += next->rate;
+    ++next;
+  };
+  records.visit_heat([&](const HeatFlow<Dim>& flow) {
+    while (next != elsewhere.end() && next->key < flow.key) add_next();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+      nodes.heat_rate[static_cast<std::size_t>(flow.node[k])] += flow.rate[k];
+    }
+  });
+  while (next != elsewhere.end()) add_next();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes.owned[i]) continue;
+    auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+    if (!points.conducts) continue;
+    points.heat_rate[static_cast<std::size_t>(nodes.point[i])] += nodes.heat_rate[i];
+  }
+}
+
+template void apply_heat<2>(const Records<2>&, std::span<const HeatShare>,
+                            const std::vector<Surface<2>*>&, ContactNodes<2>&);
+template void apply_heat<3>(const Records<3>&, std::span<const HeatShare>,
+                            const std::vector<Surface<3>*>&, ContactNodes<3>&);
+template class Records<2>;
+template class Records<3>;
+template void apply<2>(const Records<2>&, std::span<const Contribution<2>>, Real,
+                       const std::vector<Surface<2>*>&, ContactNodes<2>&);
+template void apply<3>(const Records<3>&, std::span<const Contribution<3>>, Real,
+                       const std::vector<Surface<3>*>&, ContactNodes<3>&);
+
+}  // namespace brunt

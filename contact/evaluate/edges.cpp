@@ -1,0 +1,98 @@
+#include "contact/evaluate/edges.hpp"
+
+#include <cmath>
+
+#include "contact/geometry/edge_contact.hpp"
+
+namespace brunt {
+
+namespace {
+/// Ordinals of planes come before those of edges.
+constexpr std::uint32_t kFirstOrdinal = 4;
+
+/// How much of the mass behind a face gives way to a force on its corners [1/kg].
+Real inverse_mass(const Entities<3>& entities, const ContactFace<3>& face,
+                  std::span<const Real> weight) {
+  if (!face.deforms()) return face.compliance;
+  Real sum = 0;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    const Real mass = entities.nodes.mass[static_cast<std::size_t>(face.node[c])];
+    if (mass > 0) sum += weight[c] * weight[c] / mass;
+  }
+  return sum;
+}
+
+/// Bound of a spring on both sides, of elements together with their own: half of it where faces are
+/// deep errs a quarter as much (contact/evaluate/face_votes.cpp).
+void take_vote(const Entities<3>& entities, const FaceCandidate& candidate,
+               const EdgeContact& contact, Real stiffness, StepVote& vote) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const auto weights = std::span(contact.weight);
+  const Real gives = inverse_mass(entities, lower, weights.first(4)) +
+                     inverse_mass(entities, upper, weights.last(4));
+  Real squared = stiffness * gives;
+  for (const auto* face : {&lower, &upper}) {
+    if (face->deforms() && face->element_step > 0) squared += 1 / std::pow(face->element_step, 2);
+  }
+  if (squared > 0) vote.take({1 / std::sqrt(squared), "contact stiffness", lower.body, lower.id});
+}
+
+void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
+                const EdgeContact& contact, std::uint32_t ordinal, Records<3>::Part& part) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const Real area = candidate.limit * candidate.limit, stiffness = candidate.stiffness * area;
+  auto& record = part.face_on_face.emplace_back();
+  record.first = lower.id, record.second = upper.id;
+  record.first_place = candidate.lower, record.second_place = candidate.upper;
+  record.lower_body = lower.body, record.upper_body = upper.body;
+  record.ordinal = ordinal;
+  record.normal = contact.normal;
+  record.point = contact.point;
+  record.area = contact.share * area;
+  record.penetration = contact.penetration;
+  record.spring = stiffness * contact.force;
+  record.stored = stiffness * contact.energy;
+  record.push = static_cast<std::int32_t>(part.pushes.size());
+  auto& pushes = part.pushes.emplace_back();
+  pushes.n_lower = lower.n_nodes;
+  Real closing = 0;
+  const auto add = [&](const ContactFace<3>& face, std::size_t first) {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      const Real weight = contact.weight[first + c];
+      pushes.force[static_cast<std::size_t>(record.n_nodes)] = stiffness * contact.push[first + c];
+      record.add(face.node[c], weight);
+      const auto& v = entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+      closing -= weight * v.dot(contact.normal);
+    }
+  };
+  add(lower, 0);
+  add(upper, Facet<3>::kNodes);
+  record.damping = std::max(candidate.damping * record.area * closing, -record.spring);
+}
+}  // namespace
+
+void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, const EvaluationStep&,
+                Records<3>::Part& part) {
+  const auto& lower = entities.planes[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
+  if (lower.borders >> kBladeBits == 0 || upper.borders >> kBladeBits == 0) return;
+  const Real stiffening = 0.5 * candidate.limit;
+  EdgeContact contact;
+  for (int i = 0; i < lower.n_corners; ++i) {
+    if ((lower.borders >> (kBladeBits + static_cast<unsigned>(i)) & 1U) == 0) continue;
+    for (int j = 0; j < upper.n_corners; ++j) {
+      if ((upper.borders >> (kBladeBits + static_cast<unsigned>(j)) & 1U) == 0) continue;
+      if (!find_edge_contact(lower, i, upper, j, stiffening, contact)) continue;
+      const auto ordinal = kFirstOrdinal + static_cast<std::uint32_t>(4 * i + j);
+      add_record(entities, candidate, contact, ordinal, part);
+      const Real depth = contact.penetration / stiffening;
+      const Real tangent =
+          candidate.stiffness * candidate.limit * candidate.limit * (1 + 3 * depth * depth);
+      take_vote(entities, candidate, contact, tangent, part.vote);
+    }
+  }
+}
+
+}  // namespace brunt

@@ -1,0 +1,119 @@
+#include "contact/evaluate/face_votes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/law/springs.hpp"
+
+namespace brunt {
+
+namespace {
+/// How far one step may bring faces that overlap by g [m].
+Real way_of(const FaceBarrier& barrier, Real g) {
+  return std::max(barrier.onset - g, barrier.least_way());
+}
+
+/// Slope of the pressure over k, 1 or more, that bounds the step of one side, faces a way `coming`
+/// [m] deeper in each other than they are. A rigid body feels the whole overlap, and so its mean. A
+/// node of elements has half (2D) or a quarter (3D) of its faces' mass, and all of the slope may
+/// lie beside it: there the mean excess counts as often, but no more than the largest.
+template <int Dim>
+Real slope_of(const ContactFace<Dim>& face, const FaceBarrier& barrier,
+              const CommonPlane<Dim>& plane, Real coming) {
+  const Real mean = plane.mean_slope - 1 + 2 * barrier.steepness() * coming;
+  const Real share = face.deforms() ? 1 << (Dim - 1) : 1;
+  return std::min(barrier.tangent(plane.deepest + coming), 1 + share * mean);
+}
+
+/// Of the corners of a face along n, from a place: the largest height [m] and speed [m/s].
+struct Front {
+  Real height = -kInfinity, speed = -kInfinity;
+};
+template <int Dim>
+Front front_of(const Entities<Dim>& entities, LocalIndex place, const Vec<Dim>& n,
+               const Vec<Dim>& from) {
+  const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  Front front;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    const auto node = static_cast<std::size_t>(face.node[c]);
+    front.height = std::max(front.height, n.dot(entities.nodes.x[node] - from));
+    front.speed = std::max(front.speed, n.dot(entities.nodes.v[node]));
+  }
+  return front;
+}
+
+template <int Dim>
+SearchBox<Dim> widened(SearchBox<Dim> box, Real by) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) box.lo[c] -= by, box.hi[c] += by;
+  return box;
+}
+}  // namespace
+
+template <int Dim>
+void take_approach_vote(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                        const EvaluationStep& step, StepVote& vote) {
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto &lower = entities.planes[l], &upper = entities.planes[u];
+  if (!(-lower.normal.dot(upper.normal) > FacingRamp<Dim>(lower, upper).none)) return;
+  const Vec<Dim> n = (lower.normal - upper.normal).normalized();
+  if (n.dot(lower.center - upper.center) > candidate.limit) return;
+  const Front below = front_of<Dim>(entities, candidate.lower, n, lower.center);
+  const Front above = front_of<Dim>(entities, candidate.upper, -n, lower.center);
+  const Real closing = below.speed + above.speed;
+  if (!(closing > 0)) return;
+  const Real least = std::min(step.longest_of_faces, vote.step);
+  const Real way = way_of(candidate.barrier(), below.height + above.height);
+  if (way > closing * least) return;
+  const Real relative = (entities.face_velocity(u) - entities.face_velocity(l)).norm();
+  // No farther than the lists see, whatever their skin.
+  const Real sweep = candidate.limit + std::max(closing, relative) * step.longest_of_faces;
+  if (!widened<Dim>(entities.boxes[l], sweep).meets(entities.boxes[u])) return;
+  vote.take({way / closing, "contact speed", entities.faces[l].body, entities.faces[l].id});
+}
+
+template <int Dim>
+void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
+                       StepVote& vote) {
+  const FaceBarrier barrier = candidate.barrier();
+  const Real coming =
+      std::min(std::max(closing, 0.0) * step.longest_of_faces, way_of(barrier, plane.deepest));
+  if (!(barrier.tangent(plane.deepest + coming) > 1)) return;
+  const Real opening = -closing, back = plane.deepest - barrier.onset;
+  if (opening > 0 && back > 0) {
+    const Real way = 0.5 * std::max(back, barrier.least_way());
+    const auto& face = entities.faces[static_cast<std::size_t>(candidate.lower)];
+    vote.take({way / opening, "contact speed", face.body, face.id});
+  }
+  for (const LocalIndex place : {candidate.lower, candidate.upper}) {
+    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    if (face.rigid() || face.held || !(face.area_start > 0)) continue;
+    const Real steeper = slope_of(face, barrier, plane, coming), root = std::sqrt(steeper);
+    Real longest = step.longest_of_rigid / root;
+    if (face.deforms()) {
+      const Real area =
+          std::max(entities.planes[static_cast<std::size_t>(place)].area, face.footprint);
+      // The damper stays as it is: its part of critical falls.
+      const Real recoil = face.recoil * steeper;
+      const Real phi = face.phi * steeper * recoil_factor(recoil) * area / face.area_start;
+      const Real zeta = recoil_damping(face.zeta / root, recoil);
+      longest = face.element_step * surface_step_ratio(phi, zeta);
+    }
+    // A step at the limit of stability swings across the slope: what the mean of both forces does
+    // is not what the spring holds. Half of it errs a quarter as much.
+    const Real exact = 0.5 * (1 + 1 / root);
+    vote.take({exact * longest, "contact stiffness", face.body, face.id});
+  }
+}
+
+template void take_approach_vote<2>(const Entities<2>&, const FaceCandidate&, const EvaluationStep&,
+                                    StepVote&);
+template void take_approach_vote<3>(const Entities<3>&, const FaceCandidate&, const EvaluationStep&,
+                                    StepVote&);
+template void take_barrier_vote<2>(const Entities<2>&, const FaceCandidate&, const CommonPlane<2>&,
+                                   Real, const EvaluationStep&, StepVote&);
+template void take_barrier_vote<3>(const Entities<3>&, const FaceCandidate&, const CommonPlane<3>&,
+                                   Real, const EvaluationStep&, StepVote&);
+
+}  // namespace brunt

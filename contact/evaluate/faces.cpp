@@ -1,0 +1,395 @@
+#include <algorithm>
+#include <cmath>
+
+#include "contact/evaluate/edges.hpp"
+#include "contact/evaluate/face_votes.hpp"
+#include "contact/geometry/crossing.hpp"
+
+namespace brunt {
+
+namespace {
+/// Names the corners that share the force and returns their mean velocity [m/s].
+template <int Dim>
+Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& face,
+                     const std::array<Real, Facet<Dim>::kNodes>& weight, Real sign,
+                     ContactRecord<Dim>& record) {
+  Vec<Dim> velocity = Vec<Dim>::Zero();
+  for (int c = 0; c < face.n_nodes; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    record.add(face.node[k], sign * weight[k]);
+    velocity += weight[k] * nodes.v[static_cast<std::size_t>(face.node[k])];
+  }
+  return velocity;
+}
+
+/// How fast two faces close at the centre of their pressure [m/s].
+template <int Dim>
+Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const CommonPlane<Dim>& plane) {
+  const auto velocity = [&](LocalIndex place, const auto& weight) {
+    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      sum += weight[c] * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+    }
+    return sum;
+  };
+  return (velocity(candidate.lower, plane.lower_weight) -
+          velocity(candidate.upper, plane.upper_weight))
+      .dot(plane.normal);
+}
+
+/// True for planes of less than a hundredth of the smaller face: they come and go deep at the
+/// borders of faces, where what they would push is next to nothing, and are all that a corner has,
+/// which pushes as much as any other contact.
+template <int Dim>
+bool is_sliver(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const CommonPlane<Dim>& plane) {
+  constexpr Real kSliver = 0.01;
+  const Real smaller = std::min(entities.planes[static_cast<std::size_t>(candidate.lower)].area,
+                                entities.planes[static_cast<std::size_t>(candidate.upper)].area);
+  // In 2D as a length, as that of faces.
+  const Real pressed = Dim == 3 ? plane.area : plane.polygon[1][0] - plane.polygon[0][0];
+  return pressed < kSliver * smaller;
+}
+
+/// Notes a plane that lets go, or one that comes from behind.
+template <int Dim>
+void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const CommonPlane<Dim>& plane, std::uint32_t how,
+               typename Records<Dim>::Part& part) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  if (is_sliver(entities, candidate, plane)) return;
+  part.lost.push_back(
+      {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
+}
+
+/// Notes two faces that go through each other deeper than contacts are held, though nothing here
+/// pushes them apart.
+template <int Dim>
+void note_crossing(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   typename Records<Dim>::Part& part) {
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  Crossing<Dim> found;
+  if (!entities.boxes[l].meets(entities.boxes[u])) return;
+  if (!find_crossing(entities.planes[l], entities.planes[u], candidate.limit, found)) return;
+  const auto &lower = entities.faces[l], &upper = entities.faces[u];
+  part.lost.push_back(
+      {{0, kCrossed, lower.id, upper.id}, lower.body, upper.body, 0, found.depth, found.point});
+}
+
+/// A face as it was at the last evaluation.
+template <int Dim>
+FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real dt) {
+  const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  FacePlane<Dim> plane = entities.planes[static_cast<std::size_t>(place)];
+  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    plane.corner[c] -= dt * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+  }
+  refresh(plane);
+  return plane;
+}
+
+/// The fastest of the corners of two faces against one of them [m/s].
+template <int Dim>
+Real fastest_corner(const Entities<Dim>& entities, const FaceCandidate& candidate) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const Vec<Dim>& from = entities.nodes.v[static_cast<std::size_t>(lower.node[0])];
+  Real squared = 0;
+  for (const LocalIndex place : {candidate.lower, candidate.upper}) {
+    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      const Vec<Dim>& v = entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+      squared = std::max(squared, (v - from).squaredNorm());
+    }
+  }
+  return std::sqrt(squared);
+}
+
+/// True where the faces were beyond their limit at the last evaluation, at the centre of pressure
+/// that they had then, as those that let go are: they have gone through each other elsewhere, or
+/// where they did not face each other, and would begin at the top of their barrier. Those that meet
+/// from before push first where they touch, those that turn to each other or come over each other
+/// where their pressure fades in. What has come out as far as the barrier's onset has nothing left
+/// to be spared.
+template <int Dim>
+bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                       const CommonPlane<Dim>& plane, const Section& section, Real dt) {
+  if (plane.deepest <= plane.barrier.onset) return false;
+  // Both faces may have moved: most pairs cannot have been as deep.
+  if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.limit) return false;
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
+                                   before_step(entities, candidate.upper, dt), section, planes,
+                                   {.barrier = candidate.barrier()});
+  for (int i = 0; i < n; ++i) {
+    if (planes[static_cast<std::size_t>(i)].penetration > candidate.limit) return true;
+  }
+  return false;
+}
+
+template <int Dim>
+ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                             const CommonPlane<Dim>& plane, const FirstTouch& touch,
+                             const EvaluationStep& step, typename Records<Dim>::Part& part) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  ContactRecord<Dim> record;
+  record.first = lower.id, record.second = upper.id;
+  record.first_place = candidate.lower, record.second_place = candidate.upper;
+  record.lower_body = lower.body, record.upper_body = upper.body;
+  record.normal = plane.normal;
+  record.point = plane.point;
+  record.area = plane.area;
+  record.penetration = plane.penetration;
+  const Vec<Dim> v_lower = add_corners(entities.nodes, lower, plane.lower_weight, -1, record);
+  const Vec<Dim> v_upper = add_corners(entities.nodes, upper, plane.upper_weight, 1, record);
+  const Real closing = (v_lower - v_upper).dot(plane.normal);
+  record.spring = candidate.stiffness * plane.volume;
+  record.stored = candidate.stiffness * plane.energy;
+  take_barrier_vote<Dim>(entities, candidate, plane, closing, step, part.vote);
+  record.damping = candidate.damping * plane.ramp * plane.area * closing;
+  record.opening = -touch.overlap;
+  record.bonded = touch.bonded;
+  if (!touch.bonded) record.damping = std::max(record.damping, -record.spring);
+  return record;
+}
+
+/// Keeps what the last record of the part gets beside its push along the normal.
+template <int Dim>
+void add_push(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, int n_lower,
+              typename Records<Dim>::Part& part) {
+  auto& record = part.face_on_face.back();
+  record.push = static_cast<std::int32_t>(part.pushes.size());
+  auto& pushes = part.pushes.emplace_back();
+  pushes.n_lower = n_lower;
+  for (int i = 0; i < record.n_nodes; ++i) {
+    const auto& push = i < n_lower ? plane.lower_push[static_cast<std::size_t>(i)]
+                                   : plane.upper_push[static_cast<std::size_t>(i - n_lower)];
+    pushes.force[static_cast<std::size_t>(i)] = candidate.stiffness * push;
+  }
+}
+
+/// What a new contact takes over from those that its faces had, on the upper side [Pa].
+template <int Dim>
+Vec<Dim> inherited(const FaceTraction<Dim>& lower, const FaceTraction<Dim>& upper) {
+  const Real area = lower.area + upper.area;
+  if (!(area > 0)) return Vec<Dim>::Zero();
+  return (upper.force - lower.force) / area;
+}
+
+/// What two faces say of the growth of the area between them, 0 where one does not know: areas that
+/// pass from pair to pair of one face are no change.
+Real common_growth(Real a, Real b) {
+  if (a == 0 || b == 0) return a + b;
+  if ((a - 1) * (b - 1) < 0) return 1;
+  return std::fabs(a - 1) < std::fabs(b - 1) ? a : b;
+}
+
+/// Part of a traction that is left where the area under pressure changes: t sqrt(A) stays, so that
+/// the spring keeps its energy. What comes under pressure carries nothing yet, and what is lifted
+/// off takes nothing along. Rigid faces that stand on every rank know nothing of their contacts.
+template <int Dim>
+Real kept_traction(const Entities<Dim>& entities, const FaceCandidate& candidate) {
+  const auto growth_of = [&](LocalIndex f) {
+    const auto k = static_cast<std::size_t>(f);
+    return entities.faces[k].rigid() ? 0.0 : entities.tractions[k].growth;
+  };
+  const Real growth = common_growth(growth_of(candidate.lower), growth_of(candidate.upper));
+  return growth > 0 ? 1 / std::sqrt(growth) : 1.0;
+}
+
+template <int Dim>
+void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                  const CommonPlane<Dim>& plane, const Section& section, Real dt,
+                  FrictionHistory<Dim>& history, FirstTouch& touch,
+                  typename Records<Dim>::Part& part) {
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  auto& record = part.face_on_face.back();
+  const int n_lower = entities.faces[l].n_nodes;
+  const bool torques = section.geometry != Geometry::axisymmetric;
+  FrictionStep<Dim> step;
+  step.options = candidate.rubs;
+  step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
+  step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
+  std::copy_n(plane.lower_at_middle.begin(), n_lower, step.weight.begin());
+  std::copy_n(plane.upper_at_middle.begin(), record.n_nodes - n_lower,
+              step.weight.begin() + n_lower);
+  step.area = plane.ramp * plane.area;
+  step.pressed = plane.area;
+  step.bonded = touch.bonded;
+  step.stiffness = candidate.stiffness;
+  step.damping = candidate.damping;
+  step.dt = dt;
+  ask_faces(entities, candidate, record, step);
+  step.before = history.of_faces(key_of(record), part.past);
+  step.kept = kept_traction(entities, candidate);
+  if (step.before == nullptr) {
+    step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
+  }
+  record.friction = static_cast<std::int32_t>(part.frictions.size());
+  auto& friction = part.frictions.emplace_back();
+  find_friction(entities.nodes, record, step, friction);
+  const bool slid = friction.slips && candidate.rubs->cohesion > 0;
+  touch.slips = touch.slips || slid;
+  warm_faces(entities, candidate, step, part);
+}
+
+template <int Dim>
+using Planes = std::array<CommonPlane<Dim>, 4>;
+
+/// What two faces keep from time 0, if anything.
+template <int Dim>
+FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
+                       const Section& section, const FaceCandidate& candidate) {
+  FirstTouch touch;
+  Planes<Dim> planes;
+  const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
+  const Real meets = meeting_distance(lower, upper);
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.deepest > candidate.limit) return FirstTouch{};  // seen from behind
+    if (!candidate.presses && plane.deepest > meets) {
+      touch.overlap = std::max(touch.overlap, plane.deepest);
+    }
+    const bool bonds = candidate.rubs != nullptr && candidate.rubs->bonds();
+    touch.bonded = touch.bonded || (bonds && plane.penetration >= -meets);
+  }
+  return touch;
+}
+
+/// Largest penetration of planes 0 .. n - 1 [m], 0 at least.
+template <int Dim>
+Real deepest_of(const Planes<Dim>& planes, int n) {
+  Real deepest = 0;
+  for (int i = 0; i < n; ++i) {
+    deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
+  }
+  return deepest;
+}
+
+/// The first of planes 0 .. n - 1 that comes from behind; nullptr where none does.
+template <int Dim>
+const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                                    const Planes<Dim>& planes, int n, const Section& section,
+                                    Real dt) {
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.penetration > candidate.limit) continue;
+    if (comes_from_behind(entities, candidate, plane, section, dt)) return &plane;
+  }
+  return nullptr;
+}
+
+/// True where a bond opens beyond its strength.
+template <int Dim>
+bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
+  constexpr Real kWidest = 0.25;  // of the depth: farther, the lists may not see both faces
+  for (int i = 0; i < n; ++i) {
+    const Real opening = std::max(-planes[static_cast<std::size_t>(i)].penetration, 0.0);
+    if (candidate.stiffness * opening > candidate.rubs->tension) return true;
+    if (opening > kWidest * candidate.limit) return true;
+  }
+  return false;
+}
+
+/// The planes that carry force, with what is left of the first touch of their faces.
+template <int Dim>
+int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
+              const FaceCandidate& candidate, const TouchStep& step, FirstTouch& touch,
+              Planes<Dim>& planes) {
+  const bool rubs = candidate.rubs != nullptr;
+  if (!touch.matters()) {
+    return common_planes<Dim>(lower, upper, section, planes,
+                              {.middle = rubs, .barrier = candidate.barrier()});
+  }
+  if (!step.again) {
+    touch.bonded = touch.bonded && !touch.slips;
+    touch.slips = false;
+  }
+  int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
+  touch.overlap = std::min(touch.overlap, deepest_of<Dim>(planes, n));
+  touch.bonded = touch.bonded && n > 0;
+  if (touch.bonded) {
+    n = common_planes<Dim>(
+        lower, upper, section, planes,
+        {.middle = true, .opening = -touch.overlap, .whole = true, .barrier = candidate.barrier()});
+    if (!tears(planes, n, candidate)) return n;
+    touch.bonded = false;
+  }
+  return common_planes<Dim>(
+      lower, upper, section, planes,
+      {.middle = rubs, .opening = -touch.overlap, .barrier = candidate.barrier()});
+}
+}  // namespace
+
+template <int Dim>
+void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
+                    const Section& section, const EvaluationStep& step,
+                    FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
+  Planes<Dim> planes;
+  for (const auto& candidate : candidates) {
+    const auto l = static_cast<std::size_t>(candidate.lower);
+    const auto u = static_cast<std::size_t>(candidate.upper);
+    if (step.fast) take_approach_vote<Dim>(entities, candidate, step, part.vote);
+    if (!entities.reaches[l].meets(entities.reaches[u])) continue;
+    const auto &lower = entities.planes[l], &upper = entities.planes[u];
+    const GlobalId first = entities.faces[l].id, second = entities.faces[u].id;
+    FirstTouch touch;
+    if (step.touches.time_zero) {
+      touch = first_touch(lower, upper, section, candidate);
+    } else if (const auto* before = step.touches.before->of_faces(first, second)) {
+      touch = *before;
+    }
+    int n = step.touches.time_zero && !candidate.presses
+                ? 0
+                : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
+    const bool held = touch.held;
+    touch.held = false;
+    if (!touch.matters() && !held) {
+      if (const auto* plane = from_behind(entities, candidate, planes, n, section, step.dt)) {
+        touch.overlap = deepest_of<Dim>(planes, n);
+        // An overlap that came in over borders is held by the faces beside it.
+        if (plane->fade > 0.5) note_lost(entities, candidate, *plane, kFromBehind, part);
+        n = 0;  // of all planes, or a repeated evaluation would find others than this one
+      }
+    }
+    const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
+    for (int i = 0; i < n; ++i) {
+      const auto& plane = planes[static_cast<std::size_t>(i)];
+      if (plane.penetration > candidate.limit && !(held && is_sliver(entities, candidate, plane))) {
+        // By the way of the step it was within the limit at the last evaluation, and pushed. What
+        // is seen from behind was beyond it then too, and what opens comes nearer.
+        const Real way = closing_speed(entities, candidate, plane) * step.dt;
+        if ((held && plane.fade > 0.5) || plane.penetration - way <= candidate.limit) {
+          note_lost(entities, candidate, plane, kLetGo, part);
+        }
+        continue;
+      }
+      part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
+      part.face_on_face.back().ordinal = plane.ordinal;
+      touch.held = touch.held || plane.deepest > FirstTouch::kHeldFrom * candidate.limit;
+      if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
+      if (candidate.rubs == nullptr || history == nullptr) continue;
+      add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
+    }
+    if (!step.touches.time_zero || candidate.presses) {
+      add_blades(entities, candidate, step, part);
+    }
+    touch.key = {0, 0, first, second};
+    if (touch.matters() || touch.held) part.face_touches.push_back(touch);
+    const bool free = part.face_on_face.size() == ends.record && !touch.matters();
+    if (free) note_crossing<Dim>(entities, candidate, part);
+    if (candidate.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
+  }
+}
+
+template void evaluate_faces<2>(const Entities<2>&, std::span<const FaceCandidate>, const Section&,
+                                const EvaluationStep&, FrictionHistory<2>*, Records<2>::Part&);
+template void evaluate_faces<3>(const Entities<3>&, std::span<const FaceCandidate>, const Section&,
+                                const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
+
+}  // namespace brunt

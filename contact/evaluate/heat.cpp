@@ -1,0 +1,173 @@
+/// Where heat passes between what touches, and what friction warms.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/evaluate/evaluate.hpp"
+#include "contact/evaluate/particle_law.hpp"
+
+namespace brunt {
+
+template <int Dim>
+void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const Section& section, const PartEnds& ends,
+                   typename Records<Dim>::Part& part) {
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  const Real meets = meeting_distance(entities.planes[l], entities.planes[u]);
+  const PlaneNeeds needs{
+      .middle = true, .opening = std::max(meets, gap_of(*candidate.heat)), .pushes = false};
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
+  const auto middle = static_cast<std::ptrdiff_t>(part.face_heat.size());
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.penetration - needs.opening > candidate.limit) continue;
+    Real pressed = 0, pressure = 0;
+    for (std::size_t r = ends.record; r < part.face_on_face.size(); ++r) {
+      const auto& record = part.face_on_face[r];
+      if (record.ordinal != plane.ordinal) continue;
+      pressed = std::min(record.area, plane.area);
+      pressure = std::max((record.spring + record.damping) / record.area, 0.0);
+    }
+    part.face_heat.push_back(heat_path<Dim>(entities.faces[l], entities.faces[u], plane,
+                                            *candidate.heat, pressed, pressure));
+  }
+  // What passes has smaller ordinals than the heat of friction.
+  std::rotate(part.face_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
+              part.face_heat.begin() + middle, part.face_heat.end());
+}
+
+namespace {
+/// Faces that are near enough to the particle for heat, by the gaps of their pairs, and what of
+/// them it is nearest to: a function of the state, whatever else the lists hold.
+template <int Dim>
+void find_near_faces(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
+                     PairFinder& pairs, std::vector<ParticleHit<Dim>>& hits) {
+  hits.clear();
+  const auto& particle =
+      entities.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)];
+  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
+  const Real meets = kMeets * particle.radius;
+  Real widest = 0;
+  const auto [first, last] = rows.range(row);
+  for (std::size_t i = first; i < last; ++i) {
+    const std::size_t f = rows.clearances.entity(i);
+    const auto& face = entities.faces[f];
+    const auto* heat = heat_between(particle, face, pairs.of(particle.body, face.body));
+    if (heat == nullptr) continue;
+    widest = std::max(widest, gap_of(*heat));
+    if (entities.planes[f].area == 0) continue;
+    const Real reach = particle.radius + std::max(gap_of(*heat), meets);
+    const Real limit = held_behind(particle, face);
+    const Real farthest = std::max(reach, limit);
+    if (!entities.boxes[f].meets(SearchBox<Dim>::about(x, farthest))) continue;
+    ParticleHit<Dim> hit(entities.planes[f], x);
+    hit.node = face.node;
+    hit.body = face.body, hit.piece = face.piece;
+    hit.open = face.open;
+    hit.limit = limit;
+    hit.face = static_cast<LocalIndex>(f);
+    const bool behind = hit.nearest.normal.dot(x - hit.nearest.point) < 0;
+    if (hit.nearest.distance <= (behind ? farthest : reach)) hits.push_back(hit);
+  }
+  if (!hits.empty()) choose_hits<Dim>(x, particle.radius + std::max(widest, meets), hits);
+}
+}  // namespace
+
+template <int Dim>
+int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
+                      PairFinder& pairs, Real area, const PartEnds& ends,
+                      typename Records<Dim>::Part& part) {
+  const auto& particle =
+      entities.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)];
+  const auto& hits = part.near_hits;
+  if (!(particle.conductivity > 0)) return 0;
+  find_near_faces<Dim>(entities, rows, row, pairs, part.near_hits);
+  if (hits.empty()) return 0;
+  const auto contacts =
+      std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.kept; });
+  for (const auto& hit : hits) {
+    if (!hit.kept) continue;
+    const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
+    const auto& heat = pairs.of(particle.body, face.body).heat;
+    ParticleTouch<Dim> touch{particle, face, hit, area, 0, static_cast<int>(contacts)};
+    for (std::size_t r = ends.record; r < part.particle_on_face.size(); ++r) {
+      const auto& record = part.particle_on_face[r];
+      if (record.second != face.id) continue;
+      touch.pressure = (record.spring + record.damping) / (hit.share * area);
+    }
+    part.particle_heat.push_back(heat_path<Dim>(entities.nodes, touch, heat));
+  }
+  std::sort(part.particle_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
+            part.particle_heat.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+  return static_cast<int>(contacts);
+}
+
+namespace {
+template <int Dim>
+void warm(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
+          const FrictionShares& shares, Friction<Dim>& friction,
+          std::vector<HeatFlow<Dim>>& flows) {
+  if (!(step.dt > 0)) return;
+  share_warmth(step, shares, friction);
+  if (friction.warmth > 0) flows.push_back(heat_of_friction(record, friction, step.dt));
+}
+
+template <int Dim>
+WarmedSide side_of(const ContactFace<Dim>& face) {
+  return {face.body, face.capacity > 0, face.effusivity};
+}
+}  // namespace
+
+template <int Dim>
+void warm_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
+  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  warm(part.face_on_face.back(), step,
+       friction_shares(step.options->friction_heat, side_of(lower), side_of(upper)),
+       part.frictions.back(), part.face_heat);
+}
+
+template <int Dim>
+void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
+                   const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
+  const WarmedSide upper{particle.body, particle.conductivity > 0, particle.effusivity};
+  warm(part.particle_on_face.back(), step,
+       friction_shares(step.options->friction_heat, side_of(face), upper), part.frictions.back(),
+       part.particle_heat);
+}
+
+template <int Dim>
+void warm_pair(const ContactParticle& first, const ContactParticle& second,
+               const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
+  const WarmedSide lower{first.body, first.conductivity > 0, first.effusivity};
+  const WarmedSide upper{second.body, second.conductivity > 0, second.effusivity};
+  std::vector<HeatFlow<Dim>> flows;
+  warm(part.two_particles.back(), step, friction_shares(step.options->friction_heat, lower, upper),
+       part.frictions.back(), flows);
+  for (const auto& flow : flows) part.pair_heat.push_back({flow, 0, 0});
+}
+
+template void warm_pair<2>(const ContactParticle&, const ContactParticle&, const FrictionStep<2>&,
+                           Records<2>::Part&);
+template void warm_pair<3>(const ContactParticle&, const ContactParticle&, const FrictionStep<3>&,
+                           Records<3>::Part&);
+template void add_face_heat<2>(const Entities<2>&, const FaceCandidate&, const Section&,
+                               const PartEnds&, Records<2>::Part&);
+template int add_particle_heat<2>(const Entities<2>&, const ParticleRows&, std::size_t, PairFinder&,
+                                  Real, const PartEnds&, Records<2>::Part&);
+template void warm_faces<2>(const Entities<2>&, const FaceCandidate&, const FrictionStep<2>&,
+                            Records<2>::Part&);
+template void warm_particle<2>(const ContactParticle&, const ContactFace<2>&,
+                               const FrictionStep<2>&, Records<2>::Part&);
+template void add_face_heat<3>(const Entities<3>&, const FaceCandidate&, const Section&,
+                               const PartEnds&, Records<3>::Part&);
+template int add_particle_heat<3>(const Entities<3>&, const ParticleRows&, std::size_t, PairFinder&,
+                                  Real, const PartEnds&, Records<3>::Part&);
+template void warm_faces<3>(const Entities<3>&, const FaceCandidate&, const FrictionStep<3>&,
+                            Records<3>::Part&);
+template void warm_particle<3>(const ContactParticle&, const ContactFace<3>&,
+                               const FrictionStep<3>&, Records<3>::Part&);
+
+}  // namespace brunt

@@ -1,0 +1,81 @@
+/// What friction asks of the materials on both sides of a contact.
+#include <algorithm>
+
+#include "contact/evaluate/evaluate.hpp"
+
+namespace brunt {
+
+namespace {
+/// The side with the nodes `side` of a record; its temperature [K] is that of the point of contact
+/// where the nodes keep it, else of the material that it shows.
+template <int Dim>
+SurfaceMaterial at_contact(const Entities<Dim>& entities, LocalIndex surface,
+                           const SurfaceMaterial& shown, const ContactRecord<Dim>& record,
+                           const ContactSide& side, const FrictionStep<Dim>& step) {
+  SurfaceMaterial material = shown;
+  if (!entities.conducts[static_cast<std::size_t>(surface)]) return material;
+  material.temperature = 0;
+  for (int i = side.first; i < side.last; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto node = static_cast<std::size_t>(record.node[k]);
+    material.temperature += step.weight[k] * entities.nodes.temperature[node];
+  }
+  return material;
+}
+
+SurfaceMaterial of_both(const SurfaceMaterial& a, const SurfaceMaterial& b) {
+  return {0.5 * (a.temperature + b.temperature), std::min(a.flow_stress, b.flow_stress)};
+}
+}  // namespace
+
+template <int Dim>
+void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
+  if (!step.options->asks_material()) return;
+  const auto l = static_cast<std::size_t>(candidate.lower);
+  const auto u = static_cast<std::size_t>(candidate.upper);
+  step.material = of_both(at_contact<Dim>(entities, entities.faces[l].surface,
+                                          entities.materials[l], record, step.lower, step),
+                          at_contact<Dim>(entities, entities.faces[u].surface,
+                                          entities.materials[u], record, step.upper, step));
+}
+
+template <int Dim>
+void ask_particle(const Entities<Dim>& entities, const ContactParticle& particle, LocalIndex face,
+                  const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
+  if (!step.options->asks_material()) return;
+  const auto f = static_cast<std::size_t>(face);
+  const auto& shown = entities.nodes.material[static_cast<std::size_t>(particle.node)];
+  step.material =
+      of_both(at_contact<Dim>(entities, entities.faces[f].surface, entities.materials[f], record,
+                              step.lower, step),
+              at_contact<Dim>(entities, particle.surface, shown, record, step.upper, step));
+}
+
+template <int Dim>
+void ask_pair(const Entities<Dim>& entities, const ContactParticle& first,
+              const ContactParticle& second, const ContactRecord<Dim>& record,
+              FrictionStep<Dim>& step) {
+  if (!step.options->asks_material()) return;
+  const auto shown = [&](const ContactParticle& particle) -> const SurfaceMaterial& {
+    return entities.nodes.material[static_cast<std::size_t>(particle.node)];
+  };
+  step.material =
+      of_both(at_contact<Dim>(entities, first.surface, shown(first), record, step.lower, step),
+              at_contact<Dim>(entities, second.surface, shown(second), record, step.upper, step));
+}
+
+template void ask_faces<2>(const Entities<2>&, const FaceCandidate&, const ContactRecord<2>&,
+                           FrictionStep<2>&);
+template void ask_faces<3>(const Entities<3>&, const FaceCandidate&, const ContactRecord<3>&,
+                           FrictionStep<3>&);
+template void ask_particle<2>(const Entities<2>&, const ContactParticle&, LocalIndex,
+                              const ContactRecord<2>&, FrictionStep<2>&);
+template void ask_particle<3>(const Entities<3>&, const ContactParticle&, LocalIndex,
+                              const ContactRecord<3>&, FrictionStep<3>&);
+template void ask_pair<2>(const Entities<2>&, const ContactParticle&, const ContactParticle&,
+                          const ContactRecord<2>&, FrictionStep<2>&);
+template void ask_pair<3>(const Entities<3>&, const ContactParticle&, const ContactParticle&,
+                          const ContactRecord<3>&, FrictionStep<3>&);
+
+}  // namespace brunt

@@ -1,0 +1,115 @@
+#include "contact/evaluate/particle_touches.hpp"
+
+#include <algorithm>
+
+#include "contact/evaluate/particle_law.hpp"
+
+namespace brunt {
+
+namespace {
+/// What the particle keeps of a surface; those from `first` on are its own, in the order of
+/// surfaces.
+FirstTouch& touch_of(GlobalId particle, GlobalId surface, std::size_t first,
+                     std::vector<FirstTouch>& touches) {
+  const ContactKey key{1, 0, particle, surface};
+  auto at = touches.begin() + static_cast<std::ptrdiff_t>(first);
+  while (at != touches.end() && at->key < key) ++at;
+  if (at == touches.end() || !(at->key == key)) {
+    at = touches.insert(at, {key, 0, false, false, 0});
+  }
+  return *at;
+}
+}  // namespace
+
+template <int Dim>
+void recall_entries(const Entities<Dim>& entities, const ContactParticle& particle,
+                    const TouchStep& step, std::vector<ParticleHit<Dim>>& hits) {
+  constexpr Real kOtherSide = -0.5;  // cosine between normals
+  for (const auto& own : hits) {
+    const auto* before = step.before->of_particle(particle.id, own.body, own.piece);
+    const GlobalId id = entities.faces[static_cast<std::size_t>(own.face)].id;
+    if (before == nullptr || before->entry != id) continue;
+    for (auto& hit : hits) {
+      if (hit.body != own.body || hit.piece != own.piece) continue;
+      const bool other =
+          step.again ? &hit != &own : hit.plane->normal.dot(own.plane->normal) < kOtherSide;
+      hit.entry = other ? -1 : 1;
+    }
+  }
+}
+
+template <int Dim>
+void remember_entries(const Entities<Dim>& entities, const ContactParticle& particle,
+                      std::size_t first, typename Records<Dim>::Part& part) {
+  for (const auto& hit : part.hits) {
+    const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
+    if (!hit.kept || !thin_for(particle, face)) continue;
+    const bool nearest = std::none_of(part.hits.begin(), part.hits.end(), [&](const auto& other) {
+      const bool same = other.kept && other.body == hit.body && other.piece == hit.piece;
+      return same && other.nearest.distance < hit.nearest.distance;
+    });
+    if (!nearest) continue;
+    touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches).entry =
+        face.id;
+  }
+}
+
+template <int Dim>
+void remember_sides(const ContactParticle& particle, std::size_t first,
+                    typename Records<Dim>::Part& part) {
+  for (const auto& hit : part.hits) {
+    if (!hit.kept || hit.side == 0) continue;
+    auto& touch =
+        touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches);
+    if (touch.side == 0) touch.side = hit.side;
+  }
+}
+
+template <int Dim>
+void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
+                    typename Records<Dim>::Part& part) {
+  if (!step.time_zero && step.before->empty()) return;
+  auto& touches = part.particle_touches;
+  const std::size_t first = touches.size();
+  for (const auto& hit : part.hits) {
+    if (!hit.kept) continue;
+    const bool presses = pairs.of(particle.body, hit.body).initial_overlap == InitialOverlap::press;
+    // A smaller overlap is rounding.
+    const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
+    if (presses || hit.overlap <= least) continue;
+    if (!step.time_zero && !step.before->of_particle(particle.id, hit.body, hit.piece)) continue;
+    auto& touch = touch_of(particle.id, surface_of(hit.body, hit.piece), first, touches);
+    touch.overlap = std::max(touch.overlap, hit.overlap);
+  }
+  for (std::size_t i = first; i < touches.size(); ++i) {
+    auto& touch = touches[i];
+    if (!step.time_zero) {
+      const auto* before =
+          step.before->of_particle(particle.id, static_cast<Label>(touch.key.second >> 32),
+                                   static_cast<Label>(touch.key.second));
+      touch.overlap = std::min(touch.overlap, before->overlap);
+    }
+    for (auto& hit : part.hits) {
+      if (surface_of(hit.body, hit.piece) != touch.key.second) continue;
+      hit.overlap -= touch.overlap;
+      hit.pushes = hit.overlap > 0;
+    }
+  }
+}
+
+template void recall_entries<2>(const Entities<2>&, const ContactParticle&, const TouchStep&,
+                                std::vector<ParticleHit<2>>&);
+template void recall_entries<3>(const Entities<3>&, const ContactParticle&, const TouchStep&,
+                                std::vector<ParticleHit<3>>&);
+template void remember_entries<2>(const Entities<2>&, const ContactParticle&, std::size_t,
+                                  Records<2>::Part&);
+template void remember_entries<3>(const Entities<3>&, const ContactParticle&, std::size_t,
+                                  Records<3>::Part&);
+template void remember_sides<2>(const ContactParticle&, std::size_t, Records<2>::Part&);
+template void remember_sides<3>(const ContactParticle&, std::size_t, Records<3>::Part&);
+template void track_overlaps<2>(const ContactParticle&, PairFinder&, const TouchStep&,
+                                Records<2>::Part&);
+template void track_overlaps<3>(const ContactParticle&, PairFinder&, const TouchStep&,
+                                Records<3>::Part&);
+
+}  // namespace brunt

@@ -1,0 +1,31 @@
+#pragma once
+/// What particles remember of surfaces from one evaluation to the next.
+#include "contact/evaluate/evaluate.hpp"
+
+namespace brunt {
+
+/// Tells the hits of a surface on which side of a thin plate the particle came in: faces that look
+/// away from the one that held it are on the other. Where an evaluation is repeated, what it kept
+/// is that face.
+template <int Dim>
+void recall_entries(const Entities<Dim>& entities, const ContactParticle& particle,
+                    const TouchStep& step, std::vector<ParticleHit<Dim>>& hits);
+
+/// Keeps the nearest face of each thin plate of elements that the particle touches.
+/// first  its own among part.particle_touches begin here
+template <int Dim>
+void remember_entries(const Entities<Dim>& entities, const ContactParticle& particle,
+                      std::size_t first, typename Records<Dim>::Part& part);
+
+/// Keeps the sides of open surfaces where the particle touches them.
+template <int Dim>
+void remember_sides(const ContactParticle& particle, std::size_t first,
+                    typename Records<Dim>::Part& part);
+
+/// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
+/// at time 0 begins with it.
+template <int Dim>
+void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
+                    typename Records<Dim>::Part& part);
+
+}  // namespace brunt

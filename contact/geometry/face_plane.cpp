@@ -1,0 +1,139 @@
+#include "contact/geometry/face_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/geometry/place.hpp"
+
+namespace brunt {
+
+namespace {
+/// A corner counts as convex if its parallelogram has at least this part of the face's area.
+constexpr Real kConvexLimit = 0.02;
+
+void finish(FacePlane<2>& face) {
+  const Vec<2> edge = face.corner[1] - face.corner[0];
+  face.center = 0.5 * (face.corner[0] + face.corner[1]);
+  face.area = edge.norm();
+  face.normal = Vec<2>(edge[1], -edge[0]) / face.area;
+}
+
+void finish_triangle(FacePlane<3>& face) {
+  const auto& x = face.corner;
+  face.center = (x[0] + x[1] + x[2]) / 3;
+  const Vec3 twice = (x[1] - x[0]).cross(x[2] - x[0]);
+  const Real norm = twice.norm();
+  face.area = 0.5 * norm;
+  face.normal = twice / norm;
+}
+
+void finish_quad(FacePlane<3>& face) {
+  const auto& x = face.corner;
+  face.center = 0.25 * ((x[0] + x[1]) + (x[2] + x[3]));
+  const Vec3 twice = (x[2] - x[0]).cross(x[3] - x[1]);
+  const Real norm = twice.norm();
+  face.area = 0.5 * norm;
+  face.normal = twice / norm;
+  // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
+  face.warp = 0.25 * std::fabs(((x[0] - x[1]) + (x[2] - x[3])).dot(face.normal));
+  face.simple = face.warp <= kWarpLimit * std::sqrt(face.area);
+  const Place<Pack> from = corners(x), edge = next(from) - from;
+  const Pack turns = dot(cross(edge, next(edge)), everywhere(face.normal));  // left at each corner
+  const unsigned convex = mask_bits(turns >= broadcast<Pack>(kConvexLimit * face.area));
+  face.simple = face.simple && convex == 0b1111;
+}
+}  // namespace
+
+template <int Dim>
+void refresh(FacePlane<Dim>& face) {
+  face.warp = 0;
+  face.simple = true;
+  if constexpr (Dim == 2) {
+    finish(face);
+  } else if (face.n_corners == 3) {
+    finish_triangle(face);
+  } else {
+    finish_quad(face);
+  }
+  if (!(face.area > 0) || !(face.normal.squaredNorm() > 0.5)) {
+    face.area = 0;
+    face.warp = 0;
+    face.simple = true;
+    face.normal.setZero();
+  }
+}
+
+namespace {
+/// All components of a quad at once, from four numbers at each corner; what is read or written
+/// beyond the third is not used.
+SearchBox<3> box_of_quad(const FacePlane<3>& face, Real reach) {
+  static_assert(sizeof(SearchBox<3>) == 6 * sizeof(Real));
+  const Real* x = face.corner[0].data();
+  const Pack last = load(x + 8);
+  Pack lo = load(x), hi = lo;
+  for (const Pack corner : {load(x + 3), load(x + 6), Pack{last[1], last[2], last[3], last[0]}}) {
+    lo = vmin(corner, lo);
+    hi = vmax(corner, hi);
+  }
+  lo = lo - broadcast<Pack>(reach);
+  hi = hi + broadcast<Pack>(reach);
+  return {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
+}
+}  // namespace
+
+template <int Dim>
+SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
+  if constexpr (Dim == 3) {
+    if (face.n_corners == 4) return box_of_quad(face, reach);
+  }
+  SearchBox<Dim> box;
+  for (int c = 0; c < Dim; ++c) {
+    Real lo = face.corner[0][c], hi = lo;
+    for (int i = 1; i < face.n_corners; ++i) {
+      lo = std::min(lo, face.corner[static_cast<std::size_t>(i)][c]);
+      hi = std::max(hi, face.corner[static_cast<std::size_t>(i)][c]);
+    }
+    box.lo[static_cast<std::size_t>(c)] = lo - reach;
+    box.hi[static_cast<std::size_t>(c)] = hi + reach;
+  }
+  return box;
+}
+
+SplitFace split(const FacePlane<3>& face) {
+  const auto& x = face.corner;
+  const auto twice = [&](int a, int b, int c) {
+    const auto at = [&](int k) { return x[static_cast<std::size_t>(k)]; };
+    return (at(b) - at(a)).cross(at(c) - at(a)).dot(face.normal);
+  };
+  const bool first_fits = twice(0, 1, 2) >= 0 && twice(0, 2, 3) >= 0;
+  const bool second_fits = twice(1, 2, 3) >= 0 && twice(1, 3, 0) >= 0;
+  const bool first_shorter = (x[2] - x[0]).squaredNorm() <= (x[3] - x[1]).squaredNorm();
+  const bool first = first_fits == second_fits ? first_shorter : first_fits;
+  SplitFace halves;
+  halves.corners = first ? std::array<std::array<int, 3>, 2>{{{0, 1, 2}, {0, 2, 3}}}
+                         : std::array<std::array<int, 3>, 2>{{{1, 2, 3}, {1, 3, 0}}};
+  for (std::size_t p = 0; p < 2; ++p) {
+    auto& part = halves.part[p];
+    part.n_corners = 3;
+    part.sharpness = face.sharpness;
+    for (std::size_t c = 0; c < 3; ++c) {
+      part.corner[c] = x[static_cast<std::size_t>(halves.corners[p][c])];
+    }
+    part.corner[3].setZero();
+    // Edges that are the face's keep their borders; the diagonal is none.
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int from = halves.corners[p][c], to = halves.corners[p][(c + 1) % 3];
+      const bool of_face = (from + 1) % 4 == to && (face.borders >> from & 1U) != 0;
+      part.borders = static_cast<std::uint8_t>(part.borders | (of_face ? 1U << c : 0U));
+    }
+    refresh(part);
+  }
+  return halves;
+}
+
+template void refresh<2>(FacePlane<2>&);
+template void refresh<3>(FacePlane<3>&);
+template SearchBox<2> box_of<2>(const FacePlane<2>&, Real);
+template SearchBox<3> box_of<3>(const FacePlane<3>&, Real);
+
+}  // namespace brunt

@@ -1,0 +1,193 @@
+#include "contact/geometry/particle_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace brunt {
+
+namespace {
+/// Distances that differ by less than this part of the radius are equal.
+constexpr Real kSameDistance = 1e-9;
+
+using Edge = std::pair<LocalIndex, LocalIndex>;
+
+/// The nodes of the nearest feature, ascending; a vertex twice.
+template <int Dim>
+Edge feature_nodes(const ParticleHit<Dim>& hit) {
+  const auto a = hit.node[static_cast<std::size_t>(hit.nearest.corner[0])];
+  const auto b = hit.node[static_cast<std::size_t>(hit.nearest.corner[1])];
+  return {std::min(a, b), std::max(a, b)};
+}
+
+template <int Dim>
+int corner_of(const ParticleHit<Dim>& hit, LocalIndex node) {
+  for (int c = 0; c < hit.plane->n_corners; ++c) {
+    if (hit.node[static_cast<std::size_t>(c)] == node) return c;
+  }
+  return -1;
+}
+
+template <int Dim>
+bool has_edge(const ParticleHit<Dim>& hit, const Edge& edge) {
+  const int n = hit.plane->n_corners;
+  const int a = corner_of(hit, edge.first), b = corner_of(hit, edge.second);
+  return a >= 0 && b >= 0 && ((a + 1) % n == b || (b + 1) % n == a);
+}
+
+template <int Dim>
+bool holds(const ParticleHit<Dim>& hit, Feature feature, const Edge& nodes) {
+  return feature == Feature::edge ? has_edge(hit, nodes) : corner_of(hit, nodes.first) >= 0;
+}
+
+/// Drops an edge or vertex that another face holds and knows better: nearer, or equally near by a
+/// higher feature, or by the same feature with a smaller id.
+template <int Dim>
+void drop_shared(std::span<ParticleHit<Dim>> hits, Real radius) {
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    auto& hit = hits[i];
+    if (hit.nearest.feature == Feature::face) continue;
+    const Edge nodes = feature_nodes(hit);
+    for (std::size_t j = 0; j < hits.size() && hit.kept; ++j) {
+      const auto& other = hits[j];
+      if (j == i || !holds(other, hit.nearest.feature, nodes)) continue;
+      const Real farther = hit.nearest.distance - other.nearest.distance;
+      const bool same =
+          other.nearest.feature == hit.nearest.feature && feature_nodes(other) == nodes;
+      if (same) {
+        hit.kept = i < j;
+      } else if (farther > kSameDistance * radius) {
+        hit.kept = false;
+      } else if (farther >= -kSameDistance * radius) {
+        hit.kept = !(other.nearest.feature < hit.nearest.feature);
+      }
+    }
+  }
+}
+
+Real angle_at(const FacePlane<3>& face, int corner) {
+  const int n = face.n_corners;
+  const auto at = [&](int k) { return face.corner[static_cast<std::size_t>((k + n) % n)]; };
+  const Vec3 a = at(corner + 1) - at(corner), b = at(corner - 1) - at(corner);
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+Real angle_at(const FacePlane<2>&, int) { return 1; }
+
+/// Sum of the normals about an edge or vertex by their angles, and whether the faces close it.
+template <int Dim>
+bool closed_normal(std::span<const ParticleHit<Dim>> hits, const ParticleHit<Dim>& hit,
+                   Vec<Dim>& normal) {
+  const Edge nodes = feature_nodes(hit);
+  const bool is_edge = hit.nearest.feature == Feature::edge;
+  normal.setZero();
+  int faces = 0;
+  bool closed = true;
+  for (const auto& face : hits) {
+    if (!holds(face, hit.nearest.feature, nodes)) continue;
+    ++faces;
+    const int corner = corner_of(face, nodes.first);
+    normal += (is_edge ? 1.0 : angle_at(*face.plane, corner)) * face.plane->normal;
+    if (Dim == 2 || is_edge) continue;
+    // Each edge at the vertex must belong to a second face.
+    const int n = face.plane->n_corners;
+    for (const int step : {1, n - 1}) {
+      const auto next = face.node[static_cast<std::size_t>((corner + step) % n)];
+      int holders = 0;
+      for (const auto& other : hits) {
+        holders += has_edge(other, {nodes.first, next}) ? 1 : 0;
+      }
+      closed = closed && holders == 2;
+    }
+  }
+  return Dim == 3 && !is_edge ? closed : faces == 2;
+}
+
+/// Side, direction and overlap of one hit.
+template <int Dim>
+void find_side(const Vec<Dim>& x, Real radius, std::span<const ParticleHit<Dim>> hits,
+               ParticleHit<Dim>& hit) {
+  const Vec<Dim> arm = x - hit.nearest.point;
+  Vec<Dim> outward = hit.nearest.normal;
+  bool closed = true;
+  if (hit.nearest.feature != Feature::face) {
+    closed = closed_normal<Dim>(hits, hit, outward);
+  } else if (!hit.nearest.smooth) {
+    outward = hit.plane->normal;
+  }
+  if (hit.open) {
+    const int present = outward.dot(arm) < 0 ? -1 : 1;
+    hit.side = closed ? (hit.side == 0 ? present : hit.side) : 0;
+    if (hit.side < 0) outward = -outward;
+  }
+  hit.inside = closed && outward.dot(arm) < 0;
+  if (hit.nearest.smooth) {
+    hit.direction = outward;
+  } else if (hit.nearest.distance > 1e-12 * radius) {
+    hit.direction = (hit.inside ? -1.0 : 1.0) / hit.nearest.distance * arm;
+  } else {
+    hit.direction = outward.normalized();
+  }
+  hit.overlap = radius + (hit.inside ? hit.nearest.distance : -hit.nearest.distance);
+}
+
+/// Drops what lies behind the other side of a plate while the side of entry holds the centre:
+/// squeezed, it may be nearer.
+template <int Dim>
+void keep_side_of_entry(std::span<ParticleHit<Dim>> hits) {
+  for (const auto& own : hits) {
+    if (own.entry <= 0 || !own.kept || !own.inside || own.nearest.distance > own.limit) continue;
+    for (auto& hit : hits) {
+      const bool same_body = hit.body == own.body && hit.piece == own.piece;
+      if (same_body && hit.entry < 0) hit.kept = false;
+    }
+  }
+}
+
+/// A centre behind a surface belongs to the nearest face of that body; outside, to all it overlaps.
+template <int Dim>
+void keep_nearest_side(Real radius, std::span<ParticleHit<Dim>> hits) {
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    auto& hit = hits[i];
+    if (!hit.kept || !hit.inside) continue;
+    for (std::size_t j = 0; j < hits.size() && hit.kept; ++j) {
+      const auto& other = hits[j];
+      const bool same_body = other.body == hit.body && other.piece == hit.piece;
+      if (j == i || !same_body || !other.kept) continue;
+      const Real nearer = hit.nearest.distance - other.nearest.distance;
+      if (nearer > 0 || (nearer == 0 && j < i)) hit.kept = false;
+    }
+  }
+  for (auto& hit : hits) {
+    const bool touches = hit.overlap >= -kTouchingGap * 2 * radius;
+    const bool held = touches && (!hit.inside || hit.nearest.distance <= hit.limit);
+    hit.kept = hit.kept && held;
+  }
+}
+}  // namespace
+
+template <int Dim>
+void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits) {
+  const std::span<ParticleHit<Dim>> all(hits);
+  for (auto& hit : all) hit.kept = true;
+  if (all.size() > 1) drop_shared(all, radius);
+  for (auto& hit : all) {
+    if (hit.kept) find_side<Dim>(x, radius, all, hit);
+  }
+  keep_side_of_entry(all);
+  keep_nearest_side(radius, all);
+  for (auto& hit : all) {
+    hit.share = 0;
+    if (!hit.kept || !(hit.overlap > 0)) continue;
+    Real along = 0;
+    for (const auto& other : all) {
+      if (!other.kept || !(other.overlap > 0)) continue;
+      along += other.overlap * std::max(0.0, hit.direction.dot(other.direction));
+    }
+    hit.share = hit.overlap / along;
+  }
+}
+
+template void choose_hits<2>(const Vec<2>&, Real, std::vector<ParticleHit<2>>&);
+template void choose_hits<3>(const Vec<3>&, Real, std::vector<ParticleHit<3>>&);
+
+}  // namespace brunt

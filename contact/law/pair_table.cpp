@@ -1,0 +1,120 @@
+#include "contact/law/pair_table.hpp"
+
+#include <algorithm>
+
+namespace brunt {
+
+namespace {
+/// What a body shows to contact.
+struct Shown {
+  bool faces = false;
+  bool soft_faces = false;
+  bool particles = false;
+  bool pieces = false;  ///< more than one
+  Label piece = 0;
+  bool seen = false;
+  void take(Label of) {
+    pieces = pieces || (seen && of != piece);
+    piece = of;
+    seen = true;
+  }
+};
+
+bool can_touch(const Shown& a, const Shown& b, bool bonded) {
+  const bool faces = a.faces && b.faces && (a.soft_faces || b.soft_faces);
+  if (a.particles && b.particles && !bonded) return true;
+  return faces || (a.particles && b.faces) || (a.faces && b.particles);
+}
+}  // namespace
+
+template <int Dim>
+PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Dim>*>& surfaces,
+                     std::vector<std::string> body_names)
+    : fallback_(options.fallback),
+      given_(options.pairs),
+      pair_names_(options.pair_names),
+      turned_(options.turned),
+      body_names_(std::move(body_names)) {
+  std::map<Label, Shown> bodies;
+  for (const auto* surface : surfaces) {
+    for (const auto& facet : surface->facets) {
+      auto& shown = bodies[facet.body];
+      shown.faces = true;
+      shown.soft_faces = shown.soft_faces || !facet.rigid();
+      shown.take(facet.piece);
+    }
+    for (const auto& particle : surface->particles) {
+      const auto point = static_cast<std::size_t>(particle.point);
+      auto& shown = bodies[surface->points->body[point]];
+      shown.particles = true;
+      shown.take(surface->points->piece[point]);
+    }
+  }
+  for (const auto& [pair, name] : options.pair_names) {
+    if (pair.first == pair.second) selves_.insert(pair.first);
+  }
+  for (auto first = bodies.begin(); first != bodies.end(); ++first) {
+    for (auto second = first; second != bodies.end(); ++second) {
+      const Label a = first->first, b = second->first;
+      const bool apart = a != b || first->second.pieces || touches_itself(a);
+      const PairOptions& pair = of(a, b);
+      if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
+      pairs_.emplace_back(a, b);
+      rubs_ = rubs_ || pair.rubs();
+      asks_material_ = asks_material_ || pair.asks_material();
+      presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;
+      if (first->second.particles && second->second.particles && !pair.bonded) {
+        meeting_.insert({a, b});
+        particles_rub_ = particles_rub_ || pair.rubs();
+      }
+      const Real gap = gap_of(pair.heat);
+      if (gap > 0) gaps_.resize(std::max(gaps_.size(), std::size_t{b} + 1), 0.0);
+      for (const Label body : {a, b}) {
+        if (gap > 0) gaps_[body] = std::max(gaps_[body], gap);
+        auto [it, is_new] = strongest_.try_emplace(body, pair);
+        it->second.stiffness = std::max(it->second.stiffness, pair.stiffness);
+        it->second.damping = std::max(it->second.damping, pair.damping);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const bool named = pair_names_.count(pairs_[k]) != 0;
+    if (named || pairs_.size() <= kMostReportedPairs) reported_.push_back(k);
+  }
+}
+
+std::optional<std::size_t> PairTable::find(Label a, Label b) const {
+  const std::pair<Label, Label> wanted = std::minmax(a, b);
+  const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), wanted);
+  if (at == pairs_.end() || *at != wanted) return {};
+  return static_cast<std::size_t>(at - pairs_.begin());
+}
+
+std::string PairTable::name(std::size_t pair) const {
+  const auto [a, b] = pairs_[pair];
+  const auto given = pair_names_.find({a, b});
+  return given != pair_names_.end() ? given->second : body_names_[a] + "-" + body_names_[b];
+}
+
+Label PairTable::told(std::size_t pair) const {
+  const auto [a, b] = pairs_[pair];
+  return turned_.count({a, b}) != 0 ? b : a;
+}
+
+const PairOptions& PairTable::of(Label a, Label b) const {
+  if (given_.empty()) return fallback_;
+  const auto it = given_.find({std::min(a, b), std::max(a, b)});
+  return it == given_.end() ? fallback_ : it->second;
+}
+
+PairOptions PairTable::strongest(Label body) const {
+  const auto it = strongest_.find(body);
+  return it == strongest_.end() ? PairOptions{true, 0, 0, {}} : it->second;
+}
+
+template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<2>*>&,
+                              std::vector<std::string>);
+template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<3>*>&,
+                              std::vector<std::string>);
+
+}  // namespace brunt

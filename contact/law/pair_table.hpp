@@ -1,0 +1,94 @@
+#pragma once
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact/law/options.hpp"
+#include "core/surface.hpp"
+
+namespace brunt {
+
+/// Which bodies may touch, and by which options: those of the deck, for the bodies that are there.
+class PairTable {
+ public:
+  PairTable() = default;
+  template <int Dim>
+  PairTable(const ContactOptions& options, const std::vector<Surface<Dim>*>& surfaces,
+            std::vector<std::string> body_names);
+
+  const PairOptions& of(Label a, Label b) const;
+  /// True where the faces of each piece of a body may touch each other too.
+  bool touches_itself(Label body) const { return selves_.count(body) != 0; }
+  /// Options by which particles of two bodies touch each other; none where they do not.
+  const PairOptions* of_particles(Label a, Label b) const {
+    const PairOptions& pair = of(a, b);
+    return pair.ignore || pair.bonded ? nullptr : &pair;
+  }
+  /// True if particles of some two bodies, or of this one and another, may touch each other.
+  bool particles_meet() const { return !meeting_.empty(); }
+  bool particles_meet(Label body) const { return meeting_.count(body) != 0; }
+  /// True if any of these pairs has friction.
+  bool particles_rub() const { return particles_rub_; }
+  /// The largest stiffness and damping with which anything may touch this body; 0: nothing may.
+  PairOptions strongest(Label body) const;
+  /// True if any of these pairs has friction.
+  bool rubs() const { return rubs_; }
+  /// True if in any of these pairs friction depends on temperature or flow stress.
+  bool asks_material() const { return asks_material_; }
+  /// True if in any of these pairs an overlap at time 0 is felt at once.
+  bool presses() const { return presses_; }
+  /// Widest opening [m] through which heat passes to each body, by label; empty: none has any.
+  const std::vector<Real>& gaps() const { return gaps_; }
+  /// Pairs of bodies that may touch, first <= second, in ascending order.
+  const std::vector<std::pair<Label, Label>>& pairs() const { return pairs_; }
+  /// The place of a pair of bodies among them, in either order.
+  std::optional<std::size_t> find(Label a, Label b) const;
+  /// The name of a pair, as history.csv uses it: the deck's, or "a-b".
+  std::string name(std::size_t pair) const;
+  /// The body of a pair on which history.csv tells the force: the first that the deck names.
+  Label told(std::size_t pair) const;
+  /// Places of the pairs with columns in history.csv: all, or where they are more than
+  /// kMostReportedPairs those that the deck names.
+  const std::vector<std::size_t>& reported() const { return reported_; }
+
+ private:
+  PairOptions fallback_;
+  std::map<std::pair<Label, Label>, PairOptions> given_;
+  std::map<Label, PairOptions> strongest_;
+  std::map<std::pair<Label, Label>, std::string> pair_names_;  // those of the deck
+  std::set<std::pair<Label, Label>> turned_;                   // as of ContactOptions
+  std::vector<std::string> body_names_;
+  std::vector<std::pair<Label, Label>> pairs_;
+  std::vector<std::size_t> reported_;
+  bool rubs_ = false;
+  bool presses_ = false;
+  bool asks_material_ = false;
+  std::vector<Real> gaps_;   // [m]
+  std::set<Label> selves_;   // bodies that the deck pairs with themselves
+  std::set<Label> meeting_;  // bodies whose particles may touch those of others
+  bool particles_rub_ = false;
+};
+
+/// Looks up the options of pairs one after another, mostly of the same two bodies.
+class PairFinder {
+ public:
+  explicit PairFinder(const PairTable& pairs) : pairs_(pairs) {}
+  const PairOptions& of(Label a, Label b) {
+    if (options_ == nullptr || a != a_ || b != b_) {
+      options_ = &pairs_.of(a, b);
+      a_ = a, b_ = b;
+    }
+    return *options_;
+  }
+
+ private:
+  const PairTable& pairs_;
+  Label a_ = 0, b_ = 0;
+  const PairOptions* options_ = nullptr;
+};
+
+}  // namespace brunt

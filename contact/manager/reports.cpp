@@ -1,0 +1,286 @@
+/// What the manager shows: sums by pair of bodies, and the contacts of one instant.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <tuple>
+
+#include "contact/law/spring_slider.hpp"
+#include "contact/manager/implementation.hpp"
+#include "core/exact_sum.hpp"
+#include "core/parallel/packing.hpp"
+
+namespace brunt {
+
+namespace {
+/// Temperatures of both sides of contacts, where they keep one.
+struct Warmth {
+  ExactSum area;              // [m^2] of both sides
+  ExactSum area_temperature;  // [m^2 K]
+  Real hottest = 0;           // [K]
+
+  void add(const Warmth& other) {
+    area.add(other.area);
+    area_temperature.add(other.area_temperature);
+    hottest = std::max(hottest, other.hottest);
+  }
+};
+
+struct PairSums {
+  std::array<ExactSum, 3> force;   // [N]
+  std::array<ExactSum, 3> torque;  // [N m]
+  ExactSum area;                   // [m^2]
+  ExactSum heat;                   // [W] of friction
+  ExactSum through;                // [W]
+  Warmth touching, passing;        // of contacts with force; of those through which heat passes
+  Real max_penetration = 0;        // [m]
+  std::int64_t planes = 0;
+};
+
+/// Keeps the first of two.
+void merge(LostReport& into, const LostReport& from) {
+  const std::int64_t let_go = into.let_go + from.let_go;
+  const std::int64_t from_behind = into.from_behind + from.from_behind;
+  const std::int64_t crossed = into.crossed + from.crossed;
+  if (std::tie(from.time, from.key) < std::tie(into.time, into.key)) into = from;
+  into.let_go = let_go, into.from_behind = from_behind, into.crossed = crossed;
+}
+
+void merge(PairSums& into, const PairSums& from) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    into.force[c].add(from.force[c]);
+    into.torque[c].add(from.torque[c]);
+  }
+  into.area.add(from.area);
+  into.heat.add(from.heat);
+  into.through.add(from.through);
+  into.touching.add(from.touching);
+  into.passing.add(from.passing);
+  into.max_penetration = std::max(into.max_penetration, from.max_penetration);
+  into.planes += from.planes;
+}
+
+template <int Dim>
+void append(std::vector<Real>& values, const Vec<Dim>& v) {
+  for (int c = 0; c < 3; ++c) values.push_back(c < Dim ? v[c] : 0.0);
+}
+
+Vec3 moment(const Vec3& arm, const Vec3& force) { return arm.cross(force); }
+Vec3 moment(const Vec<2>& arm, const Vec<2>& force) { return {0, 0, cross(arm, force)}; }
+
+/// visit(x, force) of all that a contact does to its upper side [m], [N]: friction has a point of
+/// its own, and so has each node of faces at an angle.
+template <int Dim, class Visit>
+void visit_forces(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
+                  const Visit& visit) {
+  const auto& record = whole.record;
+  visit(record.point, Vec<Dim>((record.spring + record.damping) * record.normal));
+  if (whole.push != nullptr) {
+    for (auto k = whole.push->n_lower; k < record.n_nodes; ++k) {
+      const auto at = static_cast<std::size_t>(record.node[static_cast<std::size_t>(k)]);
+      visit(nodes.x[at], whole.push->force[static_cast<std::size_t>(k)]);
+    }
+  }
+  if (whole.friction != nullptr) visit(whole.friction->point, whole.friction->resultant());
+}
+
+/// What a contact does to its upper side [N].
+template <int Dim>
+Vec<Dim> force_of(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole) {
+  Vec<Dim> sum = Vec<Dim>::Zero();
+  visit_forces(nodes, whole, [&](const Vec<Dim>&, const Vec<Dim>& force) { sum += force; });
+  return sum;
+}
+
+/// Its moment about the origin of the coordinates [N m].
+template <int Dim>
+Vec3 torque_of(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
+               const Vec<Dim>& origin) {
+  Vec3 sum = Vec3::Zero();
+  visit_forces(nodes, whole, [&](const Vec<Dim>& x, const Vec<Dim>& force) {
+    sum += moment(Vec<Dim>(origin + x), force);
+  });
+  return sum;
+}
+
+/// Takes in the temperatures of both sides of a contact, a record or a flow of heat: weights of one
+/// side are negative.
+/// temperature  [K] by node
+template <class Contact>
+void add_temperatures(const Contact& contact, const std::vector<Real>& temperature,
+                      Warmth& warmth) {
+  Real side[2] = {0, 0};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.n_nodes); ++k) {
+    const Real w = contact.weight[k];
+    side[w < 0 ? 0 : 1] += std::fabs(w) * temperature[static_cast<std::size_t>(contact.node[k])];
+  }
+  for (const Real T : side) {
+    if (!(T > 0)) continue;
+    warmth.area.add(contact.area);
+    warmth.area_temperature.add(contact.area * T);
+    warmth.hottest = std::max(warmth.hottest, T);
+  }
+}
+
+/// Corners of the polygon under a record: of the one common plane of its faces with its point.
+template <int Dim>
+void append_polygon(const Entities<Dim>& entities, const Section& section,
+                    const ContactRecord<Dim>& record, ContactView& view) {
+  const auto lower = entities.face_with(record.first), upper = entities.face_with(record.second);
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes,
+                                   {.opening = record.opening, .whole = record.bonded});
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.ordinal != record.ordinal) continue;
+    for (int c = 0; c < plane.polygon.size; ++c) {
+      const Vec<2>& p = plane.polygon[c];
+      append<Dim>(view.position, plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2);
+    }
+    view.polygon_size.push_back(plane.polygon.size);
+    return;
+  }
+  append<Dim>(view.position, record.point);
+  view.polygon_size.push_back(1);
+}
+}  // namespace
+
+template <int Dim>
+std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) const {
+  const auto& own = *implementation_;
+  const auto& reported = own.pairs.reported();
+  std::map<std::pair<Label, Label>, std::size_t> place;
+  for (std::size_t p = 0; p < reported.size(); ++p) place[own.pairs.pairs()[reported[p]]] = p;
+  std::vector<PairSums> sums(reported.size());
+  std::vector<Real> temperature;
+  if (own.entities.nodes.warm) {
+    temperature = own.entities.nodes.present_temperatures(own.surfaces);
+    own.imports.refresh_temperatures(temperature);
+  }
+  const auto& nodes = own.entities.nodes;
+  own.records.visit_whole([&](const WholeRecord<Dim>& whole) {
+    const auto& record = whole.record;
+    const Label first = std::min(record.lower_body, record.upper_body);
+    const Label second = std::max(record.lower_body, record.upper_body);
+    const auto known = place.find({first, second});
+    if (known == place.end()) return;
+    auto& sum = sums[known->second];
+    // A body exerts no force on itself as a whole.
+    const Label told = own.pairs.told(reported[known->second]);
+    const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
+    const Vec<Dim> force = force_of(nodes, whole);
+    for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
+    if (own.section.geometry != Geometry::axisymmetric) {
+      const Vec3 torque = torque_of(nodes, whole, origin);
+      for (int c = 0; c < 3; ++c) {
+        sum.torque[static_cast<std::size_t>(c)].add(sign * torque[c]);
+      }
+    }
+    if (whole.friction != nullptr && own.dt_last > 0) {
+      sum.heat.add(whole.friction->heat / own.dt_last);
+    }
+    sum.area.add(record.area);
+    sum.max_penetration = std::max(sum.max_penetration, record.penetration);
+    ++sum.planes;
+    if (!temperature.empty()) add_temperatures(record, temperature, sum.touching);
+  });
+  own.records.visit_heat([&](const HeatFlow<Dim>& flow) {
+    const Label first = std::min(flow.lower_body, flow.upper_body);
+    const Label second = std::max(flow.lower_body, flow.upper_body);
+    const auto known = place.find({first, second});
+    if (known == place.end()) return;
+    if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
+    if (first == second) return;
+    const Label told = own.pairs.told(reported[known->second]);
+    sums[known->second].through.add(flow.upper_body == told ? flow.through : -flow.through);
+  });
+  own.ranks.all->reduce_all(std::span(sums),
+                            [](PairSums& into, const PairSums& from) { merge(into, from); });
+  std::vector<PairReport> reports;
+  for (std::size_t p = 0; p < sums.size(); ++p) {
+    auto& report = reports.emplace_back();
+    report.name = own.pairs.name(reported[p]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      report.force[c] = sums[p].force[c].value();
+      report.torque[c] = sums[p].torque[c].value();
+    }
+    report.area = sums[p].area.value();
+    report.heat_rate = sums[p].through.value();
+    report.friction_heat = sums[p].heat.value();
+    const bool passes = sums[p].passing.area.value() > 0;
+    const Warmth& warmth = passes ? sums[p].passing : sums[p].touching;
+    report.temperature_max = warmth.hottest;
+    if (const Real area = warmth.area.value(); area > 0) {
+      report.temperature_mean = warmth.area_temperature.value() / area;
+    }
+    report.max_penetration = sums[p].max_penetration;
+    report.planes = sums[p].planes;
+  }
+  return reports;
+}
+
+template <int Dim>
+std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) const {
+  const auto& own = *implementation_;
+  std::map<std::size_t, LostReport> found;
+  for (const auto& contact : own.lost.all()) {
+    const auto pair = own.pairs.find(contact.lower_body, contact.upper_body);
+    if (!pair) continue;
+    const auto is = [&](std::uint32_t how) { return contact.key.ordinal == how ? 1 : 0; };
+    LostReport one{is(kLetGo), is(kFromBehind), is(kCrossed), contact.time, contact.depth,
+                   {},         contact.key};
+    for (int c = 0; c < Dim; ++c) {
+      one.point[static_cast<std::size_t>(c)] = origin[c] + contact.point[c];
+    }
+    merge(found[*pair], one);
+  }
+  Packer mine;
+  for (const auto& [pair, report] : found) mine << pair << report;
+  std::map<std::size_t, LostReport> of_all;
+  for (const Bytes& bytes : own.ranks.all->all_gather(mine.take())) {
+    Unpacker from(bytes);
+    while (!from.done()) {
+      std::size_t pair = 0;
+      LostReport report;
+      from >> pair >> report;
+      merge(of_all[pair], report);
+    }
+  }
+  std::vector<LostPair> lost;
+  lost.reserve(of_all.size());
+  for (const auto& [pair, report] : of_all) lost.push_back({own.pairs.name(pair), report});
+  return lost;
+}
+
+template <int Dim>
+ContactView ContactManager<Dim>::view() const {
+  const auto& own = *implementation_;
+  ContactView view;
+  own.records.visit_whole([&](const WholeRecord<Dim>& whole) {
+    const auto& record = whole.record;
+    if (record.of_particle) {
+      append<Dim>(view.position, record.point);
+      view.polygon_size.push_back(1);
+    } else {
+      append_polygon(own.entities, own.section, record, view);
+    }
+    append<Dim>(view.normal, record.normal);
+    append<Dim>(view.force, force_of(own.entities.nodes, whole));
+    view.pressure.push_back((record.spring + record.damping) / record.area);
+    view.penetration.push_back(record.penetration);
+    view.body_a.push_back(record.lower_body);
+    view.body_b.push_back(record.upper_body);
+    const auto key = key_of(record);
+    view.key.push_back({key.of_particle, key.first, key.second, key.ordinal});
+  });
+  return view;
+}
+
+template std::vector<PairReport> ContactManager<2>::reports(const Vec<2>&) const;
+template std::vector<PairReport> ContactManager<3>::reports(const Vec<3>&) const;
+template std::vector<LostPair> ContactManager<2>::lost_pairs(const Vec<2>&) const;
+template std::vector<LostPair> ContactManager<3>::lost_pairs(const Vec<3>&) const;
+template ContactView ContactManager<2>::view() const;
+template ContactView ContactManager<3>::view() const;
+
+}  // namespace brunt

@@ -1,0 +1,147 @@
+/// Rows of particles beside particles of other bodies.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "contact/contacts/particle_pair.hpp"
+#include "contact/law/springs.hpp"
+#include "contact/search/candidates.hpp"
+
+namespace brunt {
+
+namespace {
+/// The particles of one piece of a body, and the bounds of their boxes.
+template <int Dim>
+struct Piece {
+  Label body = 0;
+  SearchBox<Dim> bounds;
+  std::vector<std::size_t> beside;  // pieces that it may touch
+};
+
+/// Particles whose boxes meet the bounds of a piece that they may touch, ascending.
+/// boxes  [m] by particle;  nearby, places  out
+template <int Dim>
+void find_nearby(const Entities<Dim>& entities, const PairTable& pairs, SearchMode mode,
+                 const std::vector<SearchBox<Dim>>& boxes, std::vector<SearchBox<Dim>>& nearby,
+                 std::vector<LocalIndex>& places) {
+  const auto& particles = entities.particles;
+  std::map<std::pair<Label, Label>, std::size_t> known;
+  std::vector<Piece<Dim>> pieces;
+  std::vector<std::size_t> piece_of(particles.size());
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const auto& one = particles[p];
+    const auto [it, is_new] = known.try_emplace({one.body, one.piece}, pieces.size());
+    if (is_new) pieces.push_back({one.body, boxes[p], {}});
+    piece_of[p] = it->second;
+    pieces[it->second].bounds.enclose(boxes[p]);
+  }
+  std::vector<SearchBox<Dim>> bounds;
+  bounds.reserve(pieces.size());
+  for (const auto& piece : pieces) bounds.push_back(piece.bounds);
+  const auto meet = [&](LocalIndex i, LocalIndex j) {
+    return pairs.of_particles(pieces[static_cast<std::size_t>(i)].body,
+                              pieces[static_cast<std::size_t>(j)].body) != nullptr;
+  };
+  for (const auto& [i, j] : overlapping_pairs<Dim>(bounds, meet, mode)) {
+    pieces[static_cast<std::size_t>(i)].beside.push_back(static_cast<std::size_t>(j));
+    pieces[static_cast<std::size_t>(j)].beside.push_back(static_cast<std::size_t>(i));
+  }
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const auto& beside = pieces[piece_of[p]].beside;
+    const bool near = std::any_of(beside.begin(), beside.end(), [&](std::size_t piece) {
+      return boxes[p].meets(pieces[piece].bounds);
+    });
+    if (!near) continue;
+    nearby.push_back(boxes[p]);
+    places.push_back(static_cast<LocalIndex>(p));
+  }
+}
+
+template <int Dim>
+PairCandidate candidate_of(const Entities<Dim>& entities, const PairTable& pairs, LocalIndex i,
+                           LocalIndex j) {
+  const auto& a = entities.particles[static_cast<std::size_t>(i)];
+  const auto& b = entities.particles[static_cast<std::size_t>(j)];
+  const PairOptions& options = *pairs.of_particles(a.body, b.body);
+  const auto own = [](const ContactParticle& one) {
+    return one.modulus * (Dim == 3 ? 2 * one.radius : 1.0);
+  };
+  PairCandidate candidate;
+  candidate.particle = i, candidate.other = j;
+  candidate.stiffness = options.stiffness * in_series(own(a), own(b));
+  candidate.barrier = kPairBarrier * options.stiffness * std::max(own(a), own(b));
+  candidate.zeta = options.damping;
+  candidate.presses = options.initial_overlap == InitialOverlap::press;
+  if (options.rubs()) candidate.rubs = &options;
+  const bool both_take_heat = a.conductivity > 0 && b.conductivity > 0;
+  if (both_take_heat && options.passes_heat()) candidate.heat = &options.heat;
+  return candidate;
+}
+}  // namespace
+
+template <int Dim>
+SearchBox<Dim> Candidates<Dim>::box_beside_particles(const Entities<Dim>& entities,
+                                                     std::size_t particle) const {
+  const auto& one = entities.particles[particle];
+  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
+  return finite_box<Dim>(SearchBox<Dim>::about(
+      x,
+      (1 + 2 * kTouchingGap) * one.radius + 0.5 * (speed_reach_ + skin_ + entities.gap(one.body))));
+}
+
+template <int Dim>
+void Candidates<Dim>::find_pairs(const Entities<Dim>& entities, const PairTable& pairs) {
+  const auto& particles = entities.particles;
+  pairs_.clear();
+  pair_starts_.clear();
+  if (!pairs.particles_meet() || particles.empty()) return;
+  std::vector<SearchBox<Dim>> boxes(particles.size()), nearby;
+  std::vector<LocalIndex> places;
+  for (std::size_t p = 0; p < boxes.size(); ++p) boxes[p] = box_beside_particles(entities, p);
+  find_nearby<Dim>(entities, pairs, mode_, boxes, nearby, places);
+  const auto particle = [&](LocalIndex near) -> const ContactParticle& {
+    return particles[static_cast<std::size_t>(places[static_cast<std::size_t>(near)])];
+  };
+  const auto admits = [&](LocalIndex i, LocalIndex j) {
+    const auto &a = particle(i), &b = particle(j);
+    if (a.body == b.body && a.piece == b.piece) return false;
+    return (a.owned || b.owned) && pairs.of_particles(a.body, b.body) != nullptr;
+  };
+  const auto found = overlapping_pairs<Dim>(nearby, admits, mode_);
+  // Rows of owned particles: those with smaller ids first, as they come, then the others.
+  std::vector<std::size_t> lower(places.size() + 1, 0), upper(places.size() + 1, 0);
+  for (const auto& [i, j] : found) {
+    if (particle(i).owned) ++upper[static_cast<std::size_t>(i)];
+    if (particle(j).owned) ++lower[static_cast<std::size_t>(j)];
+  }
+  std::size_t end = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::size_t begin = end, n_lower = lower[k], n_upper = upper[k];
+    lower[k] = begin, upper[k] = begin + n_lower;
+    end += n_lower + n_upper;
+    if (end > begin) pair_starts_.push_back(begin);
+  }
+  if (end > 0) pair_starts_.push_back(end);
+  pairs_.resize(end);
+  for (const auto& [i, j] : found) {
+    const LocalIndex a = places[static_cast<std::size_t>(i)],
+                     b = places[static_cast<std::size_t>(j)];
+    auto forward = candidate_of(entities, pairs, a, b), backward = forward;
+    std::swap(backward.particle, backward.other);
+    const bool both = particle(i).owned && particle(j).owned;
+    const auto at_i = upper[static_cast<std::size_t>(i)], at_j = lower[static_cast<std::size_t>(j)];
+    if (both) {
+      forward.mirror = static_cast<LocalIndex>(at_j);
+      backward.mirror = static_cast<LocalIndex>(at_i);
+    }
+    if (particle(i).owned) pairs_[upper[static_cast<std::size_t>(i)]++] = forward;
+    if (particle(j).owned) pairs_[lower[static_cast<std::size_t>(j)]++] = backward;
+  }
+}
+
+template SearchBox<2> Candidates<2>::box_beside_particles(const Entities<2>&, std::size_t) const;
+template SearchBox<3> Candidates<3>::box_beside_particles(const Entities<3>&, std::size_t) const;
+template void Candidates<2>::find_pairs(const Entities<2>&, const PairTable&);
+template void Candidates<3>::find_pairs(const Entities<3>&, const PairTable&);
+
+}  // namespace brunt

@@ -1,0 +1,293 @@
+#include "contact/search/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/geometry/particle_face.hpp"
+#include "contact/law/springs.hpp"
+
+namespace brunt {
+
+namespace {
+// Work in units of one rejected candidate, for the choice of the skin.
+constexpr Real kWorkPerEntity = 15;
+constexpr Real kWorkPerListed = 5;
+// Bounds of a chosen skin, in sizes.
+constexpr Real kThinnest = 0.02, kFirst = 0.2, kWidest = 0.5;
+
+/// The bounds and a largest value over all ranks.
+template <int Dim>
+MotionBounds<Dim> over_ranks(const Communicator& ranks, const MotionBounds<Dim>& mine,
+                             Real& largest) {
+  if (ranks.alone()) return mine;
+  std::array<Real, 4 * Dim + 1> extremes;
+  for (int c = 0; c < Dim; ++c) {
+    const std::array<Real, 4> one = {-mine.u_min[c], mine.u_max[c], -mine.v_min[c], mine.v_max[c]};
+    std::copy(one.begin(), one.end(), extremes.begin() + 4 * c);
+  }
+  extremes.back() = largest;
+  extremes = ranks.reduce(extremes, [](auto& a, const auto& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = b[i] > a[i] ? b[i] : a[i];
+  });
+  MotionBounds<Dim> all;
+  for (int c = 0; c < Dim; ++c) {
+    const Real* one = extremes.data() + 4 * c;
+    all.u_min[c] = -one[0], all.u_max[c] = one[1];
+    all.v_min[c] = -one[2], all.v_max[c] = one[3];
+  }
+  largest = extremes.back();
+  return all;
+}
+
+template <int Dim>
+bool share_a_node(const ContactFace<Dim>& a, const ContactFace<Dim>& b) {
+  if (a.surface != b.surface) return false;
+  for (int i = 0; i < a.n_nodes; ++i) {
+    for (int j = 0; j < b.n_nodes; ++j) {
+      if (a.node[static_cast<std::size_t>(i)] == b.node[static_cast<std::size_t>(j)]) return true;
+    }
+  }
+  return false;
+}
+
+/// Particles whose boxes meet the box around all faces: no others are compared, with faces or with
+/// each other. A body far from all walls costs one comparison a particle.
+/// box_of  the box [m] of particle p of n;  faces  not empty
+template <int Dim, class BoxOf>
+std::vector<LocalIndex> particles_near(std::size_t n, BoxOf box_of,
+                                       std::span<const SearchBox<Dim>> faces,
+                                       std::vector<SearchBox<Dim>>& boxes) {
+  SearchBox<Dim> all = faces[0];
+  for (const auto& box : faces) all.enclose(box);
+  std::vector<LocalIndex> near;
+  for (std::size_t p = 0; p < n; ++p) {
+    const SearchBox<Dim> box = box_of(p);
+    if (!box.meets(all)) continue;
+    near.push_back(static_cast<LocalIndex>(p));
+    boxes.push_back(box);
+  }
+  return near;
+}
+
+template <class A, class B>
+bool same_piece(const A& a, const B& b) {
+  return a.body == b.body && a.piece == b.piece;
+}
+}  // namespace
+
+template <int Dim>
+void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Real longest,
+                            ContactImports<Dim>& imports) {
+  const auto& nodes = entities.nodes;
+  const Communicator& ranks = imports.ranks();
+  choose_skin(entities);
+  skin_ = ranks.max(skin_);
+  auto bounds = bounds_of<Dim>(nodes.size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+    part.take(Vec<Dim>::Zero(), nodes.v[i]);
+  });
+  Real none = 0;
+  bounds = over_ranks(ranks, bounds, none);
+  speed_ = bounds.relative_speed();
+  // A tenth more, so that speeds and steps that grow a little need no new lists.
+  speed_reach_ = entities.any_particles && std::isfinite(longest) ? 1.1 * speed_ * longest : 0.0;
+  face_reach_ = 1.1 * way_of_faces(entities);
+  if (!ranks.alone()) {
+    ImportBoxes<Dim> boxes;
+    for (std::size_t f = 0; f < entities.faces.size(); ++f) {
+      boxes.offered.push_back(box_of_face(entities, f));
+      // Faces that are held or move as told have larger ids than those that are dealt out and do
+      // not: they are the lower ones of faces that stand everywhere alone.
+      const auto& face = entities.faces[f];
+      if (face.owned && !face.rigid() && !face.everywhere)
+        boxes.wanted.push_back(boxes.offered.back());
+    }
+    for (std::size_t p = 0; p < entities.particles.size(); ++p) {
+      boxes.wanted.push_back(box_of_particle(entities, p));
+      if (!pairs.particles_meet(entities.particles[p].body)) continue;
+      boxes.particle.push_back(static_cast<LocalIndex>(p));
+      boxes.of_particles.push_back(box_beside_particles(entities, p));
+    }
+    boxes.particles_meet = pairs.particles_meet();
+    imports.renew(boxes, entities);
+  }
+  find_faces(entities, pairs);
+  std::vector<LocalIndex> row_particles, row_faces;
+  find_particles(entities, pairs, row_particles, row_faces);
+  find_pairs(entities, pairs);
+  entities.mark_planes();
+  find_clearances(entities, row_particles, row_faces);
+  moved_ = warped_ = turned_ = 0;
+  steps_ = 0;
+  ++builds_;
+}
+
+template <int Dim>
+Real Candidates<Dim>::way_of_faces(const Entities<Dim>& entities) const {
+  const Real way = speed_ * entities.longest_step;
+  // Nearer than that nothing votes; what has no bound votes nothing.
+  const Real least = FaceBarrier::before(entities.least_limit).least_way();
+  return std::isfinite(way) && way > least ? way : 0.0;
+}
+
+template <int Dim>
+SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::size_t face) const {
+  const auto& plane = entities.planes[face];
+  const Real depth = entities.faces[face].rigid() ? entities.deepest : entities.faces[face].depth;
+  const Real gap = entities.gap(entities.faces[face].body);
+  return finite_box<Dim>(
+      box_of(plane, 0.5 * (depth + gap + face_reach_) + kReachPerWarp * plane.warp + 0.5 * skin_));
+}
+
+template <int Dim>
+SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
+                                                std::size_t particle) const {
+  const auto& one = entities.particles[particle];
+  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
+  const Real ahead = std::max(speed_reach_, entities.gap(one.body));
+  const Real deepest = entities.any_open ? kOpenDepthRadii : kDepthRadii;
+  const Real reach = std::max(deepest * one.radius, one.radius + ahead);
+  return finite_box<Dim>(SearchBox<Dim>::about(x, reach + 0.5 * skin_));
+}
+
+template <int Dim>
+void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable& pairs) {
+  const auto& faces = entities.faces;
+  faces_.clear();
+  std::vector<SearchBox<Dim>> boxes(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) boxes[f] = box_of_face(entities, f);
+  const auto admits = [&](LocalIndex i, LocalIndex j) {
+    const auto& a = faces[static_cast<std::size_t>(i)];
+    const auto& b = faces[static_cast<std::size_t>(j)];
+    if (!a.owned || (a.rigid() && b.rigid())) return false;
+    if (same_piece(a, b) && !(a.deforms() && pairs.touches_itself(a.body))) return false;
+    return !share_a_node(a, b) && !pairs.of(a.body, b.body).ignore;
+  };
+  for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
+    const auto& a = faces[static_cast<std::size_t>(i)];
+    const auto& b = faces[static_cast<std::size_t>(j)];
+    const PairOptions& options = pairs.of(a.body, b.body);
+    FaceCandidate candidate{i, j};
+    candidate.stiffness =
+        options.stiffness * contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
+    candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
+                                            in_series(a.areal_mass, b.areal_mass));
+    candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
+    if (same_piece(a, b)) candidate.limit *= kDeepestInside;
+    if (options.rubs()) candidate.rubs = &options;
+    if (a.capacity > 0 && b.capacity > 0 && options.passes_heat()) candidate.heat = &options.heat;
+    candidate.presses = options.initial_overlap == InitialOverlap::press;
+    faces_.push_back(candidate);
+  }
+}
+
+/// Beginnings of rows; the particle of each, and the faces of all.
+template <int Dim>
+void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTable& pairs,
+                                     std::vector<LocalIndex>& row_particles,
+                                     std::vector<LocalIndex>& row_faces) {
+  const auto& faces = entities.faces;
+  const auto& particles = entities.particles;
+  starts_.clear();
+  if (particles.empty() || faces.empty()) return;
+  std::vector<SearchBox<Dim>> face_boxes(faces.size()), boxes;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    face_boxes[f] = finite_box<Dim>(
+        box_of(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_));
+  }
+  const auto particle_box = [&](std::size_t p) {
+    auto box = box_of_particle(entities, p);
+    if (!particles[p].owned) box.lo.fill(kInfinity);  // its owner looks at faces: it meets none
+    return box;
+  };
+  const auto near = particles_near<Dim>(particles.size(), particle_box, face_boxes, boxes);
+  const std::size_t n = near.size();
+  boxes.insert(boxes.end(), face_boxes.begin(), face_boxes.end());
+  const auto admits = [&](LocalIndex i, LocalIndex j) {
+    const auto p = static_cast<std::size_t>(i), f = static_cast<std::size_t>(j);
+    if (p >= n || f < n) return false;
+    const auto& face = faces[f - n];
+    const auto& particle = particles[static_cast<std::size_t>(near[p])];
+    return !same_piece(particle, face) && !pairs.of(particle.body, face.body).ignore;
+  };
+  for (const auto& [k, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
+    const LocalIndex i = near[static_cast<std::size_t>(k)];
+    if (row_particles.empty() || row_particles.back() != i) {
+      starts_.push_back(row_faces.size());
+      row_particles.push_back(i);
+    }
+    row_faces.push_back(static_cast<LocalIndex>(static_cast<std::size_t>(j) - n));
+  }
+  starts_.push_back(row_faces.size());
+}
+
+template <int Dim>
+void Candidates<Dim>::find_clearances(const Entities<Dim>& entities,
+                                      const std::vector<LocalIndex>& row_particles,
+                                      const std::vector<LocalIndex>& row_faces) {
+  clearances_.resize(row_faces.size());
+  row_clearances_.resize(row_particles.size());
+#pragma omp parallel for schedule(static) if (row_clearances_.size() > kWorthThreads)
+  for (std::size_t row = 0; row < row_clearances_.size(); ++row) {
+    const auto& particle = entities.particles[static_cast<std::size_t>(row_particles[row])];
+    for (std::size_t i = starts_[row]; i < starts_[row + 1]; ++i) {
+      const Clearance one =
+          clearance_of(entities, particle, static_cast<std::size_t>(row_faces[i]));
+      clearances_.set(i, one);
+      if (i == starts_[row]) row_clearances_[row] = one;
+      row_clearances_[row].take(one);
+    }
+    row_clearances_[row].entity = row_particles[row];
+  }
+}
+
+template <int Dim>
+ParticleRows Candidates<Dim>::particle_rows(const PairTable& pairs, Real longest) const {
+  const ClearanceLoss loss{moved_ + speed_ * longest, std::sqrt(Real{Dim}) * moved_ + warped_,
+                           turned_};
+  return {pairs, clearances_, starts_, row_clearances_, loss, speed_};
+}
+
+template <int Dim>
+bool Candidates<Dim>::complete(const Entities<Dim>& entities, Real longest,
+                               const Communicator& ranks) {
+  // What is imported moves among the points of its owner.
+  Real warp = entities.warped;
+  warped_ = warp;
+  turned_ = entities.turned;
+  const auto bounds = over_ranks(ranks, entities.nodes.motion, warp);
+  speed_ = bounds.relative_speed();
+  Real growth = 2 * kReachPerWarp * warp;  // of reaches since the lists were built
+  Real farther = std::max(0.0, way_of_faces(entities) - face_reach_);
+  if (entities.any_particles) farther = std::max(farther, speed_ * longest - speed_reach_);
+  growth += farther;
+  ++steps_;
+  moved_ = bounds.relative_displacement();
+  return moved_ + growth <= skin_;
+}
+
+/// Cost of a step: c(s) + (work of a build) (motion a step) / s, the candidates c growing with s.
+template <int Dim>
+void Candidates<Dim>::choose_skin(const Entities<Dim>& entities) {
+  if (given_skin_) {
+    skin_ = *given_skin_;
+    return;
+  }
+  if (builds_ == 0) {
+    skin_ = kFirst * entities.size;
+    return;
+  }
+  const auto listed = static_cast<Real>(faces_.size() + n_particles() + pairs_.size());
+  if (steps_ == 0) return;
+  const auto boxes = static_cast<Real>(entities.faces.size() + entities.particles.size());
+  const Real build = kWorkPerEntity * boxes + kWorkPerListed * listed;
+  const Real motion = std::max(moved_, 0.0) / static_cast<Real>(steps_);
+  // Boxes of four sizes: their number grows by Dim / (4 sizes) a metre.
+  const Real growth = std::max(listed, 1.0) * Dim / (4 * entities.size);
+  const Real best = std::sqrt(build * motion / growth);
+  skin_ = std::max(kThinnest * entities.size, std::min(kWidest * entities.size, best));
+}
+
+template class Candidates<2>;
+template class Candidates<3>;
+
+}  // namespace brunt

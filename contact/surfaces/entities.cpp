@@ -1,0 +1,366 @@
+#include "contact/surfaces/entities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "contact/law/springs.hpp"
+#include "contact/surfaces/own_springs.hpp"
+#include "core/parallel/packing.hpp"
+
+namespace brunt {
+
+namespace {
+/// Nodes of one surface, numbered when first asked for.
+template <int Dim>
+class Numbering {
+ public:
+  Numbering(const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes)
+      : surfaces_(surfaces), nodes_(nodes), known_(surfaces.size()) {
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      known_[s].assign(static_cast<std::size_t>(surfaces[s]->points->size()), -1);
+    }
+  }
+  LocalIndex operator()(LocalIndex surface, LocalIndex point) {
+    const auto s = static_cast<std::size_t>(surface);
+    auto& number = known_[s][static_cast<std::size_t>(point)];
+    if (number < 0) number = nodes_.add(surface, point, *surfaces_[s]->points);
+    return number;
+  }
+
+ private:
+  const std::vector<Surface<Dim>*>& surfaces_;
+  ContactNodes<Dim>& nodes_;
+  std::vector<std::vector<LocalIndex>> known_;
+};
+
+template <int Dim>
+ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
+  ContactFace<Dim> face;
+  face.node = facet.node;
+  face.n_nodes = facet.n_nodes();
+  face.surface = surface;
+  face.id = facet.id;
+  face.body = facet.body, face.piece = facet.piece;
+  face.owned = facet.owned;
+  face.stiffness = facet.stiffness;
+  face.areal_mass = facet.areal_mass;
+  face.depth = facet.depth;
+  face.capacity = facet.capacity, face.effusivity = facet.effusivity;
+  face.specific_heat = facet.specific_heat;
+  face.compliance = facet.compliance, face.mean_compliance = facet.mean_compliance;
+  face.half_thickness = face.deforms() ? facet.depth : facet.half_thickness;
+  face.open = facet.open;
+  face.borders = facet.borders;
+  face.sharpness = facet.sharpness;
+  return face;
+}
+
+template <int Dim>
+Real area_at_start(const ContactFace<Dim>& face, const Points<Dim>& points) {
+  FacePlane<Dim> plane;
+  plane.n_corners = face.n_nodes;
+  for (auto& corner : plane.corner) corner.setZero();
+  for (int c = 0; c < face.n_nodes; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    plane.corner[k] = points.x_start[static_cast<std::size_t>(face.node[k])];
+  }
+  refresh(plane);
+  return plane.area;
+}
+
+template <int Dim>
+SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, Real gap, const SearchBox<Dim>& box) {
+  SearchBox<Dim> reach;
+  for (int c = 0; c < Dim; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const Real by = kReachPerDepth * depth * std::fabs(plane.normal[c]) +
+                    kReachPerWarp * plane.warp + 0.5 * gap;
+    reach.lo[k] = box.lo[k] - by;
+    reach.hi[k] = box.hi[k] + by;
+  }
+  return reach;
+}
+
+/// Diameter [m] of the largest particle of each body, over all ranks.
+template <int Dim>
+std::map<Label, Real> largest_diameters(const Entities<Dim>& entities, const ContactRanks& ranks) {
+  std::map<Label, Real> diameter;
+  const auto take = [&](Label body, Real d) {
+    auto& largest = diameter[body];
+    largest = std::max(largest, d);
+  };
+  for (const auto& particle : entities.particles) take(particle.body, 2 * particle.radius);
+  if (ranks.alone()) return diameter;
+  Packer mine;
+  for (const auto& [body, d] : diameter) mine << body << d;
+  for (const auto& bytes : ranks.all->all_gather(mine.take())) {
+    Unpacker from(bytes);
+    while (!from.done()) {
+      Label body = 0;
+      Real d = 0;
+      from >> body >> d;
+      take(body, d);
+    }
+  }
+  return diameter;
+}
+
+/// What the faces' own step bounds need to know of those that may touch them.
+template <int Dim>
+void set_options(const PairTable& pairs, const std::map<Label, Real>& diameter,
+                 const RigidSprings& rigid, Entities<Dim>& entities) {
+  std::map<Label, Real> footprint;
+  for (const auto& [a, b] : pairs.pairs()) {
+    for (const auto& [face, particle] : {std::pair(a, b), std::pair(b, a)}) {
+      const auto it = diameter.find(particle);
+      if (it == diameter.end()) continue;
+      footprint[face] = std::max(footprint[face], std::pow(it->second, Dim - 1));
+    }
+  }
+  for (auto& face : entities.faces) {
+    const PairOptions strongest = pairs.strongest(face.body);
+    face.phi = strongest.stiffness;
+    face.zeta = strongest.damping;
+    face.recoil = rigid.recoil_beside(face.body);
+    const auto it = footprint.find(face.body);
+    if (it != footprint.end()) face.footprint = it->second;
+  }
+}
+
+template <class Entity>
+void sort_by_id(std::vector<Entity>& entities) {
+  std::sort(entities.begin(), entities.end(), [](const Entity& a, const Entity& b) {
+    return a.id != b.id ? a.id < b.id : a.surface < b.surface;
+  });
+}
+}  // namespace
+
+template <int Dim>
+Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
+                        const Section& section, const ContactRanks& ranks,
+                        const RigidSprings& rigid) {
+  nodes.rubs = pairs.rubs();
+  gaps = pairs.gaps();
+  nodes.turns = pairs.particles_rub();
+  nodes.asks_material = pairs.asks_material();
+  for (const auto* surface : surfaces) nodes.warm = nodes.warm || surface->points->conducts;
+  std::vector<Real> sizes;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const auto& surface = *surfaces[s];
+    conducts.push_back(surface.points->conducts);
+    for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+      const auto& facet = surface.facets[f];
+      if (pairs.strongest(facet.body).ignore) continue;
+      auto& face = faces.emplace_back(face_from(facet, static_cast<LocalIndex>(s)));
+      face.facet = static_cast<LocalIndex>(f);
+      face.area_start = area_at_start(face, *surface.points);
+      // Elements that only conduct are held, but not the free rigid body that they are.
+      face.held = surface.held && face.compliance == 0, face.everywhere = surface.everywhere;
+      any_open = any_open || face.open;
+      deepest = std::max(deepest, face.depth);
+      if (!face.rigid()) {
+        const Real inside = pairs.touches_itself(face.body) ? kDeepestInside : 1.0;
+        least_limit = std::min(least_limit, inside * face.depth);
+      }
+      sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
+    }
+    for (const auto& shown : surface.particles) {
+      if (shown.point >= surface.points->n_owned) continue;
+      const auto p = static_cast<std::size_t>(shown.point);
+      const Label body = surface.points->body[p];
+      if (pairs.strongest(body).ignore) continue;
+      particles.push_back({shown.point, static_cast<LocalIndex>(s), surface.points->id[p], body,
+                           surface.points->piece[p], shown.radius, shown.modulus,
+                           shown.conductivity, shown.effusivity, surface.held});
+      const auto& varying = surface.points->specific_heat;
+      if (!varying.empty()) particles.back().specific_heat = varying[p];
+      sizes.push_back(2 * shown.radius);
+    }
+  }
+  sort_by_id(faces);
+  sort_by_id(particles);
+  Numbering<Dim> number(surfaces, nodes);
+  for (auto& face : faces) {
+    for (int c = 0; c < face.n_nodes; ++c) {
+      auto& node = face.node[static_cast<std::size_t>(c)];
+      node = number(face.surface, node);
+    }
+  }
+  for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
+  if (!sizes.empty()) {
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    size = *middle;
+  }
+  deepest = ranks.all->max(deepest);
+  size = ranks.all->max(size);
+  const auto diameters = largest_diameters(*this, ranks);
+  any_particles = !diameters.empty();
+  set_options(pairs, diameters, rigid, *this);
+  constant_vote = vote_of_particles<Dim>(pairs, section, *this, rigid);
+  add_faces({});
+  for (const auto& face : faces) {
+    if (face.deforms() && !face.held) longest_step = std::min(longest_step, face.element_step);
+  }
+  least_limit = -ranks.all->max(-least_limit);
+  longest_step = -ranks.all->max(-longest_step);
+}
+
+template <int Dim>
+void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
+  faces.insert(faces.end(), imported.begin(), imported.end());
+  if (!imported.empty()) sort_by_id(faces);
+  for (auto& face : faces) {
+    if (face.deforms()) face.element_step = std::sqrt(2 * face.areal_mass / face.stiffness);
+    shallowest = std::min(shallowest, face.half_thickness);
+  }
+  planes.resize(faces.size());
+  boxes.resize(faces.size());
+  reaches.resize(faces.size());
+  if (nodes.rubs) tractions.assign(faces.size(), {});
+  if (nodes.asks_material) materials.assign(faces.size(), {});
+}
+
+template <int Dim>
+void Entities<Dim>::add_particles(const std::vector<ContactParticle>& imported) {
+  particles.insert(particles.end(), imported.begin(), imported.end());
+  if (!imported.empty()) sort_by_id(particles);
+}
+
+namespace {
+template <class Table>
+std::size_t place_of(const Table& table, GlobalId id) {
+  const auto at =
+      std::lower_bound(table.begin(), table.end(), id,
+                       [](const auto& one, GlobalId wanted) { return one.id < wanted; });
+  return static_cast<std::size_t>(at - table.begin());
+}
+}  // namespace
+
+template <int Dim>
+std::size_t Entities<Dim>::face_with(GlobalId id) const {
+  return place_of(faces, id);
+}
+
+template <int Dim>
+std::size_t Entities<Dim>::particle_with(GlobalId id) const {
+  return place_of(particles, id);
+}
+
+template <int Dim>
+void Entities<Dim>::inherit_tractions(const Entities& old) {
+  if (!nodes.rubs) return;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::size_t before = old.face_with(faces[f].id);
+    if (before < old.faces.size() && old.faces[before].id == faces[f].id) {
+      tractions[f] = old.tractions[before];
+    }
+  }
+}
+
+template <int Dim>
+void Entities<Dim>::read_materials(const std::vector<Surface<Dim>*>& surfaces) {
+#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].facet < 0) continue;
+    const auto& surface = *surfaces[static_cast<std::size_t>(faces[f].surface)];
+    const auto at = static_cast<std::size_t>(faces[f].facet);
+    materials[f] = surface.facet_material.empty()
+                       ? SurfaceMaterial{surface.facets[at].temperature, kInfinity}
+                       : surface.facet_material[at];
+  }
+}
+
+template <int Dim>
+void Entities<Dim>::Seen::take(const Seen& other) {
+  vote.take(other.vote);
+  warped = std::max(warped, other.warped);
+  turned_square = std::max(turned_square, other.turned_square);
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_plane(std::size_t f) {
+  const auto& face = faces[f];
+  auto& plane = planes[f];
+  plane.n_corners = face.n_nodes;
+  plane.borders = face.borders;
+  plane.sharpness = face.sharpness;
+  for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const bool there = c < face.n_nodes;
+    plane.corner[k] = there ? nodes.x[static_cast<std::size_t>(face.node[k])] : Vec<Dim>::Zero();
+  }
+  refresh(plane);
+  boxes[f] = box_of(plane, 0.0);
+}
+
+template <int Dim>
+void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
+  const auto& plane = planes[f];
+  if (!shapes.empty()) {
+    seen.warped = std::max(seen.warped, plane.warp - shapes[f].warp);
+    const Real turn_square = (plane.normal - shapes[f].normal).squaredNorm();
+    seen.turned_square = std::max(seen.turned_square, turn_square);
+  }
+  const auto& face = faces[f];
+  if (!face.deforms() || face.held || !(face.area_start > 0)) return;
+  const Real area = std::max(plane.area, face.footprint);
+  const Real phi = face.phi * recoil_factor(face.recoil) * area / face.area_start;
+  const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
+  seen.vote.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_planes() {
+  // A few at a time: the roots of a face wait for nothing of its neighbours, and what is looked at
+  // is still in the cache.
+  constexpr std::size_t kBlock = 64;
+  const std::size_t n = faces.size();
+  Seen all;
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    Seen part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t first = 0; first < n; first += kBlock) {
+      const std::size_t last = std::min(first + kBlock, n);
+      for (std::size_t f = first; f < last; ++f) refresh_plane(f);
+      for (std::size_t f = first; f < last; ++f) look_at(f, part);
+    }
+#pragma omp critical(brunt_contact_vote)
+    all.take(part);
+  }
+  surface_vote = all.vote;
+  warped = all.warped;
+  turned = std::sqrt(all.turned_square);
+}
+
+template <int Dim>
+void Entities<Dim>::mark_planes() {
+  shapes.clear();
+  shapes.reserve(planes.size());
+  for (const auto& plane : planes) shapes.push_back({plane.normal, plane.warp});
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_reaches() {
+#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& face = faces[f];
+    const Real depth = face.rigid() ? deepest : face.depth;
+    reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
+  }
+}
+
+template <int Dim>
+StepVote Entities<Dim>::stiffness_vote() const {
+  StepVote vote = constant_vote;
+  vote.take(surface_vote);
+  return vote;
+}
+
+template struct Entities<2>;
+template struct Entities<3>;
+
+}  // namespace brunt

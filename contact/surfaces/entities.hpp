@@ -1,0 +1,172 @@
+#pragma once
+#include <set>
+#include <span>
+#include <vector>
+
+#include "contact/geometry/common_plane.hpp"
+#include "contact/law/pair_table.hpp"
+#include "contact/surfaces/nodes.hpp"
+#include "contact/surfaces/ranks.hpp"
+#include "core/step_vote.hpp"
+
+namespace brunt {
+
+/// One outer face, by its nodes in ContactNodes.
+template <int Dim>
+struct ContactFace {
+  static constexpr int kCorners = Facet<Dim>::kNodes;
+  std::array<LocalIndex, kCorners> node{};
+  int n_nodes = kCorners;
+  LocalIndex surface = 0;
+  GlobalId id = 0;
+  Label body = 0;
+  Label piece = 0;
+  bool owned = true;                ///< pairs in which it is the lower face are evaluated here
+  Real stiffness = 0;               ///< [Pa/m] M/h
+  Real areal_mass = 0;              ///< [kg/m^2]
+  Real depth = 0;                   ///< [m]
+  Real half_thickness = kInfinity;  ///< [m] before which particles have to turn; infinite: none
+  Real element_step = 0;            ///< [s] h/c of what is behind
+  Real area_start = 0;              ///< [m^2] at time 0
+  Real phi = 0;                     ///< largest stiffness option with which anything may touch it
+  Real zeta = 0;                    ///< largest damping option
+  Real recoil = 0;     ///< of free rigid bodies that may touch it (contact/law/springs.hpp)
+  Real footprint = 0;  ///< [m^2] of the largest particle that may touch it
+  Real capacity = 0;   ///< [J/m^2/K] or [kg/m^2] behind it, as of Facet; 0: takes no heat
+  std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
+  Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
+  Real compliance = 0;       ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
+  Real mean_compliance = 0;  ///< [1/kg] as of Facet
+  bool held = false;         ///< votes no step
+  bool rigid() const { return stiffness == 0; }  ///< held or moved as told
+  bool deforms() const { return stiffness > 0 && compliance == 0; }
+  bool everywhere = false;         ///< it stands on every rank
+  bool open = false;               ///< of a surface with a rim, which has two sides for particles
+  std::uint8_t borders = 0;        ///< as of Facet
+  Real sharpness = kBoxSharpness;  ///< as of Facet
+  LocalIndex facet = -1;           ///< its place in its surface; -1: only another rank has it
+};
+
+/// The friction that a face carried at the last evaluation, which a new contact beside inherits.
+template <int Dim>
+struct FaceTraction {
+  Real area = 0;                      ///< [m^2] that carries it
+  Vec<Dim> force = Vec<Dim>::Zero();  ///< [N] on this face
+  Real growth = 1;                    ///< [1] of its area in the last step
+};
+
+/// What of a face's plane says how it turned and warped.
+template <int Dim>
+struct FaceShape {
+  Vec<Dim> normal;
+  Real warp;  ///< [m]
+};
+
+/// What the springs of free rigid bodies say of steps, from their whole scene: constant.
+struct RigidSprings {
+  StepVote vote;    ///< their own
+  Real recoil = 0;  ///< largest (frequency)^2 dt^2/4 of them in the longest step of others
+  std::set<Label> neighbours;  ///< bodies that deform, or of particles, and may touch them
+  Real recoil_beside(Label body) const { return neighbours.count(body) != 0 ? recoil : 0.0; }
+};
+
+struct ContactParticle {
+  LocalIndex node = 0;
+  LocalIndex surface = 0;
+  GlobalId id = 0;
+  Label body = 0;
+  Label piece = 0;
+  Real radius = 0;                  ///< [m]
+  Real modulus = 0;                 ///< [Pa]
+  Real conductivity = 0;            ///< [W/m/K]; 0: takes no heat
+  Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
+  bool held = false;                ///< votes no step
+  bool owned = true;                ///< its row of candidates is evaluated here
+  std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
+};
+
+/// Penetration at which faces of one piece let go, in depths: there, what is seen from behind is
+/// the other side of the material between them, which is thicker unless it is crushed.
+inline constexpr Real kDeepestInside = 0.5;
+
+/// How far a face may be penetrated along the normal of a common plane, in each component, per
+/// depth: n = (n1 - n2) / |n1 - n2| and |n1 - n2| >= 1.476 where faces oppose each other.
+inline constexpr Real kReachPerDepth = 0.68;
+/// Corners of a face lie within 1.4 warps of its mean plane along such a normal.
+inline constexpr Real kReachPerWarp = 1.4;
+
+/// Everything that can touch, in the order of ids: so that an index stands for its key.
+template <int Dim>
+struct Entities {
+  ContactNodes<Dim> nodes;
+  std::vector<ContactFace<Dim>> faces;
+  std::vector<ContactParticle> particles;
+  std::vector<FacePlane<Dim>> planes;        ///< of each face, at nodes.x
+  std::vector<FaceShape<Dim>> shapes;        ///< of each face when its lists were built
+  Real warped = 0;                           ///< [m] largest growth of a warp since then
+  Real turned = 0;                           ///< largest change of a normal since then
+  std::vector<SearchBox<Dim>> boxes;         ///< of planes
+  std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
+  std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
+  /// Behind each face, as of the step's start; empty where no friction asks for it.
+  std::vector<SurfaceMaterial> materials;
+  std::vector<char> conducts;   ///< by surface: its points keep the temperature
+  StepVote constant_vote;       ///< bound from the springs of particles
+  StepVote surface_vote;        ///< the same of faces, at the last planes
+  Real deepest = 0;             ///< [m] largest depth of a face of any rank
+  Real shallowest = kInfinity;  ///< [m] smallest half thickness of the faces here
+  /// [m] smallest penetration at which faces let go, of all ranks
+  Real least_limit = kInfinity;
+  Real longest_step = kInfinity;  ///< [s] no step is longer: that of the elements behind all faces
+  Real size = 0;                  ///< [m] median size of faces and particles, of all ranks
+  std::vector<Real> gaps;         ///< [m] by body, up to which heat passes to it; empty: none
+  bool any_particles = false;     ///< on any rank
+  bool any_open = false;          ///< faces of surfaces with a rim
+
+  /// Makes the tables of what this rank has that may touch anything. Collective.
+  Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
+           const Section& section, const ContactRanks& ranks, const RigidSprings& rigid);
+  /// Takes in faces of other ranks, their nodes already among `nodes`, and sorts again.
+  void add_faces(const std::vector<ContactFace<Dim>>& imported);
+  /// Takes in particles of other ranks, their nodes already among `nodes`, and sorts again.
+  void add_particles(const std::vector<ContactParticle>& imported);
+  /// Place of the face or particle with an id; it is there.
+  std::size_t face_with(GlobalId id) const;
+  std::size_t particle_with(GlobalId id) const;
+  /// Takes what friction asks of materials from the groups, for the faces that are here.
+  void read_materials(const std::vector<Surface<Dim>*>& surfaces);
+  /// Takes over what the same faces remember in an older table.
+  void inherit_tractions(const Entities& old);
+  /// Planes and boxes of all faces at nodes.x, and what they say of steps and of motion.
+  void refresh_planes();
+  /// Lists are built now: `shapes` of the planes.
+  void mark_planes();
+  /// `reaches` of all faces, once their planes are there.
+  void refresh_reaches();
+  /// Widest opening [m] through which heat passes to a body.
+  Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
+  /// Bound from the springs of faces and particles at the last planes, before anything touches
+  /// (physics.md A5).
+  StepVote stiffness_vote() const;
+  /// [m/s] mean over the corners of a face.
+  Vec<Dim> face_velocity(std::size_t face) const {
+    const auto& one = faces[face];
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (std::size_t c = 0; c < static_cast<std::size_t>(one.n_nodes); ++c) {
+      sum += nodes.v[static_cast<std::size_t>(one.node[c])];
+    }
+    return sum / one.n_nodes;
+  }
+
+ private:
+  /// What planes say as a whole.
+  struct Seen {
+    StepVote vote;
+    Real warped = 0, turned_square = 0;
+    void take(const Seen& other);
+  };
+  void refresh_plane(std::size_t face);
+  void look_at(std::size_t face, Seen& seen) const;
+};
+
+}  // namespace brunt

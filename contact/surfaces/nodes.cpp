@@ -1,0 +1,148 @@
+#include "contact/surfaces/nodes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace brunt {
+
+template <int Dim>
+LocalIndex ContactNodes<Dim>::add(LocalIndex on_surface, LocalIndex at_point,
+                                  const Points<Dim>& points) {
+  const auto p = static_cast<std::size_t>(at_point);
+  const LocalIndex place =
+      add_remote(on_surface, points.id[p], points.mass[p], points.x[p], points.v[p]);
+  point.back() = at_point;
+  owned.back() = at_point < points.n_owned;
+  return place;
+}
+
+template <int Dim>
+LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Real m,
+                                         const Vec<Dim>& at, const Vec<Dim>& velocity) {
+  surface.push_back(on_surface);
+  point.push_back(-1);
+  owned.push_back(0);
+  id.push_back(of);
+  mass.push_back(m);
+  x.push_back(at);
+  x_made.push_back(at);
+  v.push_back(velocity);
+  for (auto* field : {&spring, &damping, &spring_last, &damping_last}) {
+    field->push_back(Vec<Dim>::Zero());
+  }
+  pressed.push_back(0), pressed_last.push_back(0);
+  if (turns) spin.push_back(Vec3::Zero());
+  if (asks_material) material.emplace_back();
+  spring_work.push_back(0);
+  damping_energy.push_back(0);
+  if (warm) {
+    for (auto* field : {&temperature, &capacity, &heat_rate, &friction_given}) field->push_back(0);
+  }
+  if (rubs) {
+    friction.push_back(Vec<Dim>::Zero());
+    for (auto* field : {&friction_heat, &friction_stored, &friction_damped, &pair_energy})
+      field->push_back(0);
+  }
+  return static_cast<LocalIndex>(size()) - 1;
+}
+
+template <int Dim>
+void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) {
+  struct Motion {
+    const Vec<Dim>*x, *v;
+  };
+  std::vector<Motion> of;
+  of.reserve(surfaces.size());
+  for (const auto* from : surfaces) of.push_back({from->points->x.data(), from->points->v.data()});
+  const LocalIndex *const place = point.data(), *const whose = surface.data();
+  Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
+  const Vec<Dim>* const from_x = x_made.data();
+  motion = bounds_of<Dim>(size(), [&](std::size_t i, MotionBounds<Dim>& part) {
+    if (place[i] < 0) return;
+    const Motion& from = of[static_cast<std::size_t>(whose[i])];
+    const Vec<Dim> now = from.x[place[i]], velocity = from.v[place[i]];
+    to_x[i] = now;
+    to_v[i] = velocity;
+    part.take(now - from_x[i], velocity);
+  });
+  if (turns || asks_material || warm) read_matter(surfaces);
+}
+
+template <int Dim>
+void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) {
+#pragma omp parallel for schedule(static) if (size() > kWorthThreads)
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (point[i] < 0) continue;
+    const auto& from = *surfaces[static_cast<std::size_t>(surface[i])];
+    const auto p = static_cast<std::size_t>(point[i]);
+    if (turns && p < from.spin.size()) spin[i] = from.spin[p];
+    if (asks_material && p < from.particle_material.size()) material[i] = from.particle_material[p];
+    const auto& points = *from.points;
+    if (!warm || !points.conducts) continue;
+    capacity[i] = points.capacity_varies(p) ? points.heated_mass[p] : points.capacity[p];
+  }
+}
+
+template <int Dim>
+void ContactNodes<Dim>::foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!owned[i]) continue;
+    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
+    if (!points.conducts) continue;
+    const auto p = static_cast<std::size_t>(point[i]);
+    temperature[i] = points.capacity_varies(p)
+                         ? points.temperature_with(p, points.heat[p] + dt * points.heat_rate[p])
+                         : points.temperature[p] + dt * points.heat_rate[p] / points.capacity[p];
+  }
+}
+
+template <int Dim>
+void ContactNodes<Dim>::read_temperatures(const std::vector<Surface<Dim>*>& surfaces) {
+  if (warm) temperature = present_temperatures(surfaces);
+}
+
+template <int Dim>
+std::vector<Real> ContactNodes<Dim>::present_temperatures(
+    const std::vector<Surface<Dim>*>& surfaces) const {
+  std::vector<Real> present(size(), 0.0);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
+    if (!owned[i] || !points.conducts) continue;
+    present[i] = points.temperature[static_cast<std::size_t>(point[i])];
+  }
+  return present;
+}
+
+template <int Dim>
+void ContactNodes<Dim>::inherit(const ContactNodes& old) {
+  const auto name_of = [](const ContactNodes& nodes, std::size_t i) {
+    return std::pair(nodes.surface[i], nodes.id[i]);
+  };
+  std::vector<std::size_t> order(old.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return name_of(old, a) < name_of(old, b); });
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto name = name_of(*this, i);
+    const auto it =
+        std::lower_bound(order.begin(), order.end(), name,
+                         [&](std::size_t k, const auto& of) { return name_of(old, k) < of; });
+    if (it == order.end() || name_of(old, *it) != name) continue;
+    v[i] = old.v[*it];
+    spring[i] = old.spring[*it], damping[i] = old.damping[*it];
+    spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
+    pressed[i] = old.pressed[*it], pressed_last[i] = old.pressed_last[*it];
+    spring_work[i] = old.spring_work[*it], damping_energy[i] = old.damping_energy[*it];
+    if (warm) friction_given[i] = old.friction_given[*it];
+    if (!rubs) continue;
+    friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];
+    friction_stored[i] = old.friction_stored[*it], pair_energy[i] = old.pair_energy[*it];
+    friction_damped[i] = old.friction_damped[*it];
+  }
+}
+
+template struct ContactNodes<2>;
+template struct ContactNodes<3>;
+
+}  // namespace brunt

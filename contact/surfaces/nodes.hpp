@@ -1,0 +1,80 @@
+#pragma once
+#include <vector>
+
+#include "contact/geometry/motion_bounds.hpp"
+#include "core/surface.hpp"
+
+namespace brunt {
+
+/// Entities below which a team of threads costs more than it saves.
+inline constexpr std::size_t kWorthThreads = 1000;
+
+/// Bounds over n nodes; take(i, bounds) adds node i.
+template <int Dim, class Take>
+MotionBounds<Dim> bounds_of(std::size_t n, const Take& take) {
+  MotionBounds<Dim> all;
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    MotionBounds<Dim> part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t i = 0; i < n; ++i) take(i, part);
+#pragma omp critical(brunt_contact_bounds)
+    all.take(part);
+  }
+  return all;
+}
+
+/// The points that contact moves, of all groups, side by side, with what must outlive a step.
+/// Corners of imported faces may be points that this rank does not have.
+template <int Dim>
+struct ContactNodes {
+  std::vector<LocalIndex> surface;  ///< whose points
+  std::vector<LocalIndex> point;    ///< index there; -1: only another rank has it
+  std::vector<char> owned;          ///< this rank sums and books its forces
+  std::vector<GlobalId> id;
+  std::vector<Real> mass;                 ///< [kg]
+  std::vector<Vec<Dim>> x;                ///< [m] at the last evaluation
+  std::vector<Vec<Dim>> x_made;           ///< [m] when they were added here
+  std::vector<Vec<Dim>> v;                ///< [m/s] at the last evaluation
+  MotionBounds<Dim> motion;               ///< since then, of the points that are here, as last read
+  std::vector<Vec<Dim>> spring, damping;  ///< [N] forces of this evaluation
+  std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
+  /// Whether anything gave them a force in this evaluation, and in the one before: where nothing
+  /// did it is 0, friction too.
+  std::vector<char> pressed, pressed_last;
+  std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
+  bool rubs = false;               ///< some pair has friction; else the fields below are empty
+  std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
+  bool turns = false;              ///< particles rub on particles; else `spin` is empty
+  std::vector<Vec3> spin;          ///< [rad/s] of the material, where its surface tells it
+  bool asks_material = false;      ///< some friction does; else `material` is empty
+  std::vector<SurfaceMaterial> material;  ///< of a particle, where its surface tells it
+  bool warm = false;                      ///< some points conduct; else the fields below are empty
+  std::vector<Real> temperature;          ///< [K] at the end of the step, but for contact
+  std::vector<Real> capacity;             ///< [J/K], or [kg] where it varies; 0: takes no heat
+  std::vector<Real> heat_rate;            ///< [W] of this evaluation
+  std::vector<Real> friction_given;       ///< [J] of friction, to any nodes, booked since time 0
+  std::vector<Real> friction_heat, friction_stored, friction_damped,
+      pair_energy;  ///< [J] booked since time 0
+
+  std::size_t size() const { return point.size(); }
+  LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
+  /// A point of another rank; [kg], [m], [m/s].
+  LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
+                        const Vec<Dim>& velocity);
+  /// Takes x, v and spin of the points that are here from the groups, and how they moved.
+  void read_motion(const std::vector<Surface<Dim>*>& surfaces);
+  /// `temperature` of owned points now, before heat of this step is known.
+  void read_temperatures(const std::vector<Surface<Dim>*>& surfaces);
+  /// Temperatures [K] of owned points now, by node; 0 elsewhere, and where none is kept.
+  std::vector<Real> present_temperatures(const std::vector<Surface<Dim>*>& surfaces) const;
+  /// The temperatures that owned points will have after dt by the heat they have so far.
+  void foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
+  /// Takes over what outlives a step from the same points in an older table.
+  void inherit(const ContactNodes& old);
+
+ private:
+  void read_matter(const std::vector<Surface<Dim>*>& surfaces);
+};
+
+}  // namespace brunt
