@@ -11,7 +11,7 @@
 namespace brunt {
 
 namespace {
-constexpr int kMachineFailed = 4;  // as in app/run_arguments.hpp
+constexpr int kMachineFailed = 4;  // as in app/cli/run_arguments.hpp
 
 #ifdef __x86_64__
 // The text of a macro of the compiler's is "1" where the build may use what it stands for.

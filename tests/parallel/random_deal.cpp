@@ -1,7 +1,7 @@
 // brunt with another deal (core/parallel/deal.hpp), which stands before that of the library: every
 // point goes to a rank by a hash of its id and of how many deals there were, near what it touches
 // or not. Contact that is the same by bisection and by this does not lean on how pieces lie.
-#include "app/command_line.hpp"
+#include "app/cli/command_line.hpp"
 #include "core/parallel/deal.hpp"
 
 namespace brunt {

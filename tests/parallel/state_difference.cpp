@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-#include "app/build/scene_builder.hpp"
+#include "app/setup/scene_builder.hpp"
 #include "fe/finite_elements.hpp"
 #include "io/checkpoint.hpp"
 

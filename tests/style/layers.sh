@@ -17,18 +17,21 @@ forbid fe 'app/|sph/|contact/|io/' 'fe includes core only'
 forbid sph 'app/|fe/|contact/|io/' 'sph includes core only'
 forbid contact 'app/|fe/|sph/|io/' 'contact includes core only'
 forbid io 'app/|fe/|sph/|contact/' 'io includes core only'
-# The rooms of contact, each on those before it; what other layers use is the manager's.
-rooms=(geometry law surfaces contacts exchange search evaluate manager)
-above='-'
-for ((i = ${#rooms[@]} - 1; i >= 0; i--)); do
-  room=${rooms[i]}
-  [ -d "contact/$room" ] || { echo "contact/$room: no such room"; status=1; continue; }
-  [ "$above" = - ] || forbid "contact/$room" "contact/($above)/" "$room includes no room above it"
-  above="$room|${above#-}"
-  above=${above%|}
-done
-loose=$(ls contact | grep -vxE "$(IFS='|'; echo "${rooms[*]}")|CMakeLists.txt" || true)
-[ -z "$loose" ] || { printf 'contact: in no room: %s\n' "$loose"; status=1; }
+# The rooms of a layer, each on those before it, and no source beside them.
+rooms() {  # rooms LAYER ROOM...
+  local layer=$1 above= i loose
+  shift
+  local all=("$@")
+  for ((i = $# - 1; i >= 0; i--)); do
+    [ -d "$layer/${all[i]}" ] || { echo "$layer/${all[i]}: there is no such room"; status=1; continue; }
+    [ -z "$above" ] || forbid "$layer/${all[i]}" "$layer/($above)/" "${all[i]} includes no room above it"
+    above=${all[i]}${above:+|$above}
+  done
+  loose=$(find "$layer" -type f | cut -d/ -f2 | sort -u | grep -vxE "$above|CMakeLists.txt" || true)
+  [ -z "$loose" ] || { printf '%s, in no room: %s\n' "$layer" "$loose"; status=1; }
+}
+rooms contact geometry law surfaces contacts exchange search evaluate manager
+rooms app deck scene ranks loop watch setup restart cli
 for folder in core fe sph contact app; do
   forbid $folder 'yaml-cpp|vtk|hdf5|H5' 'yaml-cpp, HDF5 and VTK stay in io'
 done

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "app/build/scene_builder.hpp"
-#include "app/checkpointing.hpp"
-#include "app/monitor.hpp"
+#include "app/restart/checkpointing.hpp"
+#include "app/setup/scene_builder.hpp"
+#include "app/watch/monitor.hpp"
 
 namespace brunt::test {
 

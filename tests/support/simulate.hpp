@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/deck/deck.hpp"
-#include "app/time_loop.hpp"
+#include "app/loop/time_loop.hpp"
 #include "core/view.hpp"
 #include "io/summary.hpp"
 

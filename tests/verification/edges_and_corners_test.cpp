@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/scene.hpp"
+#include "app/scene/scene.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 

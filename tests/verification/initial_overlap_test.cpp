@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "app/build/scene_builder.hpp"
-#include "app/build/scene_checks.hpp"
+#include "app/setup/scene_builder.hpp"
+#include "app/setup/scene_checks.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 

@@ -6,8 +6,8 @@
 /// off.
 #include <gtest/gtest.h>
 
-#include "app/build/scene_builder.hpp"
-#include "app/build/scene_checks.hpp"
+#include "app/setup/scene_builder.hpp"
+#include "app/setup/scene_checks.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {

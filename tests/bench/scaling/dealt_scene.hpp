@@ -3,7 +3,7 @@
 /// points by the rules of FiniteElements, SphParticles and ContactImports; no rank is needed.
 #include <vector>
 
-#include "app/scene.hpp"
+#include "app/scene/scene.hpp"
 
 namespace brunt {
 

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <numeric>
 
-#include "app/build/scene_builder.hpp"
-#include "app/distribute.hpp"
-#include "app/time_loop.hpp"
+#include "app/loop/time_loop.hpp"
+#include "app/ranks/distribute.hpp"
+#include "app/setup/scene_builder.hpp"
 #include "io/summary.hpp"
 #include "sph/particles.hpp"
 #include "step_model.hpp"

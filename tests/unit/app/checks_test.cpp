@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/build/scene_builder.hpp"
-#include "app/build/sound_part.hpp"
 #include "app/deck/loader.hpp"
-#include "app/history_columns.hpp"
-#include "app/time_loop.hpp"
+#include "app/loop/time_loop.hpp"
+#include "app/setup/scene_builder.hpp"
+#include "app/setup/sound_part.hpp"
+#include "app/watch/history_columns.hpp"
 
 namespace brunt {
 namespace {

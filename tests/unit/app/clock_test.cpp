@@ -1,5 +1,5 @@
 // The clock: what bounds a step, and that only the end shortens one.
-#include "app/clock.hpp"
+#include "app/loop/clock.hpp"
 
 #include <gtest/gtest.h>
 

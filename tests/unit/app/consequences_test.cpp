@@ -2,9 +2,9 @@
 // time, and nothing is told of what only depends on that place.
 #include <gtest/gtest.h>
 
-#include "app/build/scene_builder.hpp"
-#include "app/build/sound_part.hpp"
 #include "app/deck/loader.hpp"
+#include "app/setup/scene_builder.hpp"
+#include "app/setup/sound_part.hpp"
 #include "io/deck/sources.hpp"
 
 namespace brunt {

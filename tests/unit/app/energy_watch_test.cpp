@@ -1,5 +1,5 @@
 // What the watch counts as energy that nobody put in, by hand-made ledgers.
-#include "app/energy_watch.hpp"
+#include "app/watch/energy_watch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How far a plan expects elements to flatten.
-#include "app/forecast.hpp"
+#include "app/cli/forecast.hpp"
 
 #include <gtest/gtest.h>
 

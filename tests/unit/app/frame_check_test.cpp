@@ -1,5 +1,5 @@
 // A frame with a value that is no finite number, or none in single precision, is refused.
-#include "app/frame_check.hpp"
+#include "app/watch/frame_check.hpp"
 
 #include <gtest/gtest.h>
 

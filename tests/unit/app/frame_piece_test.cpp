@@ -1,5 +1,5 @@
 // What a rank writes of a body. Values of other ranks' points: tests/parallel/ranks.sh.
-#include "app/frame_piece.hpp"
+#include "app/watch/frame_piece.hpp"
 
 #include <gtest/gtest.h>
 

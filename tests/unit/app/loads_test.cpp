@@ -1,11 +1,11 @@
 // Loads: a falling mass turns weight into kinetic energy, a drag takes it out; both to rounding.
-#include "app/loads.hpp"
+#include "core/boundaries/loads.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/verlet.hpp"
+#include "app/loop/verlet.hpp"
 
 namespace brunt {
 namespace {

@@ -1,6 +1,6 @@
 // What a user reads of contacts that did not hold: once for each pair of bodies while the run goes
 // on, with where, when and how deep, and at the end how many there were.
-#include "app/lost_contacts.hpp"
+#include "app/watch/lost_contacts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Measures on a small body by hand.
-#include "app/measures.hpp"
+#include "app/watch/measures.hpp"
 
 #include <gtest/gtest.h>
 

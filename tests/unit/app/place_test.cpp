@@ -1,7 +1,7 @@
 /// Fields at a place: shape functions and moving least squares are exact for a + b.x (partition of
 /// unity and first moments of their weights), whatever the shape of elements and the order of
 /// particles; tolerances are rounding of the inverse map and of a 4 x 4 system.
-#include "app/place.hpp"
+#include "app/scene/place.hpp"
 
 #include <gtest/gtest.h>
 

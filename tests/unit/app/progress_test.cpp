@@ -1,5 +1,5 @@
 // The words of progress.
-#include "app/progress.hpp"
+#include "app/watch/progress.hpp"
 
 #include <gtest/gtest.h>
 

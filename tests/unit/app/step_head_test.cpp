@@ -1,6 +1,6 @@
 // What ranks agree on before a step must not depend on the order in which they are heard, and one
 // that is asked for something is enough. Runs on several ranks are in tests/parallel.
-#include "app/step_head.hpp"
+#include "app/loop/step_head.hpp"
 
 #include <gtest/gtest.h>
 

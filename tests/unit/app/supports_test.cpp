@@ -1,12 +1,12 @@
 // Supports: a mass pulled by a spring while its velocity is prescribed. The work of the reaction
 // must be what the spring stores and the mass gains, to rounding, and a held point takes none.
-#include "app/supports.hpp"
+#include "core/boundaries/supports.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/verlet.hpp"
+#include "app/loop/verlet.hpp"
 
 namespace brunt {
 namespace {

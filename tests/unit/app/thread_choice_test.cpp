@@ -2,7 +2,7 @@
 // loop. A machine of two cores is played through by its laws: a step of one thread takes 1 ms, of
 // two on free cores 0.6 ms, of two on busy cores 10 ms, and two that spin get the processor time
 // that the machine has for them.
-#include "app/thread_choice.hpp"
+#include "app/ranks/thread_choice.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //   m v(n-1/2).v(n+1/2)/2 + k x(n)^2/2 - (work booked as 1/2 (f(n) + f(n+1)) dx)
 // to rounding, and its period is 2 pi (1 - (w dt)^2/24). With a changing step the column
 // `integration` takes what the change leaves, and the sum still closes to rounding.
-#include "app/verlet.hpp"
+#include "app/loop/verlet.hpp"
 
 #include <gtest/gtest.h>
 

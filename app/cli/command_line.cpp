@@ -1,0 +1,205 @@
+#include "app/cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <thread>
+
+#include "app/cli/find_restart.hpp"
+#include "app/cli/launch_ranks.hpp"
+#include "app/cli/pictures.hpp"
+#include "app/cli/reference.hpp"
+#include "app/cli/run.hpp"
+#include "app/deck/deck.hpp"
+#include "core/errors.hpp"
+#include "io/deck/suggest.hpp"
+#include "io/table.hpp"
+
+namespace brunt {
+
+namespace {
+void add_deck(CLI::App* command, RunArguments& arguments) {
+  command->add_option("DECK", arguments.deck, "the deck, a YAML file")
+      ->required()
+      ->option_text(" ");
+  command
+      ->add_option("--set", arguments.overrides,
+                   "overrides a key: --set 'bodies.bar.velocity=[0, 0, -200 m/s]'; again for more")
+      ->option_text("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
+  auto* run = app.add_subcommand("run", "runs a deck");
+  add_deck(run, arguments);
+  run->add_option("--out", arguments.out, "output folder; default: the deck's name and .out")
+      ->option_text("DIR");
+  run->add_flag("--force", arguments.force, "replaces what an earlier run wrote there");
+  run->add_flag("--resume", arguments.resume,
+                "goes on from the latest good checkpoint; skips a run that is done");
+  run->add_option("--threads", arguments.threads, "threads; default: OMP_NUM_THREADS or all cores")
+      ->option_text("N")
+      ->check(CLI::Range(1, 4096));
+  run->add_option("--ranks", arguments.ranks, "processes: brunt starts mpirun itself")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1 << 20));
+  run->add_flag("--oversubscribe", arguments.oversubscribe, "lets ranks share cores");
+  run->add_option("--until", arguments.until, "stops at this time with a checkpoint: '20 us'")
+      ->option_text("TIME");
+  run->add_option("--restart", arguments.restart,
+                  "goes on from a checkpoint, with a longer end or other output")
+      ->option_text("MANIFEST|DIR");
+  run->add_flag("--quiet", arguments.quiet, "no progress, no closing words");
+  run->add_flag("--json", arguments.json, "prints summary.json to stdout");
+  return run;
+}
+
+constexpr const char* kFooter =
+    "\nBegin with\n"
+    "  brunt plan decks/taylor-bar/taylor-bar.yaml    what will be modelled, memory, steps\n"
+    "  brunt run decks/taylor-bar/taylor-bar.yaml     writes taylor-bar.out\n"
+    "  brunt render taylor-bar.out                    pictures without ParaView\n"
+    "  brunt explain bodies                           what may stand in a deck\n"
+    "Exit status: 0 done; 2 the deck or the call is wrong; 3 the physics broke;\n"
+    "4 the machine failed; 5 stopped by a signal, what is written is whole.";
+
+/// "" where the first word is a command; else what is wrong with it.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return "";
+  const std::string word = argv[1];
+  const bool deck = word.ends_with(".yaml");
+  return "brunt: there is no command '" + word + "'" +
+         (deck ? "; to run a deck, write brunt run " + word : suggestion(word, names));
+}
+
+/// A message on stderr. Where all ranks fail alike the root speaks and ends them all; another rank
+/// that is still there after a while is alone with its failure.
+void say(const ParallelSession& session, const std::string& text) {
+  if (!session.ranks().is_root()) std::this_thread::sleep_for(std::chrono::seconds(3));
+  std::fputs(text.c_str(), stderr);
+}
+
+/// Runs a command and turns what it throws into a message and a status.
+template <class Command>
+int guarded(const ParallelSession& session, Command command) {
+  int status = kMachineFailed;
+  try {
+    const int done = command();
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return done;
+    throw MachineError(std::string("cannot write to the standard output: ") + std::strerror(errno));
+  } catch (const DeckError& error) {
+    std::string text;
+    for (const auto& problem : error.problems()) text += problem.text() + "\n";
+    say(session, text);
+    status = kDeckWrong;
+  } catch (const PhysicsError& error) {
+    say(session, std::string("brunt: ") + error.what() + "\n");
+    status = kPhysicsBroke;
+  } catch (const MachineError& error) {
+    say(session, std::string("brunt: ") + error.what() + "\n");
+  } catch (const std::bad_alloc&) {
+    say(session, "brunt: not enough memory; `brunt plan` says what the deck needs\n");
+  } catch (const std::exception& error) {  // of the system or a library; it names the path
+    say(session, std::string("brunt: ") + error.what() + "\n");
+  }
+  if (!session.ranks().alone()) session.abort(status);
+  return status;
+}
+}  // namespace
+
+int command_line(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // whoever reads may go; a run goes on
+  CLI::App app{
+      "brunt: bodies that hit, cut, rub and heat each other. Finite elements, SPH, contact."};
+  app.set_version_flag("--version", std::string(BRUNT_VERSION) + " (" + BRUNT_ISA + ")");
+  app.name("brunt");
+  app.require_subcommand(1);
+  RunArguments arguments;
+  auto* run = add_run(app, arguments);
+  auto* check = app.add_subcommand("check", "says what is wrong with a deck");
+  auto* plan = app.add_subcommand("plan", "says what will be modelled and what it costs");
+  add_deck(check, arguments);
+  add_deck(plan, arguments);
+
+  std::vector<std::string> folders;
+  TableOptions table_options;
+  auto* table = app.add_subcommand("table", "one row a run: what a sweep ends with");
+  table->add_option("DIR", folders, "output folders")->required()->option_text(" ");
+  table->add_option("--show", table_options.show, "columns instead of the default ones")
+      ->option_text("KEY,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  table->add_flag("--csv", table_options.csv, "all digits, commas");
+
+  PictureArguments picture;
+  auto* render = app.add_subcommand("render", "writes PNG pictures of an output folder");
+  render->add_option("DIR", picture.folder, "output folder")->required()->option_text(" ");
+  render->add_option("--field", picture.field, "colours: von_mises, velocity.magnitude, ...")
+      ->option_text("FIELD");
+  render->add_option("--out", picture.out, "folder of the pictures; default: the output folder")
+      ->option_text("DIR");
+  render->add_option("--frames", picture.frames, "all, last, or numbers such as 0,5,10")
+      ->option_text("WHICH");
+  render->add_option("--view", picture.view, "auto, oblique, front, side or top")
+      ->option_text("VIEW");
+  render->add_option("--title", picture.title, "text at the top")->option_text("TEXT");
+
+  std::string checkpoint;
+  auto* verify = app.add_subcommand("verify", "says whether checkpoints are whole");
+  verify->add_option("file", checkpoint, "a manifest, or a folder")->required();
+
+  std::string key;
+  auto* explain = app.add_subcommand("explain", "explains a key of the deck, or lists them");
+  explain
+      ->add_option("KEY", key,
+                   "such as materials.strength.johnson-cook.C, or library; none: the first level")
+      ->option_text(" ");
+  auto* schema = app.add_subcommand("schema", "prints the JSON schema of decks");
+  bool markdown = false;
+  schema->add_flag("--markdown", markdown, "prints the reference manual instead");
+
+  app.footer(kFooter);  // commands made after it would show it too
+  if (argc == 1) {
+    std::fputs(app.help().c_str(), stderr);
+    return kDeckWrong;
+  }
+  if (const std::string problem = unknown_command(app, argc, argv); !problem.empty()) {
+    std::fprintf(stderr, "%s\n", problem.c_str());
+    return kDeckWrong;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int status = app.exit(error);
+    return status == 0 ? kDone : kDeckWrong;
+  }
+  if (*run && arguments.ranks > 1 && !launched_by_mpirun()) {
+    return launch_ranks(arguments, argc, argv);
+  }
+  const ParallelSession session(argc, argv);
+  return guarded(session, [&]() -> int {
+    if (*run) return run_command(arguments, session.ranks());
+    if (*check) return check_command(arguments);
+    if (*plan) return plan_command(arguments);
+    if (*table) {
+      const auto runs = read_runs({folders.begin(), folders.end()});
+      std::fputs(format_table(runs, table_options).c_str(), stdout);
+      return kDone;
+    }
+    if (*verify) return verify_command(checkpoint);
+    if (*render) return render_command(picture);
+    if (*explain) return explain_command(key);
+    return schema_command(markdown);
+  });
+}
+
+}  // namespace brunt

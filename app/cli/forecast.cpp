@@ -1,0 +1,82 @@
+#include "app/cli/forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brunt {
+
+namespace {
+/// Flow stress [Pa] of slow straining at the temperature of reference.
+Real flow_stress(const StrengthLaw& law, Real strain) {
+  if (const auto* j2 = std::get_if<J2>(&law)) {
+    if (!j2->hardening) return j2->yield;
+    const Varying& hardening = *j2->hardening;
+    return j2->yield +
+           (hardening.is_constant() ? hardening.constant * strain : hardening.at(strain));
+  }
+  if (const auto* cook = std::get_if<JohnsonCook>(&law)) {
+    return cook->A + cook->B * std::pow(strain, cook->n);
+  }
+  return kInfinity;
+}
+
+constexpr Real kMostStrain = 3;
+
+/// The strain at which a body of this material has taken up rho v^2 / 2.
+Real stopping_strain(const deck::Material& material, Real speed) {
+  const Real energy = 0.5 * material.density * speed * speed;
+  if (std::holds_alternative<NoStrength>(material.strength)) {
+    const auto& elastic = material.elastic;
+    const Real modulus = elastic.bulk_modulus() + 4.0 / 3 * elastic.shear_modulus();
+    return std::min(kMostStrain, speed * std::sqrt(material.density / modulus));
+  }
+  constexpr Real kStep = 1e-3;
+  Real taken = 0, strain = 0;
+  for (; taken < energy && strain < kMostStrain; strain += kStep) {
+    taken += kStep * flow_stress(material.strength, strain + 0.5 * kStep);
+  }
+  return strain;
+}
+
+/// Velocity [m/s] at time 0, or as told; without entries: at rest.
+std::vector<Real> velocity_of(const deck::Body& body) {
+  std::vector<Real> velocity = body.velocity;
+  if (body.rigid && body.motion && !body.motion->velocity.empty()) velocity = body.motion->velocity;
+  for (Real& component : velocity) component = std::isnan(component) ? 0 : component;
+  velocity.resize(3, 0);
+  return velocity;
+}
+
+/// The largest speed [m/s] between a body and any other.
+Real impact_speed(const Deck& deck, const deck::Body& body) {
+  const auto own = velocity_of(body);
+  Real most = 0;
+  for (const auto& other : deck.bodies) {
+    const auto its = velocity_of(other.value);
+    most = std::max(most, std::hypot(own[0] - its[0], own[1] - its[1], own[2] - its[2]));
+  }
+  return most;
+}
+}  // namespace
+
+Real Flattening::most_steps() const {
+  constexpr Real kFaceOverMean = 6;
+  return std::exp(std::min(kFaceOverMean * strain, kMostStrain * 2));
+}
+
+Flattening flattening_of(const Deck& deck) {
+  Flattening worst;
+  for (const auto& [name, body] : deck.bodies) {
+    if (body.rigid || body.method != deck::Method::fe) continue;
+    const auto material =
+        std::find_if(deck.materials.begin(), deck.materials.end(),
+                     [&wanted = body.material](const auto& one) { return one.name == wanted; });
+    if (material == deck.materials.end()) continue;
+    const Real speed = impact_speed(deck, body);
+    const Real strain = stopping_strain(material->value, speed);
+    if (strain > worst.strain) worst = {speed, strain};
+  }
+  return worst;
+}
+
+}  // namespace brunt

@@ -1,0 +1,138 @@
+#include "app/cli/memory.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "contact/search/candidates.hpp"
+#include "fe/element_block.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt {
+
+namespace {
+// Deviator, pressure, bulk modulus, eps_p, strain rate, temperature, two heats, energy.
+constexpr Real kMaterialPoint = 14 * sizeof(Real);
+
+template <int Dim>
+constexpr Real point_bytes() {
+  return sizeof(GlobalId) + 2 * sizeof(Label) + 2 * sizeof(Real) + 6 * sizeof(Vec<Dim>);
+}
+
+/// One element of `gauss` material points: its share of an ElementBlock, the buffer of corner
+/// forces and the list by which nodes gather them.
+template <int Dim>
+Real element_bytes(int gauss) {
+  using Block = ElementBlock<Dim>;
+  const Real lists = Block::kCorners * (2 * sizeof(LocalIndex) + sizeof(Vec<Dim>));
+  const Real labels = sizeof(GlobalId) + 2 * sizeof(Label);
+  constexpr int kScalars = 8;  // volume, size, mass, viscosity, three works, step
+  return lists + labels + gauss * (kMaterialPoint + sizeof(Real)) +
+         (kScalars + Block::kHourglassValues) * sizeof(Real);
+}
+
+template <int Dim>
+constexpr Real particle_bytes() {
+  return sizeof(ParticleState<Dim>) + kMaterialPoint + sizeof(MotionRecord<Dim>) +
+         sizeof(StressRecord<Dim>) + sizeof(ArtificialRecord<Dim>) + sizeof(Real) +
+         sizeof(SurfaceParticle) + sizeof(LocalIndex) + sizeof(std::uint16_t);
+}
+
+/// Candidates within 2 h and the skin of a quarter of h, and among them the true neighbours.
+template <int Dim>
+Real neighbour_bytes(Real smoothing) {
+  const Real ball = Dim == 3 ? 4.0 / 3 * kPi : kPi;
+  const auto within = [&](Real reach) { return ball * std::pow(reach * smoothing, Dim); };
+  constexpr Real kSkin = 0.35;
+  const Real rows = 2 * sizeof(std::int64_t) + sizeof(int);
+  // Candidates, true neighbours with their weights, and the candidates again while they are sought.
+  return rows + (sizeof(LocalIndex) * 3 + sizeof(Real)) * within(2 + kSkin);
+}
+
+/// Faces and their nodes, twice while a new table takes over from the old one.
+template <int Dim>
+Real contact_bytes(std::size_t facets, std::size_t particles) {
+  constexpr Real kLists = 8;  // candidates of a face
+  const Real node =
+      2 * sizeof(LocalIndex) + sizeof(GlobalId) + 3 * sizeof(Real) + 6 * sizeof(Vec<Dim>);
+  const Real face = sizeof(Facet<Dim>) + sizeof(ContactFace<Dim>) + sizeof(FacePlane<Dim>) +
+                    sizeof(Vec<Dim>) + 2 * sizeof(SearchBox<Dim>);
+  return static_cast<Real>(facets) * (2 * (face + node) + kLists * sizeof(FaceCandidate)) +
+         static_cast<Real>(particles) * 2 * (sizeof(ContactParticle) + node);
+}
+
+/// Geometry of bodies, its order along the curve, and the faces that are compared to find the outer
+/// ones.
+template <int Dim>
+Real building_bytes(std::size_t points, std::size_t elements) {
+  constexpr Real kFaces = 2 * Dim;
+  const Real face = 2 * (sizeof(std::array<LocalIndex, Facet<Dim>::kNodes>) + sizeof(GlobalId));
+  const Real point = 2 * sizeof(Vec<Dim>) + 4 * sizeof(std::size_t);
+  const Real element = 3 * (sizeof(LocalIndex) << Dim) + sizeof(GlobalId) + 2 * sizeof(Label);
+  return static_cast<Real>(points) * point +
+         static_cast<Real>(elements) * (element + kFaces * face);
+}
+
+/// A frame holds all fields of all bodies; VTK copies them, and encodes the copy.
+Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
+  constexpr Real kPointValues = 16, kCellValues = 16;
+  return 3 *
+         (static_cast<Real>(points) * kPointValues * sizeof(Real) +
+          static_cast<Real>(cells) * (kCellValues * sizeof(Real) + corners * sizeof(std::int64_t)));
+}
+
+/// A checkpoint holds the state of all entities, twice while it is written: as tables and as a
+/// file.
+template <int Dim>
+Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
+  constexpr Real kPoint = 5 * Dim + 3, kContactNode = 3 * Dim + 3;
+  constexpr Real kMaterial = 14;
+  constexpr Real kElement = (1 << Dim) * Dim + 6;
+  constexpr std::size_t kStateValues = sizeof(ParticleState<Dim>) / sizeof(Real);
+  constexpr Real kParticle = static_cast<Real>(kStateValues + 1) + kMaterial;
+  const auto particles = static_cast<Real>(scene.n_particles());
+  return 2 * sizeof(Real) *
+         (static_cast<Real>(scene.n_points()) * kPoint +
+          static_cast<Real>(scene.n_elements()) * (kElement + gauss * kMaterial) +
+          particles * (kParticle + (scene.contact ? kContactNode : 0)));
+}
+}  // namespace
+
+Real resident_memory() {
+  std::ifstream statm("/proc/self/statm");
+  Real total = 0, resident = 0;
+  statm >> total >> resident;
+  return statm ? resident * static_cast<Real>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+template <int Dim>
+MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
+  MemoryEstimate estimate;
+  estimate.program = inputs.program;
+  for (const auto& solid : scene.solids) {
+    const auto points = static_cast<Real>(solid->points().x.size());
+    const auto elements = static_cast<Real>(solid->n_elements());
+    const auto particles = static_cast<Real>(solid->n_particles());
+    const int heat = solid->points().conduction_every > 1 ? 8 : 6;  // fields of points that conduct
+    const Real point = point_bytes<Dim>() + (solid->points().conducts ? heat * sizeof(Real) : 0.0);
+    (particles > 0 ? estimate.particles : estimate.elements) += points * point;
+    estimate.elements += elements * element_bytes<Dim>(inputs.gauss);
+    estimate.particles += particles * particle_bytes<Dim>();
+    estimate.neighbours += particles * neighbour_bytes<Dim>(inputs.smoothing);
+  }
+  if (scene.contact) {
+    estimate.contact = contact_bytes<Dim>(scene.contact->n_facets(), scene.n_particles());
+  }
+  estimate.building = building_bytes<Dim>(scene.n_points(), scene.n_elements());
+  estimate.output = inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
+                    std::max(frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim),
+                             checkpoint_bytes(scene, inputs.gauss));
+  return estimate;
+}
+
+template MemoryEstimate memory_of<2>(const Scene<2>&, const MemoryInputs&);
+template MemoryEstimate memory_of<3>(const Scene<3>&, const MemoryInputs&);
+
+}  // namespace brunt

@@ -1,0 +1,36 @@
+#pragma once
+#include "app/scene/scene.hpp"
+
+namespace brunt {
+
+/// What a run will need, counted from the sizes of its structures; peak_memory of a run is within a
+/// factor of 1.5 of the total (tests/cli/plan.sh).
+struct MemoryEstimate {
+  Real program = 0;     ///< [byte] the program and its libraries, as measured when it starts
+  Real elements = 0;    ///< [byte] with their nodes
+  Real particles = 0;   ///< [byte] with their points
+  Real neighbours = 0;  ///< [byte] lists of particles, at the expected number of neighbours
+  Real contact = 0;     ///< [byte] faces, nodes, lists
+  Real building = 0;    ///< [byte] meshes before they are scenes: free again, seldom given back
+  Real output = 0;      ///< [byte] history, and a frame or a checkpoint while it is written
+  Real total() const {
+    return program + elements + particles + neighbours + contact + building + output;
+  }
+};
+
+/// What a deck says that counts in memory.
+struct MemoryInputs {
+  Real program = 0;      ///< [byte] resident before the scene was built
+  int gauss = 1;         ///< most material points of an element
+  Real smoothing = 1.2;  ///< largest smoothing length over spacing
+  Real rows = 2000;      ///< of the history
+  std::size_t columns = 0;
+};
+
+/// Resident memory of this process now [byte]; 0 where the system does not tell.
+Real resident_memory();
+
+template <int Dim>
+MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs);
+
+}  // namespace brunt

@@ -1,0 +1,224 @@
+#include <cmath>
+#include <cstdio>
+
+#include "app/cli/forecast.hpp"
+#include "app/cli/memory.hpp"
+#include "app/cli/run.hpp"
+#include "app/deck/findings.hpp"
+#include "app/setup/heat.hpp"
+#include "app/setup/scene_builder.hpp"
+#include "app/setup/scene_checks.hpp"
+#include "app/setup/sound_part.hpp"
+#include "app/watch/history_columns.hpp"
+
+namespace brunt {
+
+namespace {
+/// How a rigid body moves; of one that follows its forces also what it weighs.
+template <int Dim>
+std::string rigid_text(const deck::Body& body, const Scene<Dim>& scene, Label label) {
+  if (!deck::follows_forces(body)) return body.motion ? "moves as told" : "held";
+  ExactSum mass;
+  std::size_t pieces = 0;
+  for (const auto& one : scene.rigid->all()) {
+    if (one.body != label) continue;
+    mass.add(one.state.mass);
+    ++pieces;
+  }
+  std::string text = body.motion ? "moves in part as told" : "free";
+  if (pieces > 1) text += ", " + std::to_string(pieces) + " pieces";
+  return text + ", " + deck::short_text(mass.value()) + " kg of " + body.material;
+}
+
+template <int Dim>
+void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
+  for (std::size_t b = 0; b < scene.body_names.size(); ++b) {
+    const auto& body = loaded.deck.bodies[b].value;
+    std::size_t points = 0, elements = 0;
+    for (const auto& solid : scene.solids) {
+      for (const Label label : solid->points().body) points += label == b;
+    }
+    const BodyView view = scene.view(static_cast<Label>(b));
+    if (view.corners > 0)
+      elements = view.connectivity.size() / static_cast<std::size_t>(view.corners);
+    if (body.rigid) {
+      const bool conducts = heat_mode(loaded.deck, body, scene.body_names[b]) == HeatMode::conducts;
+      std::printf("  %-16s rigid, %s: %zu %s%s\n", scene.body_names[b].c_str(),
+                  rigid_text(body, scene, static_cast<Label>(b)).c_str(), elements,
+                  conducts ? "element" : "facet", elements == 1 ? "" : "s");
+    } else if (body.method == deck::Method::fe) {
+      std::printf("  %-16s finite elements: %zu elements, %zu nodes, material %s\n",
+                  scene.body_names[b].c_str(), elements, points, body.material.c_str());
+    } else {
+      std::printf("  %-16s SPH: %zu particles, material %s\n", scene.body_names[b].c_str(), points,
+                  body.material.c_str());
+    }
+  }
+}
+
+void print_physics(const LoadedDeck& loaded) {
+  std::string heated, conducts;
+  for (const auto& [name, body] : loaded.deck.bodies) {
+    const HeatMode mode = heat_mode(loaded.deck, body, name);
+    if (mode == HeatMode::adiabatic) heated += " " + name;
+    if (mode == HeatMode::conducts) conducts += " " + name;
+    if (mode == HeatMode::conducts && is_held(loaded.deck, name)) conducts += " (held)";
+  }
+  if (!conducts.empty()) std::printf("heat       is conducted in:%s\n", conducts.c_str());
+  if (!heated.empty()) {
+    std::printf("heat       adiabatic, plastic work heats the point where it is done, in:%s\n",
+                heated.c_str());
+  }
+  if (conducts.empty() && heated.empty()) {
+    std::printf("heat       none: no material is heated, no temperature is kept\n");
+  }
+  if (!loaded.deck.gravity.empty()) std::printf("gravity    yes\n");
+  if (loaded.deck.damping) std::printf("damping    %g 1/s\n", loaded.deck.damping->rate);
+}
+
+template <int Dim>
+void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
+  MemoryInputs inputs;
+  inputs.program = program;
+  for (const auto& [name, body] : deck.bodies) {
+    const bool full = body.element.integration != Integration::one_point;
+    if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = 1 << Dim;
+    inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
+  }
+  if (deck.output.history) inputs.rows = deck.time.end / *deck.output.history;
+  inputs.columns = HistoryColumns<Dim>(scene).names().size();
+  const MemoryEstimate memory = memory_of(scene, inputs);
+  std::printf("memory     about %.0f MB:", memory.total() / 1e6);
+  const std::pair<const char*, Real> parts[] = {
+      {"program", memory.program},     {"elements", memory.elements},
+      {"particles", memory.particles}, {"neighbours", memory.neighbours},
+      {"contact", memory.contact},     {"building", memory.building},
+      {"output", memory.output}};
+  const char* separator = " ";
+  for (const auto& [name, bytes] : parts) {
+    if (bytes < 0.5e6) continue;
+    std::printf("%s%s %.0f", separator, name, bytes / 1e6);
+    separator = ", ";
+  }
+  std::printf("\n");
+}
+
+/// How many steps a run will take: of elements that keep their shapes, and a range where it is not
+/// known how far they flatten.
+void print_steps(const Deck& deck, Real steps) {
+  const Flattening flattening = flattening_of(deck);
+  const std::string end = deck::time_text(deck.time.end);
+  Real most = flattening.most_steps() * steps;
+  const Real digits = std::pow(10, std::floor(std::log10(most)) - 1);
+  most = digits * std::ceil(most / digits);  // more than two are not known
+  constexpr Real kHardly = 1.2;
+  if (flattening.most_steps() < kHardly) {
+    std::printf("steps      about %.0f to %s; more where elements are driven flat\n", steps,
+                end.c_str());
+    return;
+  }
+  std::printf(
+      "steps      %.0f to %.0f up to %s: %.0f while elements keep their shapes, and how far "
+      "those\n           that meet at %s m/s flatten is not known; a step is as long as the "
+      "thinnest is thick\n",
+      steps, most, end.c_str(), steps, deck::short_text(flattening.speed).c_str());
+}
+
+/// Names of the columns of history.csv, for measures.
+template <int Dim>
+void print_columns(const Scene<Dim>& scene) {
+  constexpr std::size_t kWidth = 96;
+  std::string line = "history   ";
+  const HistoryColumns<Dim> columns(scene);
+  for (const auto& name : columns.names()) {
+    if (line.size() + 1 + name.size() > kWidth) {
+      std::printf("%s\n", line.c_str());
+      line = "          ";
+    }
+    line += " " + name;
+  }
+  std::printf("%s\n", line.c_str());
+}
+
+template <int Dim>
+void print_contact(const Scene<Dim>& scene) {
+  if (!scene.contact) {
+    std::printf("contact    none: nothing can touch\n");
+    return;
+  }
+  const auto reported = scene.contact->reports();
+  std::printf("contact    %zu facets; ", scene.contact->n_facets());
+  if (reported.size() < scene.contact->n_pairs()) {
+    std::printf("%zu pairs, with columns in history.csv:", scene.contact->n_pairs());
+  } else {
+    std::printf("pairs:");
+  }
+  for (const auto& pair : reported) std::printf(" %s", pair.name.c_str());
+  if (reported.empty()) std::printf(" none, as none is named in `contact: {pairs: ...}`");
+  std::printf("\n");
+}
+
+/// The whole scene of a deck, with what it has to be warned of.
+template <int Dim>
+std::unique_ptr<Scene<Dim>> build_and_warn(const LoadedDeck& loaded) {
+  auto scene = build_scene<Dim>(loaded);
+  std::vector<DeckProblem> warnings;
+  warn_of_scene(loaded, *scene, true, warnings);
+  return scene;
+}
+
+template <int Dim>
+void print_plan(const LoadedDeck& loaded, Real program) {
+  auto scene = build_and_warn<Dim>(loaded);
+  static constexpr const char* geometries[] = {"3d", "plane strain", "axisymmetric"};
+  if (!loaded.deck.title.empty()) std::printf("%s\n", loaded.deck.title.c_str());
+  std::printf("geometry   %s\n", geometries[static_cast<int>(scene->geometry)]);
+  print_bodies(loaded, *scene);
+  print_physics(loaded);
+  print_contact(*scene);
+  scene->supports.start();
+  scene->heat.start();
+  scene->rearrange();
+  const StepVote vote = scene->stable_step(0, 0);
+  const Deck& deck = loaded.deck;
+  const Real dt = std::min(deck.time.safety * vote.step, deck.time.max_step.value_or(kInfinity));
+  const Real steps = std::ceil(deck.time.end / dt);
+  const Real heat_step = deck.time.heat_every * scene->heat_step().step;
+  std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
+              scene->n_elements(), scene->n_particles());
+  print_memory(deck, *scene, program);
+  std::printf("step       %s, bound by %s of %s\n", deck::time_text(dt).c_str(), vote.reason,
+              scene->body_names[vote.body].c_str());
+  print_steps(deck, steps);
+  if (heat_step < kInfinity) {
+    std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
+                deck::time_text(heat_step).c_str(), heat_step / dt, deck.time.heat_every);
+  }
+  print_columns(*scene);
+}
+
+}  // namespace
+
+int plan_command(const RunArguments& arguments) {
+  const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
+  const Real program = resident_memory();
+  if (loaded.deck.geometry == Geometry::three_d) {
+    print_plan<3>(loaded, program);
+  } else {
+    print_plan<2>(loaded, program);
+  }
+  return kDone;
+}
+
+int check_command(const RunArguments& arguments) {
+  const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
+  if (loaded.deck.geometry == Geometry::three_d) {
+    build_and_warn<3>(loaded);
+  } else {
+    build_and_warn<2>(loaded);
+  }
+  std::printf("%s: nothing is wrong\n", arguments.deck.c_str());
+  return kDone;
+}
+
+}  // namespace brunt

@@ -1,0 +1,369 @@
+#include "app/cli/run.hpp"
+
+#include <omp.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+#include <optional>
+
+#include "app/cli/find_restart.hpp"
+#include "app/cli/output_folder.hpp"
+#include "app/cli/pictures.hpp"
+#include "app/deck/findings.hpp"
+#include "app/ranks/balance.hpp"
+#include "app/ranks/distribute.hpp"
+#include "app/restart/checkpointing.hpp"
+#include "app/setup/scene_builder.hpp"
+#include "app/setup/scene_checks.hpp"
+#include "app/setup/sound_part.hpp"
+#include "app/watch/frames.hpp"
+#include "app/watch/monitor.hpp"
+#include "app/watch/progress.hpp"
+#include "io/file.hpp"
+#include "io/summary.hpp"
+
+namespace brunt {
+
+namespace fs = std::filesystem;
+
+namespace {
+void choose_threads(int asked) {
+  if (asked > 0) omp_set_num_threads(asked);
+}
+
+/// A deck with the command line's --until in place.
+LoadedDeck load(const RunArguments& arguments, bool print_warnings) {
+  auto overrides = arguments.overrides;
+  if (!arguments.until) return load_or_tell_all(arguments.deck, overrides, print_warnings);
+  overrides.push_back("time.until=" + *arguments.until);
+  try {
+    return load_or_tell_all(arguments.deck, overrides, print_warnings);
+  } catch (const DeckError& error) {
+    auto problems = error.problems();
+    for (auto& problem : problems) {
+      if (problem.place.file == "--set #" + std::to_string(overrides.size())) {
+        problem.place.file = "--until";
+      }
+    }
+    throw DeckError(problems);
+  }
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+template <int Dim>
+void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary) {
+  const auto seconds = [&](Phase phase) { return scene.phases.of(phase).seconds; };
+  for (int p = 0; p < kPhases; ++p) {
+    summary.phases.emplace_back(kPhaseNames[static_cast<std::size_t>(p)],
+                                seconds(static_cast<Phase>(p)));
+  }
+  summary.points = static_cast<std::int64_t>(scene.n_points());
+  summary.elements = static_cast<std::int64_t>(scene.n_elements());
+  summary.particles = static_cast<std::int64_t>(scene.n_particles());
+  // Whatever is spent on points, step bound and lists is shared by elements and particles.
+  const double shared = seconds(Phase::points) + seconds(Phase::step_bound);
+  const auto count = static_cast<double>(summary.elements + summary.particles);
+  if (steps == 0 || count == 0) return;
+  const auto n = static_cast<double>(steps);
+  if (summary.elements > 0) {
+    const auto elements = static_cast<double>(summary.elements);
+    summary.ns_element_step = 1e9 * (seconds(Phase::elements) / elements + shared / count) / n;
+  }
+  if (summary.particles > 0) {
+    const auto particles = static_cast<double>(summary.particles);
+    summary.ns_particle_step =
+        1e9 * ((seconds(Phase::particles) + seconds(Phase::search)) / particles + shared / count) /
+        n;
+  }
+}
+
+/// What goes between ranks in a step, of all ranks together.
+void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& summary) {
+  summary.ranks = ranks.size();
+  if (ranks.alone() || steps == 0) return;
+  const auto sum = [&](std::int64_t mine) {
+    return static_cast<double>(ranks.sum(static_cast<std::uint64_t>(mine)));
+  };
+  const Traffic own = ranks.traffic();
+  summary.messages_step = sum(own.messages) / static_cast<double>(steps);
+  summary.bytes_step = sum(own.bytes) / static_cast<double>(steps);
+  summary.reductions_step = static_cast<double>(own.reductions) / static_cast<double>(steps);
+}
+
+/// The log of the root; other ranks keep none.
+std::shared_ptr<spdlog::logger> open_log(const fs::path& folder, bool goes_on, bool root) {
+  auto log = std::make_shared<spdlog::logger>("brunt");
+  if (!root) return log;
+  log->sinks().push_back(
+      std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "log.txt").string(), !goes_on));
+  return log;
+}
+
+struct Ended {
+  int status = kDone;
+  std::string reason;
+};
+
+/// How long the windows of conduction are at the end, of which their error is told. Collective.
+template <int Dim>
+void log_windows(const Scene<Dim>& scene, const Clock& clock, int heat_every, spdlog::logger& log) {
+  if (heat_every == 1) return;
+  const auto smallest = [&](const StepVote& vote) {
+    return over_ranks({vote, {}}, *scene.ranks).vote;
+  };
+  const Real step = clock.unshortened(smallest(scene.stable_step(clock.time(), clock.dt())));
+  const Real longest = smallest(scene.heat_step()).step;
+  log.info("conduction of every {}th step acts for {} s, {:.2g} of its longest stable step",
+           heat_every, heat_every * step, step / longest);
+}
+
+/// Steps the scene; a broken physics is reported after a last frame.
+template <int Dim>
+Ended step_to_end(Scene<Dim>& scene, Clock& clock, Monitor<Dim>& monitor,
+                  Checkpointing<Dim>& checkpointing, Balance<Dim>& balance) {
+  try {
+    run_time_loop(scene, clock, checkpointing, &balance);
+    monitor.end(scene, clock);
+    return {checkpointing.interrupted() ? kStopped : kDone, monitor.reason()};
+  } catch (const PhysicsError& error) {
+    PhysicsFailure failure = error.failure();
+    if (failure.time == 0) failure.time = clock.time();
+    monitor.write_last_frame(scene, clock);
+    return {kPhysicsBroke, PhysicsError(failure).what()};
+  }
+}
+
+/// Pictures of the run; one that cannot be drawn is a warning, for the results are there.
+std::vector<fs::path> draw_pictures(const fs::path& folder, const std::string& title,
+                                    RunSummary& summary) {
+  try {
+    return draw_run(folder, title);
+  } catch (const std::exception& error) {
+    summary.warnings.push_back({"output.pictures", error.what()});
+    std::fprintf(stderr, "warning: output.pictures: %s\n", error.what());
+    return {};
+  }
+}
+
+void print_summary(const RunSummary& summary, const fs::path& folder,
+                   const std::vector<fs::path>& pictures) {
+  for (const auto& measure : summary.measures) {
+    std::fprintf(stderr, "  %-20s %.6g %s", measure.name.c_str(), measure.value,
+                 measure.unit.c_str());
+    if (measure.error) {
+      std::fprintf(stderr, "   (%+.2f %% of %.6g)", 100 * *measure.error, *measure.reference);
+    }
+    std::fputc('\n', stderr);
+  }
+  for (const auto& line : energy_lines(summary.energy)) {
+    std::fprintf(stderr, "  %s\n", line.c_str());
+  }
+  for (const auto& [body, margin] : summary.step_margins) {
+    std::fprintf(stderr, "  %s: stable up to %.3g times the step that it votes for\n", body.c_str(),
+                 margin);
+  }
+  std::fprintf(stderr, "%lld steps in %s, energy drift %.1e. Results are in %s:\n",
+               static_cast<long long>(summary.steps), duration_text(summary.wall_seconds).c_str(),
+               summary.drift, folder.c_str());
+  std::fprintf(stderr, "  frames.pvd opens in ParaView, history.csv holds curves\n");
+  if (pictures.empty()) {
+    std::fprintf(stderr, "  brunt render %s draws pictures\n", folder.c_str());
+  } else {
+    std::fprintf(stderr, "  %zu pictures: %s to %s\n", pictures.size(),
+                 pictures.front().filename().c_str(), pictures.back().filename().c_str());
+  }
+}
+
+/// Why a run ended before its time, also where it was asked to be quiet.
+void print_end(const Ended& ended, const Clock& clock, const fs::path& folder) {
+  if (ended.status == kPhysicsBroke) {
+    std::fprintf(stderr, "brunt: %s\n", ended.reason.c_str());
+  } else if (ended.status == kStopped) {
+    std::fprintf(
+        stderr,
+        "brunt: stopped by a signal at t = %s of %s, after step %lld; what stands in %s is "
+        "whole up to there, and --resume goes on from there\n",
+        deck::time_text(clock.time()).c_str(), deck::time_text(clock.end()).c_str(),
+        static_cast<long long>(clock.step()), folder.c_str());
+  } else if (!ended.reason.empty()) {
+    std::fprintf(stderr, "brunt: ended at t = %s: %s\n", deck::time_text(clock.time()).c_str(),
+                 ended.reason.c_str());
+  }
+}
+
+/// What the run came to; costs aside.
+template <int Dim>
+void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clock,
+                  const Monitor<Dim>& monitor, RunSummary& summary) {
+  summary.version = BRUNT_VERSION;
+  summary.deck_hash = loaded.hash;
+  for (const auto& parameter : loaded.parameters) {
+    summary.parameters.emplace_back(parameter.name, parameter.text);
+  }
+  summary.overrides = loaded.overrides;
+  summary.status = ended.status;
+  summary.reason = ended.reason;
+  summary.steps = clock.step();
+  summary.peak_memory = peak_memory();
+  summary.drift = monitor.worst_drift();
+  for (const auto& measure : monitor.measures()) {
+    std::optional<Real> error;
+    if (measure.reference && *measure.reference != 0) {
+      error = (measure.value - *measure.reference) / std::fabs(*measure.reference);
+    }
+    summary.measures.push_back(
+        {measure.name, measure.value, measure.unit, measure.reference, error});
+  }
+  for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
+  const auto& told = monitor.told();
+  summary.warnings.insert(summary.warnings.end(), told.begin(), told.end());
+  summary.energy = monitor.energy_shares();
+  summary.step_margins = monitor.step_check().margins();
+  for (const auto& warning : monitor.step_check().warnings()) summary.warnings.push_back(warning);
+  for (const auto& [pair, text] : monitor.lost_contacts()) {
+    summary.warnings.push_back({"contact", text});
+  }
+  for (const auto& [body, text] : monitor.artificial_tension()) {
+    summary.warnings.push_back({artificial_stress_path(body), text});
+  }
+  summary.instruction_set = BRUNT_ISA;
+}
+
+/// Writes the summary and the pictures, and tells on the log and the screen how the run ended.
+template <int Dim>
+void report_end(const LoadedDeck& loaded, const RunArguments& arguments, const fs::path& folder,
+                const Ended& ended, const Clock& clock, const Monitor<Dim>& monitor,
+                RunSummary& summary, spdlog::logger& log) {
+  const auto pictures = loaded.deck.output.pictures && ended.status != kStopped
+                            ? draw_pictures(folder, loaded.deck.title, summary)
+                            : std::vector<fs::path>{};
+  write_summary(folder, summary);
+
+  for (const auto& [pair, text] : monitor.lost_contacts()) log.warn("contact: {}", text);
+  log.info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
+  for (const auto& line : energy_lines(summary.energy)) log.info("{}", line);
+  if (!ended.reason.empty()) log.info("{}", ended.reason);
+  log.flush();
+  if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
+  if (!arguments.quiet) print_summary(summary, folder, pictures);
+  print_end(ended, clock, folder);
+}
+
+/// Throws: DeckError where the deck asks for pictures that this program cannot draw.
+void ask_for_pictures(const LoadedDeck& loaded) {
+  if (loaded.deck.output.pictures && !can_draw()) {
+    throw DeckError({loaded.places.problem(
+        "output.pictures",
+        "this brunt was built without VTK and draws nothing: take the key out, "
+        "or configure with -DBRUNT_VTK=ON")});
+  }
+}
+
+template <int Dim>
+int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
+  const auto wall_start = std::chrono::steady_clock::now();
+  ask_for_pictures(loaded);
+  auto scene = build_scene<Dim>(loaded);
+  std::vector<DeckProblem> warnings = loaded.warnings;
+  warn_of_scene(loaded, *scene, ranks.is_root(), warnings);
+  distribute(*scene, ranks);
+  const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
+  Balance<Dim> balance(
+      loaded.deck.ranks, [&] { return build_scene<Dim>(loaded); }, build_time.count());
+  const auto folder = output_path(arguments);
+  RunSummary summary;
+  summary.threads = omp_get_max_threads();
+  const bool root = ranks.is_root();
+  std::optional<OutputFolder> output;
+  if (root) output.emplace(folder, arguments);
+  ranks.barrier();  // the root alone holds the folder
+  if (arguments.resume && ranks.any(root && is_finished(folder, loaded.hash))) {
+    if (!root) return kDone;
+    summary = read_summary(folder);
+    if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
+    if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
+    return kDone;
+  }
+  std::vector<std::string> refused;
+  const auto restart = find_restart(arguments, folder, loaded, [&](const std::string& reason) {
+    refused.push_back(reason);
+    if (root) std::fprintf(stderr, "warning: %s\n", reason.c_str());
+  });
+  const bool goes_on = restart && restart->lies_in(folder);
+  ranks.barrier();  // all have read what the root may replace
+  if (root) {
+    output->prepare(goes_on);
+    write_file_atomically(folder / "deck.resolved.yaml", loaded.resolved);
+  }
+  ranks.barrier();  // the folder is there for all
+  auto log = open_log(folder, goes_on, root);
+  log->info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA,
+            ranks.size(), omp_get_max_threads(), arguments.deck);
+  for (const auto& note : scene->notes) log->info("{}", note);
+  for (const auto& warning : warnings) {
+    log->warn("{}", warning.text());
+    summary.warnings.push_back({warning.path, warning.message});
+  }
+
+  for (const auto& probe : scene->probes) log->info("{}", place_text(probe));
+
+  const Deck& deck = loaded.deck;
+  Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
+              deck.time.min_step);
+  const auto columns = HistoryColumns<Dim>(*scene).names();
+  std::optional<HistoryWriter> history;
+  if (root) history.emplace(folder / "history.csv", columns);
+  const auto frames = make_frame_sink(folder, ranks);
+  const auto warn = [&](const RunWarning& warning) {
+    log->warn("{}: {}", warning.id, warning.text);
+    log->flush();
+    if (!root) return;
+    std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
+  };
+  Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
+                       warn);
+  if (restart) {
+    log->info("goes on from {}, t = {} s", restart->point().manifest.string(),
+              restart->point().header.time);
+  }
+  Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
+  const Ended ended = step_to_end(*scene, clock, monitor, checkpointing, balance);
+  for (const auto& reason : refused) {
+    log->warn("{}", reason);
+    summary.warnings.push_back({"checkpoint", reason});
+  }
+
+  log_windows(*scene, clock, deck.time.heat_every, *log);
+  fill_summary(loaded, ended, clock, monitor, summary);
+  summary.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
+  fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
+  summary.balance = balance.ratio();
+  summary.deals = balance.deals();
+  if (balance.steps_alone() > 0) {
+    log->info("{} steps on one thread instead of {}: other programs used the processors",
+              balance.steps_alone(), summary.threads);
+  }
+  if (root) report_end(loaded, arguments, folder, ended, clock, monitor, summary, *log);
+  return ended.status;
+}
+}  // namespace
+
+int run_command(const RunArguments& arguments, const Communicator& ranks) {
+  listen_to_signals();
+  choose_threads(arguments.threads);
+  const LoadedDeck loaded = load(arguments, ranks.is_root());
+  return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)
+                                                   : run_scene<2>(loaded, arguments, ranks);
+}
+
+}  // namespace brunt

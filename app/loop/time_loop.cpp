@@ -1,0 +1,109 @@
+#include "app/loop/time_loop.hpp"
+
+#include <sstream>
+
+#include "app/loop/verlet.hpp"
+
+namespace brunt {
+
+namespace {
+/// The smallest vote of all ranks and what they are asked for, in one reduction.
+template <int Dim>
+StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
+  const PhaseTimer timer(scene.phases, Phase::step_bound);
+  const StepVote vote = scene.stable_step(clock.time(), clock.dt());
+  return over_ranks({vote, observer.requests(scene, clock)}, *scene.ranks);
+}
+
+template <int Dim>
+Real choose_step(const StepVote& vote, Scene<Dim>& scene, Clock& clock) {
+  // A vote that is not a number fails this comparison too.
+  if (!(vote.step >= clock.least_step())) {
+    scene.check(clock.time());  // knows better, where an element is inverted or a value no number
+    std::ostringstream cause;
+    cause << "the step collapsed below " << clock.least_step() << " s (time.min_step) "
+          << "in step " << clock.step() << "; " << scene.advice(vote);
+    throw PhysicsError({clock.time(), scene.body_names.empty() ? "" : scene.body_names[vote.body],
+                        std::string(vote.reason) + " " + std::to_string(vote.entity),
+                        "stable step [s]", vote.step, cause.str()});
+  }
+  return clock.limit(vote);
+}
+
+template <int Dim>
+Phase phase_of(const Solid<Dim>& solid) {
+  return solid.n_particles() > 0 ? Phase::particles : Phase::elements;
+}
+}  // namespace
+
+template <int Dim>
+void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
+                   Balance<Dim>* balance) {
+  Phases& phases = scene.phases;
+  scene.supports.start();
+  if (scene.rigid) scene.rigid->start();
+  scene.heat.start();
+  scene.refresh_motion();
+  scene.rearrange();
+  if (scene.contact) scene.contact->start();
+  observer.begin(scene, clock);
+  while (!clock.finished()) {
+    if (balance != nullptr) {
+      const PhaseTimer timer(phases, Phase::balance);
+      balance->look(scene, clock.time());
+    }
+    const StepHead head = agree(scene, clock, observer);
+    observer.answer(head, scene, clock);
+    if (clock.finished()) break;
+    const Real dt = choose_step(head.vote, scene, clock);
+    {
+      const PhaseTimer timer(phases, Phase::points);
+      for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
+      scene.supports.impose(clock.time() + dt, dt);
+      if (scene.rigid) scene.rigid->predict(clock.time() + dt, dt, clock.dt());
+      scene.refresh_motion();
+    }
+    for (auto& solid : scene.solids) {
+      {
+        const PhaseTimer timer(phases, phase_of(*solid));
+        solid->update_state(dt);
+        solid->refresh_state();
+      }
+      phases.rebook(phase_of(*solid), Phase::search, solid->take_list_time());
+    }
+    if (scene.contact) {
+      {
+        const PhaseTimer timer(phases, Phase::contact);
+        scene.contact->add_forces(dt, clock.time() + dt);
+      }
+      phases.rebook(Phase::contact, Phase::search, scene.contact->take_list_time());
+    }
+    // Before the internal forces, which take what acts across the axis of an axisymmetric scene.
+    {
+      const PhaseTimer timer(phases, Phase::points);
+      if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
+    }
+    for (std::size_t s = 0; s < scene.solids.size(); ++s) {
+      auto& solid = *scene.solids[s];
+      const PhaseTimer timer(phases, phase_of(solid));
+      scene.sections.before_internal(s, solid.points());
+      solid.add_internal_forces(dt);
+      scene.sections.after_internal(s, solid.points());
+    }
+    if (scene.conducts()) scene.add_heat(clock.time() + dt, dt, clock.step());
+    {
+      const PhaseTimer timer(scene.phases, Phase::points);
+      if (scene.rigid) scene.rigid->collect_forces(*scene.ranks, clock.time() + dt, dt);
+      scene.supports.take_reactions(clock.time() + dt, dt);
+      for (auto& solid : scene.solids) correct(solid->points(), dt);
+      if (scene.rigid) scene.rigid->correct(dt);
+    }
+    clock.advance(dt);
+    observer.step_done(scene, clock);
+  }
+}
+
+template void run_time_loop<2>(Scene<2>&, Clock&, Observer<2>&, Balance<2>*);
+template void run_time_loop<3>(Scene<3>&, Clock&, Observer<3>&, Balance<3>*);
+
+}  // namespace brunt

@@ -1,0 +1,47 @@
+#include "app/loop/verlet.hpp"
+
+#include <algorithm>
+
+namespace brunt {
+
+template <int Dim>
+void predict(Points<Dim>& points, Real dt, Real dt_last) {
+  const Real change = (dt * dt - dt_last * dt_last) / 8;
+#pragma omp parallel for schedule(static)
+  for (LocalIndex i = 0; i < points.n_owned; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    points.integration[k] += change * points.mass[k] * points.a[k].squaredNorm();
+    points.v[k] += 0.5 * dt * points.a[k];
+    points.move(k, dt * points.v[k]);
+    points.f[k].setZero();
+  }
+  if (!points.conducts) return;
+  const auto n = points.n_owned;
+  std::fill_n(points.heat_rate.begin(), n, 0.0);
+  std::fill_n(points.conductance.begin(), n, 0.0);
+}
+
+template <int Dim>
+void correct(Points<Dim>& points, Real dt) {
+#pragma omp parallel for schedule(static)
+  for (LocalIndex i = 0; i < points.n_owned; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (points.mass[k] == 0) continue;
+    points.a[k] = points.f[k] / points.mass[k];
+    points.v[k] += 0.5 * dt * points.a[k];
+  }
+  if (!points.conducts) return;
+#pragma omp parallel for schedule(static)
+  for (LocalIndex i = 0; i < points.n_owned; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    points.heat[k] += dt * points.heat_rate[k];
+    points.temperature[k] = points.temperature_with(k, points.heat[k]);
+  }
+}
+
+template void predict<2>(Points<2>&, Real, Real);
+template void predict<3>(Points<3>&, Real, Real);
+template void correct<2>(Points<2>&, Real);
+template void correct<3>(Points<3>&, Real);
+
+}  // namespace brunt

@@ -1,0 +1,331 @@
+#include "app/scene/scene.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+#include "core/gather_view.hpp"
+#include "core/parallel/packing.hpp"
+
+namespace brunt {
+
+template <int Dim>
+StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
+  StepVote vote;
+  for (const auto& solid : solids) {
+    vote.take(solid->stable_step());
+  }
+  vote.take(heat_step());
+  if (contact) vote.take(contact->stable_step(dt_last));
+  if (rigid) vote.take(rigid->stable_step());
+  vote.take(loads.stable_step(time));
+  return vote;
+}
+
+template <int Dim>
+bool Scene<Dim>::conducts() const {
+  return std::any_of(solids.begin(), solids.end(),
+                     [](const auto& solid) { return solid->points().conducts; });
+}
+
+template <int Dim>
+StepVote Scene<Dim>::heat_step() const {
+  StepVote vote;
+  for (const auto& solid : solids) vote.take(brunt::heat_step(solid->points()));
+  return vote;
+}
+
+template <int Dim>
+void Scene<Dim>::add_heat(Real time, Real dt, std::int64_t step) {
+  {
+    const PhaseTimer timer(phases, Phase::points);
+    heat.add_heat(time, dt);
+  }
+  for (auto& solid : solids) {
+    const PhaseTimer timer(phases, solid->n_particles() ? Phase::particles : Phase::elements);
+    solid->add_conduction(dt, step);
+  }
+  if (contact) {
+    const PhaseTimer timer(phases, Phase::contact);
+    contact->add_heat(dt);
+  }
+  const PhaseTimer timer(phases, Phase::points);
+  heat.hold(time, dt);
+}
+
+template <int Dim>
+void Scene<Dim>::refresh_motion() {
+  if (ranks->alone()) return;
+  for (auto& solid : solids) {
+    auto& points = solid->points();
+    refresh_ghosts(
+        *ranks, solid->ghosts(), 2 * Dim,
+        [&](std::size_t i, Real* out) {
+          for (int c = 0; c < Dim; ++c) out[c] = points.x[i][c], out[Dim + c] = points.v[i][c];
+        },
+        [&](std::size_t i, const Real* in) {
+          for (int c = 0; c < Dim; ++c) points.x[i][c] = in[c], points.v[i][c] = in[Dim + c];
+        });
+    if (!points.conducts) continue;
+    refresh_ghosts(
+        *ranks, solid->ghosts(), 1, [&](std::size_t i, Real* out) { *out = points.temperature[i]; },
+        [&](std::size_t i, const Real* in) { points.temperature[i] = *in; });
+  }
+}
+
+template <int Dim>
+void Scene<Dim>::rearrange() {
+  for (auto& solid : solids) solid->rearrange();
+  if (contact) contact->rearrange();
+}
+
+namespace {
+/// Exact sums of owned points first .. last by body, and their part of the state hash.
+template <int Dim>
+void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, Real dt,
+                Totals<Dim>& totals) {
+  for (std::size_t i = first; i < last; ++i) {
+    auto& body = totals.bodies[points.body[i]];
+    const Real m = points.mass[i];
+    EntityHash hash(points.id[i]);
+    for (int c = 0; c < Dim; ++c) {
+      hash.add(points.x[i][c]);
+      hash.add(points.v[i][c]);
+      hash.add(points.a[i][c]);
+    }
+    if (points.conducts) {
+      hash.add(points.heat[i]);
+      if (points.conduction_every > 1) {
+        hash.add(points.kept_rate[i]), hash.add(points.kept_conductance[i]);
+      }
+      body.heat.add(points.heat[i]);
+      totals.heat.stored.add(points.heat[i]);
+    }
+    totals.state_hash += hash.value();
+    if (m == 0) continue;
+    body.mass.add(m);
+    for (int c = 0; c < Dim; ++c) {
+      body.mass_position[c].add(m * points.x[i][c]);
+      body.momentum[c].add(m * points.v[i][c]);
+    }
+    // m v(n-1/2).v(n+1/2)/2, the kinetic energy that velocity Verlet keeps (physics.md D); as a
+    // product it is 0 to the last digit in the first step from rest
+    const Vec<Dim> half = 0.5 * dt * points.a[i];
+    body.kinetic.add(0.5 * m * (points.v[i] - half).dot(points.v[i] + half));
+    body.integration.add(points.integration[i]);
+  }
+}
+
+/// What is summed exactly, one after another: every sum that a row of history starts from.
+template <int Dim, class Visit>
+void visit_sums(Totals<Dim>& totals, const Visit& visit) {
+  for (auto& column : totals.columns) visit(column);
+  for (auto& body : totals.bodies) {
+    for (auto* sum :
+         {&body.mass, &body.kinetic, &body.internal, &body.hourglass, &body.heat, &body.stress_work,
+          &body.viscosity, &body.artificial_stress, &body.integration}) {
+      visit(*sum);
+    }
+    visit(body.tension), visit(body.artificial_tension);
+    for (auto& sum : body.mass_position) visit(sum);
+    for (auto& sum : body.momentum) visit(sum);
+  }
+  auto& heat = totals.heat;
+  for (auto* sum : {&heat.stored, &heat.plastic, &heat.compression, &heat.friction, &heat.boundary})
+    visit(*sum);
+}
+
+template <int Dim>
+void sum_over_ranks(Totals<Dim>& totals, const Communicator& ranks) {
+  std::vector<ExactSum> sums;
+  visit_sums(totals, [&](const ExactSum& sum) { sums.push_back(sum); });
+  ranks.reduce_all(std::span(sums), [](ExactSum& a, const ExactSum& b) { a.add(b); });
+  std::size_t next = 0;
+  visit_sums(totals, [&](ExactSum& sum) { sum = sums[next++]; });
+  totals.state_hash = ranks.sum(totals.state_hash);
+}
+}  // namespace
+
+template <int Dim>
+Totals<Dim> Scene<Dim>::totals(Real dt) const {
+  Totals<Dim> totals;
+  totals.bodies.resize(body_names.size());
+  for (const auto& solid : solids) {
+    const auto& points = solid->points();
+    const auto n = static_cast<std::size_t>(points.n_owned);
+    add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
+      add_points(points, first, last, dt, part);
+    });
+    solid->add_totals(totals);
+  }
+  for (const auto& body : totals.bodies) {  // so far of points, once for both
+    totals.columns[static_cast<std::size_t>(Column::integration)].add(body.integration);
+  }
+  if (contact) contact->add_totals(totals);
+  supports.add_totals(totals);
+  loads.add_totals(totals);
+  if (rigid) rigid->add_totals(totals);
+  if (rigid && ranks->is_root()) {
+    rigid->add_body_totals(dt, totals);
+    loads.add_rigid_totals(totals);
+  }
+  heat.add_totals(totals);
+  if (!ranks->alone()) sum_over_ranks(totals, *ranks);
+  for (const auto& body : totals.bodies) totals.columns[0].add(body.kinetic);
+  return totals;
+}
+
+namespace {
+Bytes packed(const PhysicsFailure& failure) {
+  return (Packer() << failure.time << failure.body << failure.entity << failure.quantity
+                   << failure.value << failure.cause)
+      .take();
+}
+
+PhysicsFailure failure_in(const Bytes& bytes) {
+  PhysicsFailure failure;
+  Unpacker(bytes) >> failure.time >> failure.body >> failure.entity >> failure.quantity >>
+      failure.value >> failure.cause;
+  return failure;
+}
+
+/// Throws on all ranks what the first rank with a failure found.
+void agree(const std::optional<PhysicsFailure>& mine, const Communicator& ranks) {
+  if (!ranks.any(mine.has_value())) return;
+  for (const Bytes& bytes : ranks.all_gather(mine ? packed(*mine) : Bytes{})) {
+    if (!bytes.empty()) throw PhysicsError(failure_in(bytes));
+  }
+}
+}  // namespace
+
+template <int Dim>
+void Scene<Dim>::check(Real time) const {
+  std::optional<PhysicsFailure> failure;
+  try {
+    check_own(time);
+  } catch (const PhysicsError& error) {
+    failure = error.failure();
+  }
+  agree(failure, *ranks);
+}
+
+template <int Dim>
+void Scene<Dim>::check_own(Real time) const {
+  // Elements and particles first: an inverted element is why its points are no numbers.
+  for (const auto& solid : solids) solid->check(time, body_names);
+  if (contact) contact->check(time, origin);
+  for (const auto& solid : solids) {
+    const auto& points = solid->points();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+      // One test finds NaN and infinity in either vector.
+      Real sum = points.x[i].sum() + points.v[i].sum();
+      const bool moves = sum - sum == 0;
+      if (points.conducts) sum += points.temperature[i];
+      if (sum - sum == 0) continue;
+      throw PhysicsError({time, body_names[points.body[i]], "point " + std::to_string(points.id[i]),
+                          moves ? "temperature" : "position or velocity", sum,
+                          "a force on it was no number: try a smaller time.safety, and look at the "
+                          "last frame for an element or particle that collapsed"});
+    }
+  }
+}
+
+template <int Dim>
+std::string Scene<Dim>::advice(const StepVote& vote) const {
+  const std::string_view reason = vote.reason;
+  if (reason == "contact stiffness" || reason == "contact speed") {
+    return "contact: faces are deep in each other or very fast there; try finer elements, or a "
+           "lower "
+           "contact `stiffness`";
+  }
+  std::string mine;
+  for (const auto& solid : solids) {
+    if (mine.empty()) mine = solid->advice(vote.entity);
+  }
+  for (const Bytes& bytes : ranks->all_gather((Packer() << mine).take())) {
+    std::string one;
+    Unpacker(bytes) >> one;
+    if (!one.empty()) return one;
+  }
+  return "look at the last frame for what collapsed there";
+}
+
+template <int Dim>
+BodyView Scene<Dim>::own_view(Label body) const {
+  BodyView view;
+  for (const auto& solid : solids) {
+    const auto& bodies = solid->points().body;
+    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) continue;
+    view = solid->view(body);
+    break;
+  }
+  view.body = body_names[body];
+  for (std::size_t i = 0; i < view.position.size(); ++i) {
+    const auto c = static_cast<int>(i % 3);
+    if (c < Dim) view.position[i] += origin[c];
+  }
+  return view;
+}
+
+template <int Dim>
+BodyView Scene<Dim>::view(Label body) const {
+  return gather_view(own_view(body), *ranks);
+}
+
+template <int Dim>
+ContactView Scene<Dim>::own_contacts() const {
+  ContactView view = contact->view();
+  for (std::size_t i = 0; i < view.position.size(); ++i) {
+    const auto c = static_cast<int>(i % 3);
+    if (c < Dim) view.position[i] += origin[c];
+  }
+  return view;
+}
+
+template <int Dim>
+void Scene<Dim>::save_state(std::vector<StateTable>& tables) const {
+  for (const auto& solid : solids) solid->save_state(tables);
+  supports.save_state(tables);
+  if (rigid) rigid->save_state(tables);
+  loads.save_state(tables);
+  heat.save_state(tables);
+  if (contact) contact->save_state(tables);
+}
+
+template <int Dim>
+void Scene<Dim>::load_state(const StateTables& tables) {
+  for (auto& solid : solids) solid->load_state(tables);
+  for (auto& solid : solids) solid->rearrange();
+  supports.load_state(tables);
+  if (rigid) rigid->load_state(tables);
+  loads.load_state(tables);
+  heat.load_state(tables);
+  if (contact) contact->load_state(tables);
+}
+
+template <int Dim>
+std::size_t Scene<Dim>::n_points() const {
+  std::size_t n = 0;
+  for (const auto& solid : solids) n += static_cast<std::size_t>(solid->points().n_owned);
+  return ranks->sum(n);
+}
+
+template <int Dim>
+std::size_t Scene<Dim>::n_elements() const {
+  std::size_t n = 0;
+  for (const auto& solid : solids) n += solid->n_elements();
+  return ranks->sum(n);
+}
+
+template <int Dim>
+std::size_t Scene<Dim>::n_particles() const {
+  std::size_t n = 0;
+  for (const auto& solid : solids) n += solid->n_particles();
+  return ranks->sum(n);
+}
+
+template struct Scene<2>;
+template struct Scene<3>;
+
+}  // namespace brunt

@@ -1,0 +1,86 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/scene/phases.hpp"
+#include "app/scene/probes.hpp"
+#include "app/scene/sections.hpp"
+#include "contact/manager/manager.hpp"
+#include "core/boundaries/heat.hpp"
+#include "core/boundaries/loads.hpp"
+#include "core/boundaries/supports.hpp"
+#include "core/errors.hpp"
+#include "core/materials/material.hpp"
+#include "core/rigid/free_bodies.hpp"
+#include "core/solid.hpp"
+
+namespace brunt {
+
+/// Everything that moves: groups of points with their blocks, contact, supports and loads.
+/// A scene holds only what its deck names.
+template <int Dim>
+struct Scene {
+  Scene(Vec<Dim> at, Geometry of, Real thick)
+      : geometry(of), depth(thick), origin(at), supports(at), heat(at, of, thick) {}
+
+  Geometry geometry;
+  Real depth;                           ///< [m] plane strain
+  Vec<Dim> origin;                      ///< [m] positions are relative to it
+  std::vector<std::string> body_names;  ///< by label
+  std::vector<Label> sum_of_body;       ///< first of the bodies whose particles share one sum
+  std::vector<std::unique_ptr<Material>> materials;
+  std::vector<std::unique_ptr<Solid<Dim>>> solids;
+  std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
+  Supports<Dim> supports;
+  Loads<Dim> loads;
+  std::unique_ptr<FreeBodies<Dim>> rigid;  ///< absent where all rigid bodies move as told
+  HeatBoundaries<Dim> heat;
+  Sections<Dim> sections;
+  std::vector<Probe> probes;
+  Phases phases;
+  std::vector<std::string> notes;  ///< of its building, for the log
+  const Communicator* ranks = &lone_rank();
+  std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
+
+  /// The smallest vote of this rank, and whose. Not collective.
+  StepVote stable_step(Real time, Real dt_last) const;
+  /// True where some group has temperatures.
+  bool conducts() const;
+  /// Positions, velocities and temperatures of copies, from their owners. Collective, as all that
+  /// follows.
+  void refresh_motion();
+  /// Conduction, and what boundaries do to it, after all other heat of a step; time is that of its
+  /// end, `step` counts those before it.
+  void add_heat(Real time, Real dt, std::int64_t step);
+  /// The longest stable step of heat of the owned points of this rank, and whose it is.
+  StepVote heat_step() const;
+  /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
+  /// are due, after the motion; no answer depends on when.
+  void rearrange();
+  /// Exact totals of all columns, bodies and the state hash; dt is that of the last step.
+  Totals<Dim> totals(Real dt) const;
+  /// Throws PhysicsError where a state is no longer a number or an element is inverted.
+  void check(Real time) const;
+  /// What may help where a vote has collapsed. Collective.
+  std::string advice(const StepVote& vote) const;
+  /// The whole body on the root, absolute positions; elsewhere empty.
+  BodyView view(Label body) const;
+  /// What this rank has of it, copies of points included; absolute positions. Not collective.
+  BodyView own_view(Label body) const;
+  ContactView own_contacts() const;
+  /// Tables of all that goes on from step to step.
+  void save_state(std::vector<StateTable>& tables) const;
+  /// Takes the scene back to a saved state and rebuilds its lists there. Throws StateError where a
+  /// row is missing; then only a complete load makes the scene whole again.
+  void load_state(const StateTables& tables);
+
+  std::size_t n_points() const;
+  std::size_t n_elements() const;
+  std::size_t n_particles() const;
+
+ private:
+  void check_own(Real time) const;
+};
+
+}  // namespace brunt

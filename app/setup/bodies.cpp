@@ -1,0 +1,174 @@
+#include "app/setup/bodies.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "app/deck/findings.hpp"
+#include "app/setup/heat.hpp"
+#include "core/geometry/mesh.hpp"
+#include "core/geometry/one_side.hpp"
+#include "core/geometry/placement.hpp"
+#include "io/stl.hpp"
+
+namespace brunt {
+
+namespace {
+/// Twice the area of a quad, or 64 times the Jacobian of a hex at its centre.
+template <int Dim>
+Real orientation(const std::array<Vec<Dim>, 1 << Dim>& x) {
+  if constexpr (Dim == 2) {
+    const Vec<2> a = x[2] - x[0], b = x[3] - x[1];
+    return a[0] * b[1] - a[1] * b[0];
+  } else {
+    const Vec3 xi = (x[1] + x[2] + x[5] + x[6]) - (x[0] + x[3] + x[4] + x[7]);
+    const Vec3 eta = (x[2] + x[3] + x[6] + x[7]) - (x[0] + x[1] + x[4] + x[5]);
+    const Vec3 zeta = (x[4] + x[5] + x[6] + x[7]) - (x[0] + x[1] + x[2] + x[3]);
+    return xi.dot(eta.cross(zeta));
+  }
+}
+
+/// Throws std::invalid_argument where an element folds over, or a body crosses the axis.
+template <int Dim>
+void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
+  for (const auto& element : body.elements) {
+    std::array<Vec<Dim>, 1 << Dim> x;
+    for (std::size_t c = 0; c < x.size(); ++c) {
+      x[c] = body.points[static_cast<std::size_t>(element[c])];
+    }
+    if (orientation<Dim>(x) > 0) continue;
+    throw std::invalid_argument(
+        "its mesh folds over near (" + deck::short_text(x[0][0]) + ", " +
+        deck::short_text(x[0][1]) +
+        ") m: put `corners` where the outline turns, or fill it with particles (method: sph)");
+  }
+  if (geometry != Geometry::axisymmetric) return;
+  Real low = 0, high = 0;
+  for (const auto& x : body.points) low = std::min(low, x[0]), high = std::max(high, x[0]);
+  constexpr Real kRoundOff = 1e-9;
+  if (low >= -kRoundOff * high) return;
+  throw std::invalid_argument("reaches across the axis to x = " + deck::length_text(low) +
+                              ": x is the radius and never negative; a full bar begins at x = 0");
+}
+
+/// The surface in an STL file, scaled. A file is named from the deck's folder.
+StlSurface read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named) {
+  const std::filesystem::path deck_file =
+      loaded.places.place("bodies." + named.name + ".file").file;
+  StlSurface surface = read_stl((deck_file.parent_path() / named.value.file).string());
+  for (Vec3& x : surface.nodes) x *= named.value.scale;
+  return surface;
+}
+
+/// What a body takes from an STL file: the surface itself where it is rigid, else the particles
+/// that fill it, in a lattice along the axes of the file.
+void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
+                  BodyGeometry<3>& geometry) {
+  geometry.left_out = surface.degenerate;
+  if (body.rigid) {
+    require_one_side(surface.nodes, surface.triangles);
+    geometry.points = std::move(surface.nodes);
+    for (const auto& [a, b, c] : surface.triangles) geometry.facets.push_back({a, b, c, -1});
+  } else {
+    const ClosedSurface closed(std::move(surface.nodes), std::move(surface.triangles),
+                               body.size->front());
+    Real count = closed.volume();
+    for (std::size_t c = 0; c < 3; ++c) count /= (*body.size)[std::min(c, body.size->size() - 1)];
+    if (count > max_cells) {
+      throw std::invalid_argument("makes about " + deck::short_text(count) +
+                                  " particles, more than max_cells, " + std::to_string(max_cells) +
+                                  ": look at `scale`, the length of a unit of the file, and "
+                                  "`size`; where so many are meant, raise max_cells");
+    }
+    auto filling = fill_surface(closed, *body.size, static_cast<LatticeKind>(body.lattice));
+    geometry.points = std::move(filling.points);
+    geometry.volume = filling.volume;
+    geometry.spacing = *body.size;
+  }
+  place_all<3>(body.shape, geometry.points);
+}
+
+template <int Dim>
+BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& named, bool conducts,
+                            Label& next_piece) {
+  const Deck& deck = loaded.deck;
+  const deck::Body& body = named.value;
+  BodyGeometry<Dim> geometry;
+  const Sizing sizing{body.size, body.cells, body.grading};
+  std::vector<Label> piece;
+  if (!body.file.empty()) {
+    if (body.rigid && conducts) {
+      throw std::invalid_argument(
+          "is a surface, and has no elements inside that could conduct heat: take k out of the "
+          "material, or fill a `shape` instead");
+    }
+    if constexpr (Dim == 3)
+      take_surface(body, read_surface(loaded, named), deck.max_cells, geometry);
+    geometry.piece_names = {""};
+    piece.assign(body.rigid ? geometry.facets.size() : geometry.points.size(), 0);
+  } else if (body.rigid && !conducts) {
+    auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
+    geometry.points = std::move(surface.nodes);
+    geometry.facets = std::move(surface.facets);
+    // What is held or moves as told is one surface, whatever it is made of.
+    const bool by_piece = deck::follows_forces(body);
+    geometry.piece_names = by_piece ? std::move(surface.piece_names) : std::vector<std::string>{""};
+    piece = by_piece ? std::move(surface.piece) : std::vector<Label>(geometry.facets.size(), 0);
+  } else if (body.method == deck::Method::fe) {
+    if (!body.size && !body.cells) {
+      throw std::invalid_argument("conducts heat, and needs `size` or `cells` for its elements");
+    }
+    auto mesh = mesh_shape<Dim>(body.shape, sizing, deck.geometry);
+    geometry.points = std::move(mesh.nodes);
+    geometry.elements = std::move(mesh.elements);
+    geometry.piece_names = std::move(mesh.piece_names);
+    piece = std::move(mesh.piece);
+  } else {
+    if (!body.size) {
+      throw std::invalid_argument("a body of particles needs `size`, their spacing");
+    }
+    auto filling = fill_shape<Dim>(body.shape, *body.size, static_cast<LatticeKind>(body.lattice));
+    geometry.points = std::move(filling.points);
+    geometry.piece_names = std::move(filling.piece_names);
+    geometry.volume = filling.volume;
+    geometry.spacing = *body.size;
+    piece = std::move(filling.piece);
+  }
+  require_sound_mesh(geometry, deck.geometry);
+  for (const Label local : piece) geometry.piece.push_back(next_piece + local);
+  next_piece += static_cast<Label>(geometry.piece_names.size());
+  return geometry;
+}
+}  // namespace
+
+template <int Dim>
+std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
+                                           std::vector<DeckProblem>& problems) {
+  std::vector<BodyGeometry<Dim>> bodies;
+  Label next_piece = 0;
+  for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
+    const auto& [name, body] = loaded.deck.bodies[b];
+    if (const auto wrong = heat_problem(body, name); !wrong.empty()) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".material", wrong));
+      continue;
+    }
+    try {
+      const bool conducts = heat_mode(loaded.deck, body, name) == HeatMode::conducts;
+      bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], conducts, next_piece));
+      bodies.back().label = static_cast<Label>(b);
+    } catch (const GradingError& error) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".grading", error.what()));
+    } catch (const std::invalid_argument& error) {
+      const char* key = body.file.empty() ? ".shape" : ".file";
+      problems.push_back(loaded.places.problem("bodies." + name + key, error.what()));
+    } catch (const std::runtime_error& error) {
+      problems.push_back(loaded.places.problem("bodies." + name + ".file", error.what()));
+    }
+  }
+  return bodies;
+}
+
+template std::vector<BodyGeometry<2>> make_bodies<2>(const LoadedDeck&, std::vector<DeckProblem>&);
+template std::vector<BodyGeometry<3>> make_bodies<3>(const LoadedDeck&, std::vector<DeckProblem>&);
+
+}  // namespace brunt

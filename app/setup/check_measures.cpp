@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <map>
+
+#include "app/setup/scene_checks.hpp"
+#include "app/watch/history_columns.hpp"
+#include "io/deck/suggest.hpp"
+
+namespace brunt {
+
+namespace {
+using Names = std::vector<std::string>;
+
+bool contains(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The columns that begin like the one that is not there.
+std::string columns_like(const std::string& column, const Names& columns) {
+  const std::string near = nearest_word(column, columns);
+  if (!near.empty()) return "; did you mean '" + near + "'?";
+  const auto dot = column.find('.');
+  const std::string head = column.substr(0, dot) + ".";
+  std::string list;
+  for (const auto& name : columns) {
+    if (dot == std::string::npos ? name.find('.') == std::string::npos : name.starts_with(head)) {
+      list += (list.empty() ? "" : ", ") + name;
+    }
+  }
+  return list.empty() ? "; brunt plan lists the columns" : "; there are " + list;
+}
+
+template <int Dim>
+Names fields_of(const Scene<Dim>& scene, const std::string& body) {
+  const auto found = std::find(scene.body_names.begin(), scene.body_names.end(), body);
+  const BodyView view = scene.view(static_cast<Label>(found - scene.body_names.begin()));
+  Names names;
+  for (const auto* fields : {&view.point_fields, &view.cell_fields}) {
+    for (const auto& field : *fields) {
+      if (!contains(names, field.name)) names.push_back(field.name);
+    }
+  }
+  return names;
+}
+
+std::string joined(const Names& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// True where the rest of a wrong deck, once right, may bring the column: it is of something that
+/// stands in the deck, or in a section that could not be read, and was not built.
+bool may_come(const std::string& column, const Names& columns, const LoadedDeck& loaded) {
+  struct Head {
+    const char* name;
+    const char* section;
+  };
+  static constexpr Head kHeads[] = {{"body", "bodies"},
+                                    {"contact", "contact.pairs"},
+                                    {"boundary", "boundaries"},
+                                    {"probe", "probes"},
+                                    {"section", "sections"}};
+  const auto dot = column.find('.');
+  const std::string head = column.substr(0, dot);
+  if (head == "heat") return true;  // of a scene that conducts
+  const auto* const known = std::find_if(std::begin(kHeads), std::end(kHeads),
+                                         [&](const Head& one) { return one.name == head; });
+  if (known == std::end(kHeads)) return false;
+  const std::string name = column.substr(dot + 1, column.find('.', dot + 1) - dot - 1);
+  const std::string start = head + "." + name + ".";
+  const bool built = std::any_of(columns.begin(), columns.end(), [&](const std::string& other) {
+    return other.starts_with(start);
+  });
+  if (built) return column.starts_with(start + "temperature.");  // of a scene that conducts
+  const std::string section = known->section;
+  if (loaded.places.has(section + "." + name)) return true;
+  if (head == "contact") {  // "a-b" where the deck names no pair
+    for (auto dash = name.find('-'); dash != std::string::npos; dash = name.find('-', dash + 1)) {
+      if (loaded.places.has("bodies." + name.substr(0, dash)) &&
+          loaded.places.has("bodies." + name.substr(dash + 1))) {
+        return true;
+      }
+    }
+  }
+  const std::string top = section.substr(0, section.find('.'));
+  return std::any_of(loaded.wrong.begin(), loaded.wrong.end(), [&](const std::string& wrong) {
+    return wrong == top || (wrong.empty() && !loaded.places.has(top));
+  });
+}
+
+/// Why a body lacks a field that others have.
+std::string reason_for(const std::string& field) {
+  if (field == "temperature") return " (it is not heated: see `thermal` and `heat`)";
+  if (field == "eps_p" || field == "strain_rate") return " (its material does not yield)";
+  return "";
+}
+}  // namespace
+
+template <int Dim>
+void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                    std::vector<DeckProblem>& problems) {
+  if (loaded.deck.measures.empty()) return;
+  Names columns = HistoryColumns<Dim>(scene).names();
+  columns.pop_back();  // the hash is not a number
+  const bool wrong_elsewhere = !problems.empty() || !loaded.wrong.empty();
+  std::map<std::string, Names> fields;
+  const auto check_field = [&](const std::string& path, const auto& kind) {
+    const std::string name = kind.field.substr(0, kind.field.find('.'));
+    if (!contains(scene.body_names, kind.body) || name.empty()) return;
+    auto [known, fresh] = fields.try_emplace(kind.body);
+    if (fresh) known->second = fields_of(scene, kind.body);
+    if (contains(known->second, name)) return;
+    if (wrong_elsewhere && name == "temperature") return;  // something may heat it yet
+    problems.push_back(loaded.places.problem(
+        path + ".field", "'" + kind.body + "' has no field '" + name + "'" + reason_for(name) +
+                             "; it has " + joined(known->second)));
+  };
+  for (const auto& named : loaded.deck.measures) {
+    std::visit(
+        [&](const auto& kind) {
+          const std::string path =
+              "measures." + named.name + "." + std::remove_cvref_t<decltype(kind)>::deck_name;
+          if constexpr (requires { kind.field; }) check_field(path, kind);
+          if constexpr (requires { kind.column; }) {
+            if (contains(columns, kind.column)) return;
+            if (wrong_elsewhere && may_come(kind.column, columns, loaded)) return;
+            std::string text = "there is no column '" + kind.column + "'";
+            if (kind.column.starts_with("contact.") && scene.contact &&
+                scene.contact->n_pairs() > kMostReportedPairs) {
+              text += "; with over " + std::to_string(kMostReportedPairs) +
+                      " pairs of bodies only those that `contact: {pairs: ...}` names have columns";
+            }
+            problems.push_back(
+                loaded.places.problem(path + ".column", text + columns_like(kind.column, columns)));
+          }
+        },
+        named.value.kind);
+  }
+}
+
+template void check_measures<2>(const LoadedDeck&, const Scene<2>&, std::vector<DeckProblem>&);
+template void check_measures<3>(const LoadedDeck&, const Scene<3>&, std::vector<DeckProblem>&);
+
+}  // namespace brunt

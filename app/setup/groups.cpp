@@ -1,0 +1,312 @@
+#include "app/setup/groups.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/setup/bonds.hpp"
+#include "app/setup/heat.hpp"
+#include "app/setup/materials.hpp"
+#include "core/geometry/curve.hpp"
+#include "core/open_surface.hpp"
+#include "fe/finite_elements.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt {
+
+namespace {
+template <int Dim>
+Vec<Dim> vector_of(const std::vector<Real>& values) {
+  Vec<Dim> v = Vec<Dim>::Zero();
+  for (std::size_t c = 0; c < values.size() && c < Dim; ++c) v[static_cast<int>(c)] = values[c];
+  return v;
+}
+
+/// Velocity at time 0 of a point of a body: its translation and its spin.
+template <int Dim>
+Vec<Dim> start_velocity(const deck::Body& body, const Vec<Dim>& absolute) {
+  Vec<Dim> v = vector_of<Dim>(body.velocity);
+  if (body.spin) {
+    Vec3 arm = Vec3::Zero();
+    arm.template head<Dim>() = absolute - vector_of<Dim>(body.spin->about);
+    const Vec3 axis = Dim == 2 ? Vec3::UnitZ() : vector_of<3>(body.spin->axis);
+    v += (body.spin->rate * axis.cross(arm)).template head<Dim>();
+  }
+  return v;
+}
+
+/// Where each entry of `keys` goes: entries sorted by key, ties in their present order.
+std::vector<std::size_t> order_of(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  return order;
+}
+
+/// One point before it has its place: its body, and which point of it.
+struct Origin {
+  std::size_t body;
+  std::size_t index;
+};
+
+/// The points of chosen bodies along the curve; place_of[body][index] is the new local index.
+template <int Dim>
+struct Gathered {
+  Points<Dim> points;
+  std::vector<Origin> from;
+  std::vector<std::vector<LocalIndex>> place_of;
+};
+
+template <int Dim>
+Gathered<Dim> gather(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                     const std::vector<BodyGeometry<Dim>>& bodies,
+                     const std::vector<std::size_t>& chosen, NextIds& next) {
+  Gathered<Dim> gathered;
+  gathered.place_of.resize(bodies.size());
+  std::vector<Origin> origins;
+  std::vector<Vec<Dim>> positions;
+  for (const std::size_t b : chosen) {
+    gathered.place_of[b].resize(bodies[b].points.size());
+    for (std::size_t i = 0; i < bodies[b].points.size(); ++i) {
+      origins.push_back({b, i});
+      positions.push_back(bodies[b].points[i] - scene.origin);
+    }
+  }
+  const auto order = order_of(curve_keys<Dim>(positions));
+  auto& points = gathered.points;
+  points.resize(static_cast<LocalIndex>(order.size()));
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Origin from = origins[order[k]];
+    const Label label = bodies[from.body].label;
+    gathered.from.push_back(from);
+    gathered.place_of[from.body][from.index] = static_cast<LocalIndex>(k);
+    points.id[k] = next.point++;
+    points.body[k] = label;
+    points.x[k] = points.x_start[k] = positions[order[k]];
+    const auto& body = loaded.deck.bodies[label].value;
+    points.v[k] = start_velocity<Dim>(body, bodies[from.body].points[from.index]);
+  }
+  return gathered;
+}
+
+/// Bodies of one method and kind.
+template <int Dim>
+std::vector<std::size_t> choose(const LoadedDeck& loaded,
+                                const std::vector<BodyGeometry<Dim>>& bodies, deck::Method method,
+                                GroupKind kind) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
+    if (body.method != method) continue;
+    if (group_kind(loaded.deck, body, name) == kind) chosen.push_back(b);
+  }
+  return chosen;
+}
+
+bool is_adiabatic(const Deck& deck, const Named<deck::Body>& body) {
+  return heat_mode(deck, body.value, body.name) == HeatMode::adiabatic;
+}
+
+bool same_element(const ElementOptions& a, const ElementOptions& b) {
+  const auto coefficient = [](const Hourglass& hourglass) {
+    if (const auto* viscous = std::get_if<ViscousHourglass>(&hourglass))
+      return viscous->coefficient;
+    if (const auto* stiff = std::get_if<StiffnessHourglass>(&hourglass)) return stiff->coefficient;
+    if (const auto* bends = std::get_if<AssumedStrainHourglass>(&hourglass)) {
+      return bends->coefficient;
+    }
+    return 0.0;
+  };
+  return a.integration == b.integration && a.hourglass.index() == b.hourglass.index() &&
+         coefficient(a.hourglass) == coefficient(b.hourglass) &&
+         a.bulk_viscosity.linear == b.bulk_viscosity.linear &&
+         a.bulk_viscosity.quadratic == b.bulk_viscosity.quadratic;
+}
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                          const std::vector<BodyGeometry<Dim>>& bodies,
+                                          GroupKind kind, NextIds& next) {
+  const auto chosen = choose(loaded, bodies, deck::Method::fe, kind);
+  if (chosen.empty()) return nullptr;
+  auto gathered = gather(loaded, scene, bodies, chosen, next);
+
+  std::vector<Origin> elements;
+  std::vector<Vec<Dim>> centers;
+  for (const std::size_t b : chosen) {
+    for (std::size_t e = 0; e < bodies[b].elements.size(); ++e) {
+      Vec<Dim> center = Vec<Dim>::Zero();
+      for (const int node : bodies[b].elements[e]) {
+        center += bodies[b].points[static_cast<std::size_t>(node)] - scene.origin;
+      }
+      elements.push_back({b, e});
+      centers.push_back(center / static_cast<Real>(1 << Dim));
+    }
+  }
+  std::vector<ElementSet<Dim>> sets;
+  for (const std::size_t k : order_of(curve_keys<Dim>(centers))) {
+    const auto [b, e] = elements[k];
+    const auto& geometry = bodies[b];
+    const auto& body = loaded.deck.bodies[geometry.label].value;
+    const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
+    const Material* material = material_of(loaded.deck, scene.materials, body);
+    const Real temperature = body.temperature.value_or(loaded.deck.ambient);
+    auto set = std::find_if(sets.begin(), sets.end(), [&](const ElementSet<Dim>& s) {
+      return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
+             same_element(s.options, body.element);
+    });
+    if (set == sets.end()) {
+      sets.emplace_back();
+      set = sets.end() - 1;
+      set->material = material, set->options = body.element;
+      set->temperature = temperature, set->adiabatic = adiabatic;
+      set->conducts = kind.conducts, set->held = kind.held, set->rigid = kind.rigid;
+    }
+    auto& corners = set->corners.emplace_back();
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      corners[c] = gathered.place_of[b][static_cast<std::size_t>(geometry.elements[e][c])];
+      gathered.points.piece[static_cast<std::size_t>(corners[c])] = geometry.piece[e];
+    }
+    set->id.push_back(next.element++);
+    set->body.push_back(geometry.label);
+    set->piece.push_back(geometry.piece[e]);
+  }
+  auto group = std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets,
+                                                     scene.geometry, scene.depth);
+  if (kind.conducts) group->points().conduct_every(loaded.deck.time.heat_every);
+  return group;
+}
+
+namespace {
+bool same_sph(const SphOptions& a, const SphOptions& b) {
+  return a.kernel == b.kernel && a.smoothing == b.smoothing && a.adaptive_h == b.adaptive_h &&
+         a.correction == b.correction && a.artificial_stress == b.artificial_stress &&
+         a.viscosity.alpha == b.viscosity.alpha && a.viscosity.beta == b.viscosity.beta &&
+         a.xsph == b.xsph;
+}
+
+/// Spacing [m] of the cubic lattice that a body's particles stand for: volume a particle.
+template <int Dim>
+Real mean_spacing(const BodyGeometry<Dim>& body) {
+  return std::pow(body.volume / static_cast<Real>(body.points.size()), 1.0 / Dim);
+}
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                           const std::vector<BodyGeometry<Dim>>& bodies,
+                                           GroupKind kind, NextIds& next) {
+  const auto chosen = choose(loaded, bodies, deck::Method::sph, kind);
+  if (chosen.empty()) return nullptr;
+  auto gathered = gather(loaded, scene, bodies, chosen, next);
+  std::vector<Real> spacing(gathered.from.size());
+  std::vector<ParticleSet> sets;
+  for (std::size_t k = 0; k < gathered.from.size(); ++k) {
+    const auto& geometry = bodies[gathered.from[k].body];
+    const auto& body = loaded.deck.bodies[geometry.label].value;
+    const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
+    const Material* material = material_of(loaded.deck, scene.materials, body);
+    const Real temperature = body.temperature.value_or(loaded.deck.ambient);
+    auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& s) {
+      return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
+             same_sph(s.options, body.sph);
+    });
+    if (set == sets.end()) {
+      set = sets.insert(sets.end(),
+                        {material, body.sph, temperature, adiabatic, kind.conducts, kind.held, {}});
+    }
+    set->particle.push_back(static_cast<LocalIndex>(k));
+    // Each particle carries its share of the exact mass of the shape.
+    const Real volume = geometry.volume * (Dim == 2 ? scene.depth : 1.0);
+    gathered.points.mass[k] =
+        material->density * volume / static_cast<Real>(geometry.points.size());
+    gathered.points.piece[k] = geometry.piece[gathered.from[k].index];
+    spacing[k] = mean_spacing(geometry);
+  }
+  auto particles = std::make_unique<SphParticles<Dim>>(std::move(gathered.points), spacing,
+                                                       std::move(sets), Dim == 2 ? scene.depth : 1,
+                                                       sums_of_pieces(loaded.deck, bodies));
+  particles->set_search(loaded.deck.contact.search);
+  if (kind.conducts) particles->points().conduct_every(loaded.deck.time.heat_every);
+  return particles;
+}
+
+namespace {
+/// Temperatures of surfaces that are held at them. They take any heat, and store next to none where
+/// they are told another temperature.
+template <int Dim>
+void keep_warm(const LoadedDeck& loaded, Points<Dim>& points) {
+  std::vector<Real> at_start;
+  for (const Label label : points.body) {
+    at_start.push_back(loaded.deck.bodies[label].value.motion->temperature->at(0));
+  }
+  points.conduct(at_start);
+  constexpr Real kNone = 1e-20;  // [J/K]
+  std::fill(points.capacity.begin(), points.capacity.end(), kNone);
+}
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                               const std::vector<BodyGeometry<Dim>>& bodies,
+                                               bool warm, NextIds& next) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
+    if (!body.rigid || group_kind(loaded.deck, body, name).conducts) continue;
+    if (is_warm_surface(loaded.deck, body) == warm) chosen.push_back(b);
+  }
+  if (chosen.empty()) return nullptr;
+  auto gathered = gather(loaded, scene, bodies, chosen, next);
+  std::vector<Facet<Dim>> facets;
+  for (const std::size_t b : chosen) {
+    // Facets of a piece side by side.
+    for (const std::size_t f : order_of({bodies[b].piece.begin(), bodies[b].piece.end()})) {
+      const auto& corners = bodies[b].facets[f];
+      Facet<Dim> facet;
+      for (std::size_t c = 0; c < corners.size(); ++c) {
+        facet.node[c] =
+            corners[c] < 0 ? -1 : gathered.place_of[b][static_cast<std::size_t>(corners[c])];
+      }
+      facet.id = next.element++ << 3;
+      facet.body = bodies[b].label;
+      facet.piece = bodies[b].piece[f];
+      facet.temperature =
+          loaded.deck.bodies[facet.body].value.temperature.value_or(loaded.deck.ambient);
+      for (int c = 0; c < facet.n_nodes(); ++c) {
+        const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
+        gathered.points.piece[node] = facet.piece;
+      }
+      if (warm) facet.capacity = kInfinity;
+      facets.push_back(facet);
+    }
+  }
+  mark_open<Dim>(facets);
+  mark_borders<Dim>(facets, gathered.points.x);
+  mark_sharpness<Dim>(facets, gathered.points.x);
+  if (warm) keep_warm(loaded, gathered.points);
+  return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
+}
+
+template std::unique_ptr<Solid<2>> make_elements<2>(const LoadedDeck&, const Scene<2>&,
+                                                    const std::vector<BodyGeometry<2>>&, GroupKind,
+                                                    NextIds&);
+template std::unique_ptr<Solid<3>> make_elements<3>(const LoadedDeck&, const Scene<3>&,
+                                                    const std::vector<BodyGeometry<3>>&, GroupKind,
+                                                    NextIds&);
+template std::unique_ptr<Solid<2>> make_particles<2>(const LoadedDeck&, const Scene<2>&,
+                                                     const std::vector<BodyGeometry<2>>&, GroupKind,
+                                                     NextIds&);
+template std::unique_ptr<Solid<3>> make_particles<3>(const LoadedDeck&, const Scene<3>&,
+                                                     const std::vector<BodyGeometry<3>>&, GroupKind,
+                                                     NextIds&);
+template std::unique_ptr<RigidSurfaces<2>> make_rigid<2>(const LoadedDeck&, const Scene<2>&,
+                                                         const std::vector<BodyGeometry<2>>&, bool,
+                                                         NextIds&);
+template std::unique_ptr<RigidSurfaces<3>> make_rigid<3>(const LoadedDeck&, const Scene<3>&,
+                                                         const std::vector<BodyGeometry<3>>&, bool,
+                                                         NextIds&);
+
+}  // namespace brunt

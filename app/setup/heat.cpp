@@ -1,0 +1,100 @@
+#include "app/setup/heat.hpp"
+
+#include <algorithm>
+
+#include "app/setup/bonds.hpp"
+
+namespace brunt {
+
+bool acts_on_heat(const deck::Boundary& boundary) {
+  return boundary.temperature || boundary.flux || boundary.convection || boundary.radiation;
+}
+
+namespace {
+/// Names of the bodies of one sum with this one, itself among them.
+std::vector<std::string> names_of_sum(const Deck& deck, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Label b : bonded_with(deck, *label_of(deck, name))) {
+    names.push_back(deck.bodies[b].name);
+  }
+  return names;
+}
+
+/// True where all bodies of its sum never move.
+bool is_held_with_its_sum(const Deck& deck, const std::string& name) {
+  const auto names = names_of_sum(deck, name);
+  return std::all_of(names.begin(), names.end(),
+                     [&](const std::string& one) { return is_held(deck, one); });
+}
+
+/// A rigid body whose motion says its temperature.
+bool is_held_warm(const deck::Body& body) {
+  return body.rigid && body.motion && body.motion->temperature;
+}
+}  // namespace
+
+HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name) {
+  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                     [&](const auto& m) { return m.name == body.material; });
+  if (deck.heat == deck::Heat::off || material == deck.materials.end()) return HeatMode::none;
+  // What is held at a temperature as a whole has nothing to conduct: its surface is enough.
+  if (is_held_warm(body)) return HeatMode::none;
+  const auto& thermal = material->value.thermal;
+  if (!thermal) return HeatMode::none;
+  const auto names = names_of_sum(deck, name);
+  const auto in_sum = [&](const std::string& other) {
+    return std::find(names.begin(), names.end(), other) != names.end();
+  };
+  const auto heats = [&](const auto& boundary) {
+    return in_sum(boundary.value.body) && acts_on_heat(boundary.value);
+  };
+  const auto& contact = deck.contact;
+  const auto touches = [&](const auto& pair) {
+    const auto& between = pair.value.between;
+    return pair.value.options.passes_heat() && std::any_of(between.begin(), between.end(), in_sum);
+  };
+  const bool warmed = contact.fallback.passes_heat() ||
+                      std::any_of(contact.pairs.begin(), contact.pairs.end(), touches);
+  const bool driven = deck.heat == deck::Heat::conduct ||
+                      (deck.heat == deck::Heat::automatic && warmed) ||
+                      (deck.heat == deck::Heat::automatic &&
+                       std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
+  if (thermal->k && driven) return HeatMode::conducts;
+  if (body.rigid) return HeatMode::none;
+  // An elastic material is never heated: it keeps no temperature.
+  const bool yields = !std::holds_alternative<NoStrength>(material->value.strength);
+  return yields ? HeatMode::adiabatic : HeatMode::none;
+}
+
+bool is_held(const Deck& deck, const std::string& name) {
+  const std::size_t axes = deck.geometry == Geometry::three_d ? 3 : 2;
+  bool held = false;
+  for (const auto& [unused, boundary] : deck.boundaries) {
+    if (boundary.body != name) continue;
+    if (boundary.velocity) return false;  // it may take over from what is fixed
+    const bool all = std::holds_alternative<deck::WhereAll>(boundary.where) && boundary.from == 0 &&
+                     boundary.to == kInfinity && boundary.fix.size() == axes;
+    held = held || all;
+  }
+  return held;
+}
+
+std::string heat_problem(const deck::Body& body, const std::string& name) {
+  if (!deck::follows_forces(body) || !is_held_warm(body)) return "";
+  return "'" + name +
+         "' moves freely, and only a body that moves as told is held at a temperature: give it "
+         "all components of `motion.velocity`, or take `motion.temperature` out";
+}
+
+bool is_warm_surface(const Deck& deck, const deck::Body& body) {
+  const bool asked = deck.heat == deck::Heat::automatic || deck.heat == deck::Heat::conduct;
+  return asked && is_held_warm(body);
+}
+
+GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name) {
+  const bool conducts = heat_mode(deck, body, name) == HeatMode::conducts;
+  const bool held = conducts && (body.rigid || is_held_with_its_sum(deck, name));
+  return {conducts, held, body.rigid, conducts && deck::follows_forces(body)};
+}
+
+}  // namespace brunt

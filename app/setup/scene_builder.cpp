@@ -1,0 +1,184 @@
+#include "app/setup/scene_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/setup/bodies.hpp"
+#include "app/setup/bonds.hpp"
+#include "app/setup/boundaries.hpp"
+#include "app/setup/groups.hpp"
+#include "app/setup/materials.hpp"
+#include "app/setup/rigid.hpp"
+#include "app/setup/scene_checks.hpp"
+#include "app/setup/sound_part.hpp"
+#include "app/setup/watch.hpp"
+
+namespace brunt {
+
+namespace {
+/// The centre of the first bounding box, rounded to a power of two of its size: positions near 0
+/// keep their bits, and adding it back is exact where it can be.
+template <int Dim>
+Vec<Dim> rounded_center(const std::vector<BodyGeometry<Dim>>& bodies, Geometry geometry) {
+  Vec<Dim> low = Vec<Dim>::Constant(kInfinity), high = Vec<Dim>::Constant(-kInfinity);
+  for (const auto& body : bodies) {
+    for (const auto& x : body.points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  }
+  const Real extent = (high - low).maxCoeff();
+  if (!(extent > 0) || !std::isfinite(extent)) return Vec<Dim>::Zero();
+  const Real step = std::exp2(std::ceil(std::log2(extent)) + 1);
+  Vec<Dim> center;
+  for (int c = 0; c < Dim; ++c) center[c] = step * std::nearbyint(0.5 * (low[c] + high[c]) / step);
+  if (geometry == Geometry::axisymmetric) center[0] = 0;  // x is a radius
+  return center;
+}
+
+/// How the rigid bodies move that are told to.
+template <int Dim>
+std::vector<RigidMotion<Dim>> told_motions(const LoadedDeck& loaded, const Scene<Dim>& scene) {
+  std::vector<RigidMotion<Dim>> motions;
+  for (Label b = 0; b < loaded.deck.bodies.size(); ++b) {
+    const auto& body = loaded.deck.bodies[b].value;
+    if (deck::follows_forces(body) || !body.rigid || !body.motion) continue;
+    motions.push_back(motion_of<Dim>(body, b, scene.origin));
+  }
+  return motions;
+}
+
+/// Bodies that follow their forces, and the groups that have their points.
+template <int Dim>
+struct Followers {
+  std::vector<Points<Dim>*> groups;
+  std::vector<FreeBody<Dim>> bodies;
+
+  void add(Points<Dim>& points, std::vector<FreeBody<Dim>> more) {
+    if (more.empty()) return;
+    groups.push_back(&points);
+    bodies.insert(bodies.end(), more.begin(), more.end());
+  }
+};
+
+/// Rigid bodies that conduct: first those that follow their forces, whose faces press all others.
+template <int Dim>
+void add_rigid_conductors(const LoadedDeck& loaded, const std::vector<BodyGeometry<Dim>>& bodies,
+                          Scene<Dim>& scene, NextIds& next, Followers<Dim>& followers,
+                          std::vector<DeckProblem>& problems) {
+  if (auto free = make_elements(loaded, scene, bodies, kFreeConductors, next)) {
+    followers.add(free->points(), free_bodies_of(loaded, scene, free->surface(), problems));
+    scene.solids.push_back(std::move(free));
+  }
+  if (auto told = make_elements(loaded, scene, bodies, kRigidConductors, next)) {
+    scene.supports.move_rigid(told->points(), told_motions(loaded, scene));
+    scene.solids.push_back(std::move(told));
+  }
+}
+
+/// Rigid surfaces: of bodies that are held, move as told, or follow their forces.
+template <int Dim>
+void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
+               std::unique_ptr<RigidSurfaces<Dim>> surfaces, Followers<Dim>& followers,
+               std::vector<DeckProblem>& problems) {
+  std::set<Label> free;
+  for (Label b = 0; b < loaded.deck.bodies.size(); ++b) {
+    if (deck::follows_forces(loaded.deck.bodies[b].value)) free.insert(b);
+  }
+  const auto made = free_bodies_of(loaded, scene, surfaces->surface(), problems);
+  if (!made.empty()) surfaces->set_shares(mass_shares<Dim>(made, surfaces->points()));
+  followers.add(surfaces->points(), made);
+  scene.supports.move_rigid(surfaces->points(), told_motions(loaded, scene), std::move(free));
+  scene.solids.push_back(std::move(surfaces));
+}
+
+/// True where some pair of bodies, or pieces of a body, may touch. Bodies that never move do so
+/// only where heat passes.
+bool anything_can_touch(const Deck& deck, const ContactOptions& options) {
+  const bool all_held = std::all_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
+    const bool still = !body.value.motion && !deck::follows_forces(body.value);
+    return body.value.rigid ? still : is_held(deck, body.name);
+  });
+  const auto passes = [](const auto& pair) { return pair.second.passes_heat(); };
+  const bool heat = options.fallback.passes_heat() ||
+                    std::any_of(options.pairs.begin(), options.pairs.end(), passes);
+  if (all_held && !heat) return false;
+  if (!options.fallback.ignore) return !deck.bodies.empty();
+  return std::any_of(options.pairs.begin(), options.pairs.end(),
+                     [](const auto& pair) { return !pair.second.ignore; });
+}
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
+  const Deck& deck = loaded.deck;
+  std::vector<DeckProblem> problems;
+  const auto bodies = make_bodies<Dim>(loaded, problems);
+  if (!problems.empty()) {
+    add_build_problems(loaded, problems);
+    throw DeckError(problems);
+  }
+
+  check_bonds(loaded, problems);
+  if (!problems.empty()) throw DeckError(problems);
+  auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
+                                            deck.depth);
+  for (const auto& body : deck.bodies) {
+    scene->body_names.push_back(body.name);
+  }
+  scene->sum_of_body = first_bonded(deck);
+  scene->materials = make_materials(deck);
+  for (const auto& body : bodies) {
+    if (body.left_out == 0) continue;
+    scene->notes.push_back(deck.bodies[body.label].name + ": " + std::to_string(body.left_out) +
+                           " triangles of its file have no area and were left out");
+  }
+
+  NextIds next;
+  for (const GroupKind kind : kGroupKinds) {
+    auto elements = make_elements(loaded, *scene, bodies, kind, next);
+    if (elements) scene->solids.push_back(std::move(elements));
+  }
+  for (const GroupKind kind : kGroupKinds) {
+    auto particles = make_particles(loaded, *scene, bodies, kind, next);
+    if (particles) scene->solids.push_back(std::move(particles));
+  }
+  // Faces that are held or move as told come after those that are dealt out and do not, and those
+  // that stand on every rank last: whatever a lower face asks of others can be told beforehand.
+  Followers<Dim> followers;
+  add_rigid_conductors(loaded, bodies, *scene, next, followers, problems);
+  for (const bool warm : {false, true}) {
+    auto rigid = make_rigid(loaded, *scene, bodies, warm, next);
+    if (rigid) add_rigid(loaded, *scene, std::move(rigid), followers, problems);
+  }
+  if (!followers.bodies.empty()) {
+    scene->rigid = std::make_unique<FreeBodies<Dim>>(followers.groups, std::move(followers.bodies));
+  }
+  hold_temperatures(loaded, *scene);
+  add_boundaries(loaded, *scene, problems);
+  check_constraints(loaded, *scene, problems);
+  check_overlaps(loaded, *scene, problems);
+  const ContactOptions options = contact_options(deck);
+  if (anything_can_touch(deck, options)) {
+    find_half_thicknesses(*scene);
+    std::vector<Surface<Dim>*> surfaces;
+    for (auto& solid : scene->solids) surfaces.push_back(&solid->surface());
+    scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
+                                                           scene->body_names, deck.depth);
+    if (scene->contact->n_pairs() > kMostReportedPairs) {
+      scene->notes.push_back(std::to_string(scene->contact->n_pairs()) +
+                             " pairs of bodies may touch: history.csv has columns of those that "
+                             "`contact: {pairs: ...}` names");
+    }
+  }
+  add_watches(loaded, *scene, problems);
+  check_measures(loaded, *scene, problems);
+  if (!problems.empty()) {
+    sort_problems(problems);
+    throw DeckError(problems);
+  }
+  return scene;
+}
+
+template std::unique_ptr<Scene<2>> build_scene<2>(const LoadedDeck&);
+template std::unique_ptr<Scene<3>> build_scene<3>(const LoadedDeck&);
+
+}  // namespace brunt

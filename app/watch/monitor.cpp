@@ -1,0 +1,354 @@
+#include "app/watch/monitor.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "app/watch/frame_check.hpp"
+#include "app/watch/frame_piece.hpp"
+
+namespace brunt {
+
+namespace {
+constexpr std::int64_t kCheckEvery = 100;  // steps; a check of every value costs 2 ns each
+constexpr std::int64_t kFirstEvery = 10;   // steps, among the first kCheckEvery: a run may be short
+
+/// The steps at which values and energies are looked at, whatever is written.
+bool is_looked_at(std::int64_t step) {
+  return step % kCheckEvery == 0 || (step < kCheckEvery && step % kFirstEvery == 0);
+}
+
+/// Coordinate [m] of a body's centre of mass, absolute.
+template <int Dim>
+Real center(const Scene<Dim>& scene, Label body, int axis) {
+  std::array<ExactSum, 2> sums;
+  auto& [mass, moment] = sums;
+  for (const auto& solid : scene.solids) {
+    const auto& points = solid->points();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+      if (points.body[i] != body) continue;
+      mass.add(points.mass[i]);
+      moment.add(points.mass[i] * points.x[i][axis]);
+    }
+  }
+  if (scene.rigid && scene.ranks->is_root()) {
+    for (const auto& one : scene.rigid->all()) {
+      if (one.body != body) continue;
+      mass.add(one.state.mass);
+      moment.add(one.state.mass * one.state.x[axis]);
+    }
+  }
+  scene.ranks->reduce_all(std::span<ExactSum>(sums),
+                          [](ExactSum& a, const ExactSum& b) { a.add(b); });
+  return moment.value() / mass.value() + scene.origin[axis];
+}
+
+}  // namespace
+
+std::vector<HistoryValue> history_values(const std::vector<Real>& row, std::uint64_t hash,
+                                         const std::vector<std::size_t>& whole) {
+  std::vector<HistoryValue> values(row.begin(), row.end());
+  for (const std::size_t i : whole) values[i] = static_cast<std::int64_t>(row[i]);
+  values.emplace_back(hash);
+  return values;
+}
+
+std::int64_t multiples(Real time, Real every) {
+  return every > 0 ? static_cast<std::int64_t>(std::floor(time / every * (1 + 1e-12))) : 0;
+}
+
+template <int Dim>
+Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet,
+                      Warn warn)
+    : deck_(deck),
+      history_(history),
+      frames_(frames),
+      progress_(quiet),
+      measured_(deck.measures.size(), false),
+      lost_contacts_(Dim),
+      watch_(deck),
+      warn_(std::move(warn)),
+      history_every_(deck.output.history.value_or(deck.time.end / 2000)),
+      frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
+  for (const auto& body : deck.bodies) body_names_.push_back(body.name);
+}
+
+template <int Dim>
+Label Monitor<Dim>::label(const std::string& body) const {
+  const auto found = std::find(body_names_.begin(), body_names_.end(), body);
+  if (found == body_names_.end()) throw std::invalid_argument("there is no body '" + body + "'");
+  return static_cast<Label>(found - body_names_.begin());
+}
+
+template <int Dim>
+void Monitor<Dim>::prepare(Scene<Dim>& scene) {
+  collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
+  columns_ = collector_->names();
+  if (!deck_.measures.empty()) {
+    for (const auto& name : body_names_) start_[name] = scene.view(label(name));
+  }
+  const auto& beyond = deck_.stop.beyond;
+  if (beyond && static_cast<int>(beyond->axis) < Dim) {
+    start_center_ = center(scene, label(beyond->body), static_cast<int>(beyond->axis));
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
+  prepare(scene);
+  write_row(scene, clock);
+  write_frame(scene, clock.time());
+  check_step(scene, clock);
+}
+
+template <int Dim>
+void Monitor<Dim>::stop(Clock& clock, std::string reason) {
+  reason_ = std::move(reason);
+  clock.stop();
+}
+
+template <int Dim>
+void Monitor<Dim>::tell(const RunWarning& warning) {
+  progress_.finish();
+  if (warn_) warn_(warning);
+}
+
+/// A row, and what it tells beside its columns.
+template <int Dim>
+typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const Clock& clock) {
+  auto row = collector_->collect(scene, clock, is_looked_at(clock.step()));
+  refuse_row(scene, row, clock);
+  for (const auto& text : lost_contacts_.take(row.lost)) tell({"contact", text});
+  energies_ = row.energies, created_ = row.created;
+  for (const auto& body :
+       artificial_tension_.take(clock.time(), row.artificial_share, body_names_)) {
+    tell({artificial_stress_path(body), artificial_tension_.all().at(body)});
+  }
+  return row;
+}
+
+/// No row with a value that is no finite number is written: the run ends there, and says what broke
+/// where elements or particles know, else which column.
+template <int Dim>
+void Monitor<Dim>::refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Clock& clock) const {
+  const auto is_none = [](Real value) { return !std::isfinite(value); };
+  const auto found = std::find_if(row.values.begin(), row.values.end(), is_none);
+  if (found == row.values.end()) return;
+  scene.check(clock.time());
+  const std::string& column = columns_[static_cast<std::size_t>(found - row.values.begin())];
+  throw PhysicsError({clock.time(), "", "step " + std::to_string(clock.step()),
+                      "step [s] in which column '" + column + "' is no finite number", clock.dt(),
+                      "this row is not written; try a smaller time.safety, and look at the last "
+                      "rows for what grows"});
+}
+
+/// Looks at what goes wrong slowly. At fixed steps, whatever is written.
+template <int Dim>
+void Monitor<Dim>::watch(const HistoryRow& row, const Clock& clock) {
+  const RunLook look{row.energies, row.created, collector_->energies(), row.deepest_pair};
+  for (const auto& warning : watch_.look(look, clock)) tell(warning);
+}
+
+template <int Dim>
+EnergyShares Monitor<Dim>::energy_shares() const {
+  EnergyShares shares;
+  if (!collector_) return shares;
+  const auto& watch = collector_->energies();
+  shares.largest = watch.largest(energies_);
+  shares.created = std::max(watch_.worst_created(), watch.share(energies_, created_).share);
+  const auto share = [&](Real energy) { return shares.largest > 0 ? energy / shares.largest : 0; };
+  for (const auto& one : created_) {
+    const std::string body = one.body ? body_names_[*one.body] + "." : "";
+    shares.sources.emplace_back(body + std::string(source_name(one.source)), share(one.energy));
+  }
+  for (std::size_t b = 0; b < energies_.bodies.size(); ++b) {
+    const Real part = watch.hourglass_share(energies_, static_cast<Label>(b));
+    if (part > 0) shares.hourglass.emplace_back(body_names_[b], part);
+  }
+  for (const Column column : {Column::artificial_stress, Column::contact_pairs}) {
+    const Real taken = share(energies_.column(column));
+    if (taken > 0) shares.taken.emplace_back(column_name(column), taken);
+  }
+  return shares;
+}
+
+template <int Dim>
+void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
+  const PhaseTimer timer(scene.phases, Phase::ledger);
+  const HistoryRow row = collect(scene, clock);
+  if (history_) history_->write_row(history_values(row.values, row.state_hash, row.whole));
+  rows_.push_back(row.values);
+  hashes_.push_back(row.state_hash);
+  last_row_ = clock.time();
+  drift_ = row.drift;
+  worst_drift_ = std::max(worst_drift_, std::fabs(drift_));
+  if (!(std::fabs(drift_) <= deck_.time.max_drift)) {
+    throw PhysicsError({clock.time(), "", "step " + std::to_string(clock.step()), "energy drift",
+                        drift_,
+                        "the energy balance no longer closes (time.max_drift): an instability; try "
+                        "a smaller time.safety or a lower contact stiffness"});
+  }
+  if (is_looked_at(clock.step()) || clock.finished()) watch(row, clock);
+}
+
+/// What this rank writes of a body, with the fields that the deck names. Several ranks write `id`
+/// besides, for pieces are merged by it.
+template <int Dim>
+BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, Label body, Real time) const {
+  BodyView view = scene.own_view(body);
+  view.time = time;
+  const bool alone = scene.ranks->alone();
+  const auto& fields = deck_.output.fields;
+  const auto dropped = [&](const Field& field) {
+    if (!alone && field.name == "id") return false;
+    return !fields.empty() && std::find(fields.begin(), fields.end(), field.name) == fields.end();
+  };
+  std::erase_if(view.point_fields, dropped);
+  std::erase_if(view.cell_fields, dropped);
+  return alone ? view : frame_piece(view, *scene.deal, *scene.ranks);
+}
+
+template <int Dim>
+void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
+  last_frame_ = time;
+  if (!frames_) return;
+  const PhaseTimer timer(scene.phases, Phase::output);
+  std::vector<BodyView> views;
+  const auto& wanted = deck_.output.bodies;
+  for (std::size_t b = 0; b < body_names_.size(); ++b) {
+    const bool left_out =
+        !wanted.empty() && std::find(wanted.begin(), wanted.end(), body_names_[b]) == wanted.end();
+    if (!left_out) views.push_back(frame_part(scene, static_cast<Label>(b), time));
+  }
+  ContactView contact;
+  if (scene.contact) contact = scene.own_contacts();
+  refuse_no_numbers(views, contact, *scene.ranks);
+  frames_->write(time, views, scene.contact ? &contact : nullptr);
+}
+
+template <int Dim>
+void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
+  if (is_looked_at(clock.step())) scene.check(clock.time());
+  const auto rows = multiples(clock.time(), history_every_);
+  if (rows > rows_due_) {
+    rows_due_ = rows;
+    write_row(scene, clock);
+  } else if (is_looked_at(clock.step())) {
+    const HistoryRow row = collect(scene, clock);
+    drift_ = row.drift;
+    if (!(std::fabs(drift_) <= deck_.time.max_drift)) write_row(scene, clock);
+    watch(row, clock);
+  }
+  const auto frames = multiples(clock.time(), frame_every_);
+  if (frames > frames_due_) {
+    frames_due_ = frames;
+    const bool wanted = clock.time() >= deck_.output.from.value_or(0) &&
+                        clock.time() <= deck_.output.to.value_or(kInfinity);
+    if (wanted) {
+      scene.check(clock.time());
+      write_frame(scene, clock.time());
+    }
+  }
+  take_measures(scene, clock.time(), false);
+  check_step(scene, clock);
+  check_stops(scene, clock);
+  const auto& whose = clock.whose();
+  progress_.show(clock, body_names_.empty() ? "" : body_names_[whose.body] + ": " + whose.reason,
+                 drift_);
+}
+
+/// Tells where a group votes for a step at which it is unstable.
+template <int Dim>
+void Monitor<Dim>::check_step(Scene<Dim>& scene, const Clock& clock) {
+  const int every = deck_.time.check_step;
+  if (every == 0 || clock.step() % every != 0) return;
+  for (const auto& warning : step_check_.take(find_step_margins(scene))) tell(warning);
+}
+
+template <int Dim>
+void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
+  if (const auto& rest = deck_.stop.at_rest) {
+    const Label body = label(rest->body);
+    Real fastest = 0;
+    for (const auto& solid : scene.solids) {
+      const auto& points = solid->points();
+      for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+        if (points.body[i] == body) fastest = std::max(fastest, points.v[i].squaredNorm());
+      }
+    }
+    fastest = scene.ranks->max(fastest);
+    if (std::sqrt(fastest) >= rest->below) {
+      at_rest_since_ = -1;
+    } else {
+      if (at_rest_since_ < 0) at_rest_since_ = clock.time();
+      if (clock.time() - at_rest_since_ >= rest->duration) {
+        stop(clock, rest->body + " is at rest");
+      }
+    }
+  }
+  if (const auto& beyond = deck_.stop.beyond) {
+    const auto axis = static_cast<int>(beyond->axis);
+    if (axis >= Dim) return;
+    const Real now = center(scene, label(beyond->body), axis);
+    if ((start_center_ - beyond->at) * (now - beyond->at) <= 0) {
+      stop(clock, beyond->body + " is beyond its place");
+    }
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
+  const auto is_due = [&](std::size_t i) {
+    const auto& measure = deck_.measures[i].value;
+    return !measured_[i] && (measure.at ? time >= *measure.at : at_end);
+  };
+  bool any_due = false;
+  for (std::size_t i = 0; i < deck_.measures.size(); ++i) any_due = any_due || is_due(i);
+  if (!any_due) return;
+  std::map<std::string, BodyView> views;  // all ranks take part, the root evaluates
+  for (const auto& body : body_names_) views[body] = scene.view(label(body));
+  const MeasureSource source{[&](const std::string& body) {
+                               label(body);  // throws where there is none
+                               return views.at(body);
+                             },
+                             &start_, &columns_, &rows_};
+  for (std::size_t i = 0; i < deck_.measures.size(); ++i) {
+    const auto& [name, measure] = deck_.measures[i];
+    if (!is_due(i)) continue;
+    measured_[i] = true;
+    if (!scene.ranks->is_root()) continue;
+    try {
+      const Real value = evaluate_measure(measure, source, measures_);
+      measures_.push_back({name, value, deck::unit_of(measure), measure.reference});
+    } catch (const std::exception& error) {
+      warnings_.push_back("measure '" + name + "': " + error.what());
+    }
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
+  progress_.finish();
+  scene.check(clock.time());
+  if (last_row_ != clock.time()) write_row(scene, clock);
+  if (last_frame_ != clock.time()) write_frame(scene, clock.time());
+  take_measures(scene, clock.time(), true);
+  if (history_) history_->flush();
+}
+
+template <int Dim>
+void Monitor<Dim>::write_last_frame(Scene<Dim>& scene, const Clock& clock) {
+  progress_.finish();
+  try {
+    if (collector_ && last_frame_ != clock.time()) write_frame(scene, clock.time());
+  } catch (const PhysicsError&) {  // told already, of what the frame would show
+  }
+  if (history_) history_->flush();
+}
+
+template class Monitor<2>;
+template class Monitor<3>;
+
+}  // namespace brunt
