@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "core/ledger.hpp"
-#include "core/parallel/deal.hpp"
 #include "core/parallel/ghosts.hpp"
+#include "core/parallel/partition.hpp"
 #include "core/state.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
 #include "core/wall_time.hpp"
@@ -20,9 +20,10 @@ template <int Dim>
 class Solid {
  public:
   virtual ~Solid() = default;
-  /// The part of this group, which is whole and at time 0, that the calling rank computes; deal and
-  /// ranks outlive it. Collective.
-  virtual std::unique_ptr<Solid> part(const Deal& deal, const Communicator& ranks) const = 0;
+  /// The part of this group, which is whole and at time 0, that the calling rank computes;
+  /// partition and ranks outlive it. Collective.
+  virtual std::unique_ptr<Solid> part(const Partition& partition,
+                                      const Communicator& ranks) const = 0;
   virtual Points<Dim>& points() = 0;
   virtual const Points<Dim>& points() const = 0;
   /// Facets and particles that may touch other bodies; stays valid between rearrangements.
@@ -37,7 +38,7 @@ class Solid {
   /// step  steps since time 0: points().conduction_every says which evaluate conduction
   virtual void add_conduction(Real, std::int64_t) {}
   /// The group's own bound, without `safety`. Called at the head of a step.
-  virtual StepVote stable_step() const = 0;
+  virtual StepLimit stable_step() const = 0;
   /// Rebuilds lists at the present positions. Reads and writes lists and places, nothing else.
   virtual void rearrange() = 0;
   /// What update_state has spent on its lists since the last call: a part of its own wall time.

@@ -37,7 +37,7 @@ struct Facet {
   Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)] sqrt(k rho cp) at time 0
   Real temperature = 0;  ///< [K] of its body at time 0, which lasts where nothing heats it
   /// [1/kg] the most with which a free rigid body gives way to a force at one of its corners, of
-  /// all directions, turning too; 0: its points move by themselves, or as told
+  /// all directions, turning too; 0: its points move by themselves, or as prescribed
   Real compliance = 0;
   /// [1/kg] the same of the whole body, by area, on springs of all of its surface at once
   Real mean_compliance = 0;
@@ -49,7 +49,7 @@ struct Facet {
   Real sharpness = kBoxSharpness;
   bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
-  bool rigid() const { return stiffness == 0; }  ///< held or moved as told
+  bool rigid() const { return stiffness == 0; }  ///< held or in prescribed motion
 };
 
 /// A particle that can touch faces. radius [m] = half its spacing; modulus M = K + 4G/3 [Pa].
@@ -74,13 +74,13 @@ struct Surface {
   std::vector<Facet<Dim>> facets;
   std::vector<SurfaceParticle> particles;
   std::vector<LocalIndex> axis;  ///< points on the axis of an axisymmetric scene, ascending
-  bool held = false;             ///< its points never move: it votes no step
+  bool held = false;             ///< its points never move: it bounds no step
   bool everywhere = false;       ///< all of its facets stand on every rank
-  bool asks_spin = false;        ///< contact reads `spin`
+  bool needs_spin = false;       ///< contact reads `spin`
   /// [rad/s] of the material about each owned point of a group of particles, half the curl of its
   /// velocity at mid-step; in 2D z alone. Empty where it is not asked for.
   std::vector<Vec3> spin;
-  bool asks_material = false;  ///< contact reads what follows
+  bool needs_material = false;  ///< contact reads what follows
   /// Of each facet, as the last update_state found it; empty where nothing yields or is heated.
   std::vector<SurfaceMaterial> facet_material;
   /// Of each owned point of a group of particles; empty where it is not asked for.

@@ -4,7 +4,7 @@
 
 #include "core/materials/material.hpp"
 #include "core/points.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 #include "fe/assumed_strain.hpp"
 #include "fe/options.hpp"
 #include "fe/shape.hpp"
@@ -25,7 +25,7 @@ struct ElementSet {
   bool adiabatic = false;     ///< mechanical work heats the element at once
   bool conducts = false;      ///< nodes have the temperature; mechanical work heats them
   bool held = false;          ///< nothing of it ever moves: only its heat is computed
-  bool rigid = false;         ///< as held, without mass, its facets rigid; it moves as told
+  bool rigid = false;  ///< as held, without mass, its facets rigid; it has a prescribed motion
 };
 
 /// What the out-of-plane direction adds: an element of area A about radius r fills A (c + s r).

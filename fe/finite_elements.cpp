@@ -127,8 +127,8 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
 }
 
 template <int Dim>
-StepVote FiniteElements<Dim>::stable_step() const {
-  StepVote best;
+StepLimit FiniteElements<Dim>::stable_step() const {
+  StepLimit best;
   if (held_) return best;
   for (const auto& block : blocks_) {
     for (LocalIndex e = 0; e < block.n; ++e) {

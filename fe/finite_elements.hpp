@@ -1,5 +1,5 @@
 #pragma once
-#include "core/parallel/deal.hpp"
+#include "core/parallel/partition.hpp"
 #include "core/solid.hpp"
 #include "fe/corner_gather.hpp"
 #include "fe/element_step.hpp"
@@ -19,12 +19,14 @@ class FiniteElements final : public Solid<Dim> {
                  Real depth);
   /// The part of a whole, at time 0, that this rank computes: every element that touches a point
   /// it owns, with copies of the points of other ranks. Collective.
-  FiniteElements(const FiniteElements& whole, const Deal& deal, const Communicator& ranks);
+  FiniteElements(const FiniteElements& whole, const Partition& partition,
+                 const Communicator& ranks);
   FiniteElements(const FiniteElements&) = delete;
   FiniteElements& operator=(const FiniteElements&) = delete;
 
-  std::unique_ptr<Solid<Dim>> part(const Deal& deal, const Communicator& ranks) const override {
-    return std::make_unique<FiniteElements>(*this, deal, ranks);
+  std::unique_ptr<Solid<Dim>> part(const Partition& partition,
+                                   const Communicator& ranks) const override {
+    return std::make_unique<FiniteElements>(*this, partition, ranks);
   }
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
@@ -33,7 +35,7 @@ class FiniteElements final : public Solid<Dim> {
   void update_state(Real) override;
   void add_internal_forces(Real dt) override;
   void add_conduction(Real dt, std::int64_t step) override;
-  StepVote stable_step() const override;
+  StepLimit stable_step() const override;
   void rearrange() override {}
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;

@@ -86,7 +86,7 @@ void FiniteElements<Dim>::make_rigid() {
   for (auto& facet : surface_.facets) facet.stiffness = facet.areal_mass = facet.depth = 0;
 }
 
-/// Conductances of the start, which the first vote asks for.
+/// Conductances of the start, which the first step limit asks for.
 template <int Dim>
 void FiniteElements<Dim>::start_conduction() {
   corner_heat_.assign(corner_force_.size() / Dim * 2, 0.0);

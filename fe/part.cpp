@@ -81,11 +81,11 @@ std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
 }  // namespace
 
 template <int Dim>
-FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& deal,
+FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition& partition,
                                     const Communicator& ranks)
     : thickness_(whole.thickness_), held_(whole.held_) {
   std::vector<int> owner;
-  for (const GlobalId id : whole.points_.id) owner.push_back(deal.of(id));
+  for (const GlobalId id : whole.points_.id) owner.push_back(partition.of(id));
   auto sets = elements_of(whole.blocks_, owner, ranks.rank());
   LocalIndex n_owned = 0;
   const auto kept = points_of(sets, owner, ranks.rank(), n_owned);
@@ -113,7 +113,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Deal& dea
   for (LocalIndex i = n_owned; i < points_.size(); ++i) {
     ids.push_back(points_.id[static_cast<std::size_t>(i)]);
     places.push_back(i);
-    owners.push_back(deal.of(ids.back()));
+    owners.push_back(partition.of(ids.back()));
   }
   ghosts_ = plan_ghosts(ranks, ids, places, owners, points_.owned_ids());
   start_steps();
@@ -141,7 +141,9 @@ std::vector<Real> FiniteElements<Dim>::point_work() const {
 
 template std::vector<Real> FiniteElements<2>::point_work() const;
 template std::vector<Real> FiniteElements<3>::point_work() const;
-template FiniteElements<2>::FiniteElements(const FiniteElements&, const Deal&, const Communicator&);
-template FiniteElements<3>::FiniteElements(const FiniteElements&, const Deal&, const Communicator&);
+template FiniteElements<2>::FiniteElements(const FiniteElements&, const Partition&,
+                                           const Communicator&);
+template FiniteElements<3>::FiniteElements(const FiniteElements&, const Partition&,
+                                           const Communicator&);
 
 }  // namespace brunt

@@ -43,7 +43,7 @@ void FiniteElements<Dim>::find_elements_of_facets() {
 
 template <int Dim>
 void FiniteElements<Dim>::update_state(Real) {
-  if (!surface_.asks_material) return;
+  if (!surface_.needs_material) return;
   // Else their laws see the temperatures where they strain.
   if (held_ && points_.conducts) interpolate_temperatures();
   if (element_of_facet_.empty()) find_elements_of_facets();

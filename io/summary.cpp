@@ -129,7 +129,7 @@ RunSummary from_json(const Json& json) {
   s.bytes_step = json.value("bytes_step", s.bytes_step);
   s.reductions_step = json.value("reductions_step", s.reductions_step);
   s.balance = json.value("balance", s.balance);
-  s.deals = json.value("deals", s.deals);
+  s.repartitions = json.value("repartitions", s.repartitions);
   return s;
 }
 
@@ -186,7 +186,7 @@ std::string to_json(const RunSummary& s) {
   json["bytes_step"] = s.bytes_step;
   json["reductions_step"] = s.reductions_step;
   json["balance"] = s.balance;
-  json["deals"] = s.deals;
+  json["repartitions"] = s.repartitions;
   // Text of the user that is not UTF-8 is replaced rather than losing the whole summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -52,7 +52,7 @@ struct RunSummary {
   Real peak_memory = 0;                              ///< [byte]
   Real drift = 0;                                    ///< energy.drift at the end
   EnergyShares energy;
-  /// Smallest stable step over the vote, by body, where the deck asks for it.
+  /// Smallest stable step over the step limit, by body, where the deck asks for it.
   std::vector<std::pair<std::string, Real>> step_margins;
   std::vector<MeasureResult> measures;
   std::vector<RunWarning> warnings;
@@ -63,7 +63,7 @@ struct RunSummary {
   Real bytes_step = 0;       ///< [byte] in them
   Real reductions_step = 0;  ///< in which all ranks take part
   Real balance = 1;          ///< largest over mean work of the ranks at the last look
-  int deals = 0;             ///< how often points were dealt out again
+  int repartitions = 0;      ///< how often points were repartitioned
 };
 
 /// A word for an exit status: "done", "deck error", "physics error", "machine error", "stopped".

@@ -25,7 +25,7 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   const auto held = [](const auto& block) { return block.set.held; };
   held_ = surface_.held = !blocks_.empty() && std::all_of(blocks_.begin(), blocks_.end(), held);
   rearrange();
-  seed_votes();
+  seed_step_limits();
   if (warm) start_conduction();
 }
 
@@ -156,7 +156,7 @@ void SphParticles<Dim>::update_state(Real dt) {
   if (held_) {
     if (!settled_) refresh_motion(), refresh_gradients();
     settled_ = true;
-    if (surface_.asks_material) publish_materials();
+    if (surface_.needs_material) publish_materials();
     return;
   }
   for_each(n_owned(), [&](std::size_t i) {
@@ -170,12 +170,12 @@ void SphParticles<Dim>::update_state(Real dt) {
   renew_lists_where_due();
   move_with_neighbours(dt);
   refresh_gradients();
-  if (surface_.asks_spin) publish_spins();
+  if (surface_.needs_spin) publish_spins();
   for (auto& block : blocks_) {
     const std::size_t n_tiles = block.state.size() / kTile;
     for_each(n_tiles, [&](std::size_t tile) { update_tile(block, tile * kTile, dt); });
   }
-  if (surface_.asks_material) publish_materials();
+  if (surface_.needs_material) publish_materials();
 }
 
 template <int Dim>

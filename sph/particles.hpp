@@ -75,14 +75,15 @@ class SphParticles final : public Solid<Dim> {
   SphParticles(Points<Dim> points, std::span<const Real> spacing, std::vector<ParticleSet> sets,
                Real depth = 1, std::vector<Label> sum_of_piece = {});
   /// The part of a whole, at time 0, whose particles this rank owns, with copies of those of other
-  /// ranks within reach. deal and ranks outlive it. Collective; so are, from here on,
+  /// ranks within reach. partition and ranks outlive it. Collective; so are, from here on,
   /// rearrange, update_state and refresh_state.
-  SphParticles(const SphParticles& whole, const Deal& deal, const Communicator& ranks);
+  SphParticles(const SphParticles& whole, const Partition& partition, const Communicator& ranks);
   SphParticles(const SphParticles&) = delete;
   SphParticles& operator=(const SphParticles&) = delete;
 
-  std::unique_ptr<Solid<Dim>> part(const Deal& deal, const Communicator& ranks) const override {
-    return std::make_unique<SphParticles>(*this, deal, ranks);
+  std::unique_ptr<Solid<Dim>> part(const Partition& partition,
+                                   const Communicator& ranks) const override {
+    return std::make_unique<SphParticles>(*this, partition, ranks);
   }
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
@@ -91,7 +92,7 @@ class SphParticles final : public Solid<Dim> {
   void refresh_state() override;
   void add_internal_forces(Real dt) override;
   void add_conduction(Real dt, std::int64_t step) override;
-  StepVote stable_step() const override;
+  StepLimit stable_step() const override;
   void rearrange() override;
   WallTime take_list_time() override { return std::exchange(list_time_, {}); }
   void add_totals(Totals<Dim>& totals) const override;
@@ -135,7 +136,7 @@ class SphParticles final : public Solid<Dim> {
   void set_size(std::size_t i);
   void add_slot(const ParticleBlock& block, std::size_t slot, Totals<Dim>& totals) const;
   void add_tension(const ParticleBlock& block, std::size_t i, BodySums<Dim>& body) const;
-  void seed_votes();
+  void seed_step_limits();
   void find_spread(const ParticleBlock& block, LocalIndex i);
   void set_capacities();
   void vary_capacities();

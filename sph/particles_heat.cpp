@@ -45,7 +45,7 @@ void SphParticles<Dim>::vary_capacities() {
   }
 }
 
-/// Conductances of the start, which the first vote asks for.
+/// Conductances of the start, which the first step limit asks for.
 template <int Dim>
 void SphParticles<Dim>::start_conduction() {
   refresh_motion();

@@ -92,9 +92,9 @@ void SphParticles<Dim>::find_spread(const ParticleBlock& block, LocalIndex i) {
                                      shear_share(*block.set.material, state));
 }
 
-/// Speeds of approach of the start, which the first vote asks for.
+/// Speeds of approach of the start, which the first step limit asks for.
 template <int Dim>
-void SphParticles<Dim>::seed_votes() {
+void SphParticles<Dim>::seed_step_limits() {
   refresh_motion();
   refresh_gradients();
   const SphPairOptions inviscid;
@@ -116,7 +116,7 @@ void SphParticles<Dim>::seed_votes() {
 /// Half of a h/c_eff with c_eff = c + |v_ij| + 1.2 (alpha c + beta max |mu_ij|), a from the
 /// dispersion of the kernel on a lattice, half for disorder; and 0.25 sqrt(h/|a_i|).
 template <int Dim>
-StepVote SphParticles<Dim>::stable_step() const {
+StepLimit SphParticles<Dim>::stable_step() const {
   if (held_) return {};
   const auto bound = [&](std::size_t i) {
     const SphOptions& options = blocks_[block_of_[i]].set.options;
@@ -135,12 +135,12 @@ StepVote SphParticles<Dim>::stable_step() const {
     return acceleration > 0 ? std::min(acoustic, 0.25 * std::sqrt(h / acceleration)) : acoustic;
   };
   return over_chunks(
-      n_owned(), StepVote{},
-      [&](StepVote& own, std::size_t i) {
+      n_owned(), StepLimit{},
+      [&](StepLimit& own, std::size_t i) {
         const Real step = bound(i);  // a step that is not a number collapses the run at once
         own.take({step > 0 ? step : 0.0, "particle", points_.body[i], points_.id[i]});
       },
-      [](StepVote& all, const StepVote& own) { all.take(own); });
+      [](StepLimit& all, const StepLimit& own) { all.take(own); });
 }
 
 template bool SphParticles<2>::lists_hold() const;
@@ -155,9 +155,9 @@ template void SphParticles<2>::rearrange();
 template void SphParticles<3>::rearrange();
 template void SphParticles<2>::find_spread(const ParticleBlock&, LocalIndex);
 template void SphParticles<3>::find_spread(const ParticleBlock&, LocalIndex);
-template void SphParticles<2>::seed_votes();
-template void SphParticles<3>::seed_votes();
-template StepVote SphParticles<2>::stable_step() const;
-template StepVote SphParticles<3>::stable_step() const;
+template void SphParticles<2>::seed_step_limits();
+template void SphParticles<3>::seed_step_limits();
+template StepLimit SphParticles<2>::stable_step() const;
+template StepLimit SphParticles<3>::stable_step() const;
 
 }  // namespace brunt

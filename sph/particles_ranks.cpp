@@ -20,7 +20,7 @@ struct Visitor {
 }  // namespace
 
 template <int Dim>
-SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
+SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& partition,
                                 const Communicator& ranks)
     : depth_(whole.depth_),
       sum_of_piece_(whole.sum_of_piece_),
@@ -34,7 +34,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
   std::vector<LocalIndex> kept, place(whole.points_.x.size(), -1);
   for (LocalIndex i = 0; i < whole.points_.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    if (deal.of(whole.points_.id[k]) != ranks.rank()) continue;
+    if (partition.of(whole.points_.id[k]) != ranks.rank()) continue;
     place[k] = static_cast<LocalIndex>(kept.size());
     kept.push_back(i);
   }
@@ -55,7 +55,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Deal& deal,
   }
   take_sets(std::move(sets), spacing);
   rearrange();
-  seed_votes();
+  seed_step_limits();
   if (points_.conducts) start_conduction();
 }
 
@@ -201,8 +201,8 @@ std::vector<Real> SphParticles<Dim>::point_work() const {
 
 template std::vector<Real> SphParticles<2>::point_work() const;
 template std::vector<Real> SphParticles<3>::point_work() const;
-template SphParticles<2>::SphParticles(const SphParticles&, const Deal&, const Communicator&);
-template SphParticles<3>::SphParticles(const SphParticles&, const Deal&, const Communicator&);
+template SphParticles<2>::SphParticles(const SphParticles&, const Partition&, const Communicator&);
+template SphParticles<3>::SphParticles(const SphParticles&, const Partition&, const Communicator&);
 template void SphParticles<2>::renew_ghosts(Real);
 template void SphParticles<3>::renew_ghosts(Real);
 template void SphParticles<2>::refresh_ghost_positions();

@@ -38,7 +38,7 @@ Real stopping_strain(const deck::Material& material, Real speed) {
   return strain;
 }
 
-/// Velocity [m/s] at time 0, or as told; without entries: at rest.
+/// Velocity [m/s] at time 0, or as prescribed; without entries: at rest.
 std::vector<Real> velocity_of(const deck::Body& body) {
   std::vector<Real> velocity = body.velocity;
   if (body.rigid && body.motion && !body.motion->velocity.empty()) velocity = body.motion->velocity;

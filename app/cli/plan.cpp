@@ -17,7 +17,7 @@ namespace {
 /// How a rigid body moves; of one that follows its forces also what it weighs.
 template <int Dim>
 std::string rigid_text(const deck::Body& body, const Scene<Dim>& scene, Label label) {
-  if (!deck::follows_forces(body)) return body.motion ? "moves as told" : "held";
+  if (!deck::follows_forces(body)) return body.motion ? "has a prescribed motion" : "held";
   ExactSum mass;
   std::size_t pieces = 0;
   for (const auto& one : scene.rigid->all()) {
@@ -25,7 +25,7 @@ std::string rigid_text(const deck::Body& body, const Scene<Dim>& scene, Label la
     mass.add(one.state.mass);
     ++pieces;
   }
-  std::string text = body.motion ? "moves in part as told" : "free";
+  std::string text = body.motion ? "moves in part as prescribed" : "free";
   if (pieces > 1) text += ", " + std::to_string(pieces) + " pieces";
   return text + ", " + deck::short_text(mass.value()) + " kg of " + body.material;
 }
@@ -179,16 +179,17 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   scene->supports.start();
   scene->heat.start();
   scene->rearrange();
-  const StepVote vote = scene->stable_step(0, 0);
+  const StepLimit step_limit = scene->stable_step(0, 0);
   const Deck& deck = loaded.deck;
-  const Real dt = std::min(deck.time.safety * vote.step, deck.time.max_step.value_or(kInfinity));
+  const Real dt =
+      std::min(deck.time.safety * step_limit.step, deck.time.max_step.value_or(kInfinity));
   const Real steps = std::ceil(deck.time.end / dt);
   const Real heat_step = deck.time.heat_every * scene->heat_step().step;
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
               scene->n_elements(), scene->n_particles());
   print_memory(deck, *scene, program);
-  std::printf("step       %s, bound by %s of %s\n", deck::time_text(dt).c_str(), vote.reason,
-              scene->body_names[vote.body].c_str());
+  std::printf("step       %s, bound by %s of %s\n", deck::time_text(dt).c_str(), step_limit.reason,
+              scene->body_names[step_limit.body].c_str());
   print_steps(deck, steps);
   if (heat_step < kInfinity) {
     std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",

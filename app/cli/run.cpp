@@ -116,8 +116,8 @@ struct Ended {
 template <int Dim>
 void log_windows(const Scene<Dim>& scene, const Clock& clock, int heat_every, spdlog::logger& log) {
   if (heat_every == 1) return;
-  const auto smallest = [&](const StepVote& vote) {
-    return over_ranks({vote, {}}, *scene.ranks).vote;
+  const auto smallest = [&](const StepLimit& step_limit) {
+    return over_ranks({step_limit, {}}, *scene.ranks).step_limit;
   };
   const Real step = clock.unshortened(smallest(scene.stable_step(clock.time(), clock.dt())));
   const Real longest = smallest(scene.heat_step()).step;
@@ -167,8 +167,7 @@ void print_summary(const RunSummary& summary, const fs::path& folder,
     std::fprintf(stderr, "  %s\n", line.c_str());
   }
   for (const auto& [body, margin] : summary.step_margins) {
-    std::fprintf(stderr, "  %s: stable up to %.3g times the step that it votes for\n", body.c_str(),
-                 margin);
+    std::fprintf(stderr, "  %s: stable up to %.3g times its step limit\n", body.c_str(), margin);
   }
   std::fprintf(stderr, "%lld steps in %s, energy drift %.1e. Results are in %s:\n",
                static_cast<long long>(summary.steps), duration_text(summary.wall_seconds).c_str(),
@@ -223,7 +222,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
         {measure.name, measure.value, measure.unit, measure.reference, error});
   }
   for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
-  const auto& told = monitor.told();
+  const auto& told = monitor.warned();
   summary.warnings.insert(summary.warnings.end(), told.begin(), told.end());
   summary.energy = monitor.energy_shares();
   summary.step_margins = monitor.step_check().margins();
@@ -348,7 +347,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
   fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
   summary.balance = balance.ratio();
-  summary.deals = balance.deals();
+  summary.repartitions = balance.repartitions();
   if (balance.steps_alone() > 0) {
     log->info("{} steps on one thread instead of {}: other programs used the processors",
               balance.steps_alone(), summary.threads);

@@ -101,10 +101,11 @@ void describe(Schema& s, Body& body) {
   s.real({"temperature", "temperature at time 0; default: ambient"}, body.temperature,
          {"K", at_least(0), between(50, 5000)});
   s.section(body.rigid, "only for rigid: true", [&](Schema& rigid) {
-    rigid.object({"motion",
-                  "what a rigid body is told to do; without it is free where it has a material, "
-                  "and held where it has none"},
-                 body.motion);
+    rigid.object(
+        {"motion",
+         "the prescribed motion of a rigid body; without it is free where it has a material, "
+         "and held where it has none"},
+        body.motion);
   });
   s.section(!is_sph, "only for method: fe",
             [&](Schema& fe) { describe_finite_elements(fe, body); });

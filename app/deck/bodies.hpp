@@ -22,7 +22,7 @@ struct Spin {
   std::vector<Real> about;          ///< [m] a point of the axis; empty: the origin
 };
 
-/// What a rigid body is told to do.
+/// The prescribed motion of a rigid body.
 struct Motion {
   std::vector<Real> velocity;  ///< [m/s]; NaN: this component follows its forces; empty: none
   std::optional<Spin> spin;

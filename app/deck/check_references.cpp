@@ -85,7 +85,7 @@ void check_materials_of_bodies(const Deck& deck, Findings& findings) {
 }
 
 /// True for a rigid body that nothing moves but what it is told.
-bool is_told(const Deck& deck, const std::string& name) {
+bool has_prescribed_motion(const Deck& deck, const std::string& name) {
   return std::any_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
     return body.name == name && body.value.rigid && !follows_forces(body.value);
   });
@@ -106,7 +106,7 @@ void check_pairs(const Deck& deck, KnownNames& bodies, Findings& findings) {
       findings.wrong(path, second == "any"
                                ? "[any, any] are all pairs: write contact.default instead"
                                : "the named body comes first: [" + second + ", any]");
-    } else if (is_told(deck, first) && is_told(deck, second)) {
+    } else if (has_prescribed_motion(deck, first) && has_prescribed_motion(deck, second)) {
       findings.warn(
           path, "rigid bodies that follow no forces do not push each other: the pair does nothing");
     }

@@ -17,12 +17,11 @@ void describe(Schema& s, Time& time) {
           "a shorter step stops the run; default: a thousandth of the first that elements or "
           "particles bound"},
          time.min_step, {"s", positive()});
-  s.integer(
-      {"check_step",
-       "measures at step 0 and at every N-th how much longer than the step for which it votes "
-       "the stable step of each body is; below 1 it warns; costs some 600 steps each time; "
-       "0: never"},
-      time.check_step, at_least(0));
+  s.integer({"check_step",
+             "measures at step 0 and at every N-th how much longer than its own step limit "
+             "the stable step of each body is; below 1 it warns; costs some 600 steps each time; "
+             "0: never"},
+            time.check_step, at_least(0));
   s.integer({"heat_every",
              "conduction is evaluated at every N-th step and acts as it was in between: what fades "
              "with a time constant tau fades too fast by the part N dt/(2 tau); 1: at every step"},
@@ -107,7 +106,7 @@ void describe(Schema& s, Output& output) {
 
 void describe(Schema& s, Ranks& ranks) {
   s.real_or_word({"balance",
-                  "largest over mean work of the ranks beyond which points are dealt out "
+                  "largest over mean work of the ranks beyond which points are partitioned "
                   "again, once that pays; 1: at every look; the answer is the same"},
                  ranks.balance, {"1", at_least(1)}, "off");
   s.integer({"balance_steps", "steps between two looks at the balance"}, ranks.balance_steps,

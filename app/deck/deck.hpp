@@ -24,7 +24,7 @@ struct Time {
   Real safety = 0.9;             ///< fraction of the stable step
   std::optional<Real> max_step;  ///< [s]
   std::optional<Real> min_step;  ///< [s] a smaller step stops the run
-  int check_step = 0;            ///< steps between two checks of the votes; 0: never
+  int check_step = 0;            ///< steps between two checks of the step limits; 0: never
   int heat_every = 1;            ///< steps between two evaluations of conduction
   Real max_drift = 0.05;         ///< energy drift over the largest energy at which the run stops
   Real max_created = 0.05;       ///< energy that nobody put in, over the largest, at which it stops

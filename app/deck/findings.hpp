@@ -16,7 +16,7 @@ class Findings {
   void wrong(const std::string& path, const std::string& message);
   /// A key that is wrong by what is told at another.
   void also_wrong(const std::string& path);
-  const std::vector<std::string>& told_elsewhere() const { return also_wrong_; }
+  const std::vector<std::string>& reported_elsewhere() const { return also_wrong_; }
   void warn(const std::string& path, const std::string& message);
   /// False where something at, below or above the key could not be read: its values are then
   /// defaults, and nothing can be said of them.

@@ -71,8 +71,9 @@ void use_library(Node& root, const Node& library, std::vector<DeckProblem>& prob
 }
 
 /// What is told of a parameter is not told again where it is used: one that is wrong itself, beyond
-/// the first `n_told` problems; one that is no number, or does not fit in the same way, but once.
-void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_told,
+/// the first `n_reported` problems; one that is no number, or does not fit in the same way, but
+/// once.
+void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_reported,
                        std::vector<DeckProblem>& problems) {
   std::map<std::string, std::vector<const Parameter*>> used_at;
   for (const Parameter& parameter : parameters) {
@@ -80,7 +81,7 @@ void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_t
       used_at[place.text()].push_back(&parameter);
     }
   }
-  const auto first = problems.begin() + static_cast<std::ptrdiff_t>(n_told);
+  const auto first = problems.begin() + static_cast<std::ptrdiff_t>(n_reported);
   std::set<std::pair<const Parameter*, std::string>> seen;
   const auto repeats = [&](const DeckProblem& problem) {
     const auto used = used_at.find(problem.place.text());
@@ -121,7 +122,7 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
   const std::size_t n_before = problems.size();
   const std::vector<Parameter> parameters = resolve_parameters(root, units_, is_formula, problems);
   const ParameterValues values = values_of(parameters);
-  std::size_t n_told = problems.size();
+  std::size_t n_reported = problems.size();
   ReadReport report;
   Reader reader(root, geometry_of(root), units_, values, report);
   describe(reader, loaded.deck);
@@ -130,16 +131,16 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
   const auto& read = report.problems;
   const bool section_unknown = std::any_of(
       read.begin(), read.end(), [](const DeckProblem& problem) { return problem.path.empty(); });
-  if (!declares && section_unknown) n_told = n_before;
+  if (!declares && section_unknown) n_reported = n_before;
   loaded.places.set("", root.place);
   for (const auto& [path, place] : report.places) loaded.places.set(path, place);
   problems.insert(problems.end(), report.problems.begin(), report.problems.end());
   loaded.warnings.insert(loaded.warnings.end(), report.warnings.begin(), report.warnings.end());
   Findings findings(loaded.places, problems, loaded.warnings);
   check_deck(loaded.deck, findings);
-  loaded.wrong = findings.told_elsewhere();
+  loaded.wrong = findings.reported_elsewhere();
   for (const DeckProblem& problem : problems) loaded.wrong.push_back(problem.path);
-  drop_consequences(parameters, n_told, problems);
+  drop_consequences(parameters, n_reported, problems);
   sort_problems(problems);
   sort_problems(loaded.warnings);
   for (const Parameter& parameter : parameters) {

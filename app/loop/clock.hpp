@@ -3,15 +3,15 @@
 #include <optional>
 
 #include "core/state.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 
 namespace brunt {
 
 /// Time, step and what bounds the step. Nothing but `end` shortens a step.
 class Clock {
  public:
-  /// min_step [s]: a shorter vote stops the run; none: kCollapsed of the first step that elements
-  /// or particles bound, and 1e-9 of the end where none do.
+  /// min_step [s]: a shorter step limit stops the run; none: kCollapsed of the first step that
+  /// elements or particles bound, and 1e-9 of the end where none do.
   Clock(Real end, Real safety, Real max_step, std::optional<Real> min_step = {})
       : end_(end), safety_(safety), max_step_(max_step), min_step_(min_step) {}
 
@@ -20,21 +20,21 @@ class Clock {
   Real end() const { return end_; }    ///< [s]
   Real dt() const { return dt_; }      ///< [s] of the last step
   std::int64_t step() const { return step_; }
-  const StepVote& whose() const { return whose_; }
+  const StepLimit& whose() const { return whose_; }
   void stop() { stopped_ = true; }
   /// The first step [s] that elements or particles bound, of which the plan of steps is made; 0:
   /// none did yet. Contacts and spins may not bound the first step, or bound no other.
   Real planned_step() const { return planned_step_; }
-  /// The vote [s] below which the step has collapsed.
+  /// The step limit [s] below which the step has collapsed.
   Real least_step() const {
     return min_step_.value_or(planned_step_ > 0 ? kCollapsed * planned_step_ : 1e-9 * end_);
   }
 
-  /// The step [s] to take: safety times the smallest vote, max_step, what is left to `end`.
-  Real limit(const StepVote& vote) {
-    whose_ = vote;
-    Real dt = safety_ * vote.step;
-    if (planned_step_ == 0 && vote.of_material()) planned_step_ = std::min(dt, max_step_);
+  /// The step [s] to take: safety times the smallest step limit, max_step, what is left to `end`.
+  Real limit(const StepLimit& step_limit) {
+    whose_ = step_limit;
+    Real dt = safety_ * step_limit.step;
+    if (planned_step_ == 0 && step_limit.of_material()) planned_step_ = std::min(dt, max_step_);
     if (dt > max_step_) dt = max_step_, whose_ = {max_step_, "max_step", 0, 0};
     const Real left = end_ - time_;
     if (dt >= left) {
@@ -43,10 +43,14 @@ class Clock {
     }
     return dt;
   }
-  /// True if a step under this vote would be shortened by `end`.
-  bool shortens(const StepVote& vote) const { return unshortened(vote) >= end_ - time_; }
-  /// The step [s] under this vote if there were no `end`.
-  Real unshortened(const StepVote& vote) const { return std::min(safety_ * vote.step, max_step_); }
+  /// True if a step under this step limit would be shortened by `end`.
+  bool shortens(const StepLimit& step_limit) const {
+    return unshortened(step_limit) >= end_ - time_;
+  }
+  /// The step [s] under this step limit if there were no `end`.
+  Real unshortened(const StepLimit& step_limit) const {
+    return std::min(safety_ * step_limit.step, max_step_);
+  }
   void advance(Real dt) {
     dt_ = dt;
     time_ = last_ ? end_ : time_ + dt;
@@ -82,7 +86,7 @@ class Clock {
   Real time_ = 0, dt_ = 0;
   std::int64_t step_ = 0;
   bool last_ = false, stopped_ = false;
-  StepVote whose_;
+  StepLimit whose_;
 };
 
 }  // namespace brunt

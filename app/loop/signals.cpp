@@ -8,15 +8,15 @@ namespace brunt {
 namespace {
 // A handler may only set a flag; the run reads it between steps.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): a handler has no other way.
-volatile std::sig_atomic_t checkpoint_asked = 0;
-volatile std::sig_atomic_t stop_asked = 0;
+volatile std::sig_atomic_t checkpoint_requested = 0;
+volatile std::sig_atomic_t stop_requested = 0;
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 void on_signal(int signal) {
   if (signal == SIGUSR1) {
-    checkpoint_asked = 1;
+    checkpoint_requested = 1;
   } else {
-    stop_asked = 1;
+    stop_requested = 1;
     if (signal != SIGUSR2) std::signal(signal, SIG_DFL);  // a second one ends the run at once
   }
 }
@@ -38,8 +38,8 @@ void listen_to_signals() {
 }
 
 Requests take_requests() {
-  const Requests requests{checkpoint_asked != 0, stop_asked != 0};
-  checkpoint_asked = 0;
+  const Requests requests{checkpoint_requested != 0, stop_requested != 0};
+  checkpoint_requested = 0;
   return requests;
 }
 

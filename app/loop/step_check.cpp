@@ -17,12 +17,12 @@ constexpr int kRests = 5;
 constexpr Real kGrowth = 100;      // what modes that beat with each other stay below
 constexpr Real kPrecision = 2e-3;  // of a margin, relative
 
-/// The vote of a group, of all ranks.
+/// The step limit of a group, of all ranks.
 template <int Dim>
-StepVote vote_of(const Solid<Dim>& solid, const Communicator& ranks) {
-  StepVote vote = solid.stable_step();
-  vote.reason = "";  // no pointer goes from rank to rank
-  return ranks.reduce(vote, [](StepVote& a, const StepVote& b) { a.take(b); });
+StepLimit step_limit_of(const Solid<Dim>& solid, const Communicator& ranks) {
+  StepLimit step_limit = solid.stable_step();
+  step_limit.reason = "";  // no pointer goes from rank to rank
+  return ranks.reduce(step_limit, [](StepLimit& a, const StepLimit& b) { a.take(b); });
 }
 
 /// A number of -1 .. 1 that is a function of a point and a direction alone.
@@ -110,16 +110,16 @@ template <int Dim>
 std::vector<StepMargin> find_step_margins(Scene<Dim>& scene) {
   std::vector<StepMargin> margins;
   for (auto& solid : scene.solids) {
-    const StepVote vote = vote_of(*solid, *scene.ranks);
-    if (!std::isfinite(vote.step)) continue;  // rigid
+    const StepLimit step_limit = step_limit_of(*solid, *scene.ranks);
+    if (!std::isfinite(step_limit.step)) continue;  // rigid
     const Kept<Dim> kept(*solid, *scene.ranks);
     Real stable = 0.25, unstable = 4;
     while (unstable - stable > kPrecision * stable) {
       const Real middle = std::sqrt(stable * unstable);
-      (grows(scene, *solid, middle * vote.step) ? unstable : stable) = middle;
+      (grows(scene, *solid, middle * step_limit.step) ? unstable : stable) = middle;
       kept.restore(*solid);
     }
-    margins.push_back({scene.body_names[vote.body], stable});
+    margins.push_back({scene.body_names[step_limit.body], stable});
   }
   scene.refresh_motion();
   return margins;
@@ -129,8 +129,8 @@ namespace {
 RunWarning warning_of(const std::string& body, Real margin) {
   std::ostringstream text;
   text.precision(3);
-  text << body << ": is stable up to " << margin
-       << " times the step that it votes for; try a `time.safety` of " << 0.9 * margin;
+  text << body << ": is stable up to " << margin << " times its step limit; try a `time.safety` of "
+       << 0.9 * margin;
   return {"time.check_step", text.str()};
 }
 }  // namespace

@@ -8,10 +8,10 @@
 
 namespace brunt {
 
-/// The longest stable step of a group of elements or particles over the step for which it votes.
+/// The longest stable step of a group of elements or particles over its own step limit.
 struct StepMargin {
   std::string body;  ///< whose element or particle bounds the group's step
-  Real margin = 0;   ///< [1] below 1: the group votes for a step at which it is unstable
+  Real margin = 0;   ///< [1] below 1: the group has a step limit at which it is unstable
 };
 
 /// Finds how long a step each group of a scene really takes, and leaves the scene as it was.
@@ -20,8 +20,8 @@ struct StepMargin {
 /// random velocities and about the present state: their change alone moves the points, so that what
 /// is linear is left. A frequency omega above 2/dt, less where viscosity acts, grows and changes
 /// its sign at every step; smooth growth, as of a body that buckles, does not count. The longest
-/// step without growth is found by bisection between a quarter and four times the vote. Contacts,
-/// supports and loads are left out. Costs some 1,000 steps of forces. Collective.
+/// step without growth is found by bisection between a quarter and four times the step limit.
+/// Contacts, supports and loads are left out. Costs some 1,000 steps of forces. Collective.
 template <int Dim>
 std::vector<StepMargin> find_step_margins(Scene<Dim>& scene);
 

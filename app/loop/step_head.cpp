@@ -24,20 +24,22 @@ const char* interned(const std::string& text) {
 bool StepHead::take(const StepHead& other) {
   requests.checkpoint = requests.checkpoint || other.requests.checkpoint;
   requests.stop = requests.stop || other.requests.stop;
-  const bool number = vote.step == vote.step, other_number = other.vote.step == other.vote.step;
-  if (!number || (other_number && !other.vote.before(vote))) return false;
-  vote = other.vote;
+  const bool number = step_limit.step == step_limit.step,
+             other_number = other.step_limit.step == other.step_limit.step;
+  if (!number || (other_number && !other.step_limit.before(step_limit))) return false;
+  step_limit = other.step_limit;
   return true;
 }
 
 StepHead over_ranks(const StepHead& mine, const Communicator& ranks) {
   if (ranks.alone()) return mine;
   Letter letter{mine, {}};
-  std::strncpy(letter.reason.data(), mine.vote.reason, letter.reason.size() - 1);
+  std::strncpy(letter.reason.data(), mine.step_limit.reason, letter.reason.size() - 1);
   letter = ranks.reduce(letter, [](Letter& a, const Letter& b) {
     if (a.head.take(b.head)) a.reason = b.reason;
   });
-  letter.head.vote.reason = interned(letter.reason.data());  // the pointer is that of another rank
+  letter.head.step_limit.reason =
+      interned(letter.reason.data());  // the pointer is that of another rank
   return letter.head;
 }
 

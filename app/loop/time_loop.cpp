@@ -7,27 +7,28 @@
 namespace brunt {
 
 namespace {
-/// The smallest vote of all ranks and what they are asked for, in one reduction.
+/// The smallest step limit of all ranks and what they are asked for, in one reduction.
 template <int Dim>
 StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
   const PhaseTimer timer(scene.phases, Phase::step_bound);
-  const StepVote vote = scene.stable_step(clock.time(), clock.dt());
-  return over_ranks({vote, observer.requests(scene, clock)}, *scene.ranks);
+  const StepLimit step_limit = scene.stable_step(clock.time(), clock.dt());
+  return over_ranks({step_limit, observer.requests(scene, clock)}, *scene.ranks);
 }
 
 template <int Dim>
-Real choose_step(const StepVote& vote, Scene<Dim>& scene, Clock& clock) {
-  // A vote that is not a number fails this comparison too.
-  if (!(vote.step >= clock.least_step())) {
+Real choose_step(const StepLimit& step_limit, Scene<Dim>& scene, Clock& clock) {
+  // A step limit that is not a number fails this comparison too.
+  if (!(step_limit.step >= clock.least_step())) {
     scene.check(clock.time());  // knows better, where an element is inverted or a value no number
     std::ostringstream cause;
     cause << "the step collapsed below " << clock.least_step() << " s (time.min_step) "
-          << "in step " << clock.step() << "; " << scene.advice(vote);
-    throw PhysicsError({clock.time(), scene.body_names.empty() ? "" : scene.body_names[vote.body],
-                        std::string(vote.reason) + " " + std::to_string(vote.entity),
-                        "stable step [s]", vote.step, cause.str()});
+          << "in step " << clock.step() << "; " << scene.advice(step_limit);
+    throw PhysicsError({clock.time(),
+                        scene.body_names.empty() ? "" : scene.body_names[step_limit.body],
+                        std::string(step_limit.reason) + " " + std::to_string(step_limit.entity),
+                        "stable step [s]", step_limit.step, cause.str()});
   }
-  return clock.limit(vote);
+  return clock.limit(step_limit);
 }
 
 template <int Dim>
@@ -55,7 +56,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     const StepHead head = agree(scene, clock, observer);
     observer.answer(head, scene, clock);
     if (clock.finished()) break;
-    const Real dt = choose_step(head.vote, scene, clock);
+    const Real dt = choose_step(head.step_limit, scene, clock);
     {
       const PhaseTimer timer(phases, Phase::points);
       for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());

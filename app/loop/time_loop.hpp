@@ -7,7 +7,7 @@
 namespace brunt {
 
 /// Watches a run: output, progress, checks. Sees the scene at whole steps only.
-/// What ranks may be asked for one by one goes with the vote for the step, in one reduction.
+/// What ranks may be asked for one by one goes with the step limit for the step, in one reduction.
 template <int Dim>
 class Observer {
  public:

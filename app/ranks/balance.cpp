@@ -12,11 +12,11 @@
 namespace brunt {
 
 namespace {
-/// Phases whose seconds are work; ledger and output are not spread by the deal.
+/// Phases whose seconds are work; ledger and output are not spread by the partition.
 constexpr Phase kWork[] = {Phase::step_bound, Phase::search,    Phase::points,
                            Phase::elements,   Phase::particles, Phase::contact};
 
-/// One owned point as all ranks must see it to deal it out.
+/// One owned point as all ranks must see it to partition it.
 template <int Dim>
 struct Weighted {
   GlobalId id;
@@ -24,7 +24,7 @@ struct Weighted {
 };
 
 template <int Dim>
-Deal deal_of(const std::vector<Weighted<Dim>>& mine, const Communicator& ranks) {
+Partition partition_of(const std::vector<Weighted<Dim>>& mine, const Communicator& ranks) {
   std::vector<Vec<Dim>> x;
   std::vector<Real> weight;
   for (const Bytes& bytes : ranks.all_gather((Packer() << mine).take())) {
@@ -37,7 +37,7 @@ Deal deal_of(const std::vector<Weighted<Dim>>& mine, const Communicator& ranks) 
       weight[at] = point.weight;
     }
   }
-  return deal_out<Dim>(ranks, x, weight);
+  return make_partition<Dim>(ranks, x, weight);
 }
 }  // namespace
 
@@ -52,13 +52,13 @@ void Balance<Dim>::look(Scene<Dim>& scene, Real time) {
   steps_ = 0;
   if (is_due(scene)) {
     scene.check(time);  // what is no number any more has no place in space
-    deal_again(scene);
+    repartition(scene);
   }
   last_ = scene.phases;
 }
 
 /// True on all ranks alike: the ratio is beyond the threshold, and waiting has cost more by now
-/// than a deal will. A threshold of 1 deals at every look.
+/// than a partition will. A threshold of 1 repartitions at every look.
 template <int Dim>
 bool Balance<Dim>::is_due(Scene<Dim>& scene) {
   struct Work {
@@ -103,7 +103,7 @@ std::vector<Real> Balance<Dim>::weights(const Scene<Dim>& scene) const {
     const auto shares = solid->point_work();
     const std::size_t first = all.size();
     all.resize(first + shares.size(), 0.0);
-    // Points of a rigid wall weigh nothing, or the wall would turn the cuts (deal_out).
+    // Points of a rigid wall weigh nothing, or the wall would turn the cuts (make_partition).
     for (std::size_t i = 0; i < shares.size(); ++i) {
       even.push_back(solid->points().mass[i] > 0 ? 1 : 0);
     }
@@ -123,7 +123,7 @@ std::vector<Real> Balance<Dim>::weights(const Scene<Dim>& scene) const {
 }
 
 template <int Dim>
-void Balance<Dim>::deal_again(Scene<Dim>& scene) {
+void Balance<Dim>::repartition(Scene<Dim>& scene) {
   const auto start = std::chrono::steady_clock::now();
   const Communicator& ranks = *scene.ranks;
   const auto weight = weights(scene);
@@ -136,18 +136,18 @@ void Balance<Dim>::deal_again(Scene<Dim>& scene) {
       points.push_back(one);
     }
   }
-  auto deal = std::make_unique<const Deal>(deal_of(points, ranks));
+  auto partition = std::make_unique<const Partition>(partition_of(points, ranks));
   std::vector<StateTable> tables;
   scene.save_state(tables);
   const StateTables state(of_all_ranks(tables, ranks));
   auto fresh = build_();
-  distribute(*fresh, ranks, std::move(deal));
+  distribute(*fresh, ranks, std::move(partition));
   fresh->phases = scene.phases;
   scene = std::move(*fresh);
   scene.load_state(state);
   cost_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   lost_ = 0;
-  ++deals_;
+  ++repartitions_;
 }
 
 template class Balance<2>;

@@ -23,14 +23,15 @@ WeighedPoints<Dim> weighed_points(const Scene<Dim>& scene) {
 }
 
 template <int Dim>
-void distribute(Scene<Dim>& scene, const Communicator& ranks, std::unique_ptr<const Deal> deal) {
+void distribute(Scene<Dim>& scene, const Communicator& ranks,
+                std::unique_ptr<const Partition> partition) {
   scene.ranks = &ranks;
   scene.phases.ranks = &ranks;
   if (ranks.alone()) return;
-  scene.deal = std::move(deal);
+  scene.partition = std::move(partition);
   std::vector<std::unique_ptr<Solid<Dim>>> whole;
   for (auto& solid : scene.solids) {
-    auto part = solid->part(*scene.deal, ranks);
+    auto part = solid->part(*scene.partition, ranks);
     scene.supports.follow(solid->points(), part->points());
     scene.loads.follow(solid->points(), part->points());
     if (scene.rigid) scene.rigid->follow(solid->points(), part->points());
@@ -41,22 +42,23 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks, std::unique_ptr<co
   std::vector<Surface<Dim>*> surfaces;
   for (auto& solid : scene.solids) surfaces.push_back(&solid->surface());
   scene.contact = std::make_unique<ContactManager<Dim>>(*scene.contact, std::move(surfaces),
-                                                        *scene.deal, ranks);
+                                                        *scene.partition, ranks);
 }
 
 template <int Dim>
 void distribute(Scene<Dim>& scene, const Communicator& ranks) {
   if (ranks.alone()) return distribute(scene, ranks, nullptr);
   const auto points = weighed_points(scene);
-  distribute(scene, ranks,
-             std::make_unique<const Deal>(deal_out<Dim>(ranks, points.x, points.weight)));
+  distribute(
+      scene, ranks,
+      std::make_unique<const Partition>(make_partition<Dim>(ranks, points.x, points.weight)));
 }
 
 template WeighedPoints<2> weighed_points(const Scene<2>&);
 template WeighedPoints<3> weighed_points(const Scene<3>&);
 template void distribute<2>(Scene<2>&, const Communicator&);
 template void distribute<3>(Scene<3>&, const Communicator&);
-template void distribute<2>(Scene<2>&, const Communicator&, std::unique_ptr<const Deal>);
-template void distribute<3>(Scene<3>&, const Communicator&, std::unique_ptr<const Deal>);
+template void distribute<2>(Scene<2>&, const Communicator&, std::unique_ptr<const Partition>);
+template void distribute<3>(Scene<3>&, const Communicator&, std::unique_ptr<const Partition>);
 
 }  // namespace brunt

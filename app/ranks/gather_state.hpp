@@ -6,7 +6,7 @@
 
 namespace brunt {
 
-/// The tables of all ranks on every rank: a deal may send any row anywhere. Collective.
+/// The tables of all ranks on every rank: a partition may send any row anywhere. Collective.
 std::vector<StateTable> of_all_ranks(const std::vector<StateTable>& mine,
                                      const Communicator& ranks);
 

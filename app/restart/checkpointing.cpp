@@ -61,8 +61,8 @@ Requests Checkpointing<Dim>::requests(const Scene<Dim>& scene, const Clock& cloc
 template <int Dim>
 void Checkpointing<Dim>::answer(const StepHead& head, Scene<Dim>& scene, Clock& clock) {
   if (clock.step() == first_step_) return;
-  const bool stopped = stop_if_asked(head.requests, clock);
-  const bool last = is_before_end(head.vote, clock);
+  const bool stopped = stop_if_requested(head.requests, clock);
+  const bool last = is_before_end(head.step_limit, clock);
   if (folder_.empty()) return;
   if (stopped || last || head.requests.checkpoint || is_due(clock)) write(scene, clock);
 }
@@ -79,7 +79,7 @@ void Checkpointing<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
 
 /// True if the run ends here on request; its state is a whole step like any other.
 template <int Dim>
-bool Checkpointing<Dim>::stop_if_asked(const Requests& requests, Clock& clock) {
+bool Checkpointing<Dim>::stop_if_requested(const Requests& requests, Clock& clock) {
   if (requests.stop) {
     interrupted_ = true;
     monitor_.stop(clock, "stopped by a signal");
@@ -99,9 +99,9 @@ bool Checkpointing<Dim>::is_due(const Clock& clock) const {
 
 /// True once, where checkpoints are written and `end` shortens the step to come.
 template <int Dim>
-bool Checkpointing<Dim>::is_before_end(const StepVote& vote, const Clock& clock) {
+bool Checkpointing<Dim>::is_before_end(const StepLimit& step_limit, const Clock& clock) {
   if (!loaded_.deck.output.checkpoint || before_end_) return false;
-  before_end_ = clock.shortens(vote);
+  before_end_ = clock.shortens(step_limit);
   return before_end_;
 }
 

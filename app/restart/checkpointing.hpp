@@ -34,9 +34,9 @@ class Checkpointing final : public Observer<Dim> {
 
  private:
   void go_on(Scene<Dim>& scene, Clock& clock);
-  bool stop_if_asked(const Requests& requests, Clock& clock);
+  bool stop_if_requested(const Requests& requests, Clock& clock);
   bool is_due(const Clock& clock) const;
-  bool is_before_end(const StepVote& vote, const Clock& clock);
+  bool is_before_end(const StepLimit& step_limit, const Clock& clock);
   void write(Scene<Dim>& scene, const Clock& clock);
 
   const LoadedDeck& loaded_;

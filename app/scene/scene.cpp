@@ -11,16 +11,16 @@
 namespace brunt {
 
 template <int Dim>
-StepVote Scene<Dim>::stable_step(Real time, Real dt_last) const {
-  StepVote vote;
+StepLimit Scene<Dim>::stable_step(Real time, Real dt_last) const {
+  StepLimit step_limit;
   for (const auto& solid : solids) {
-    vote.take(solid->stable_step());
+    step_limit.take(solid->stable_step());
   }
-  vote.take(heat_step());
-  if (contact) vote.take(contact->stable_step(dt_last));
-  if (rigid) vote.take(rigid->stable_step());
-  vote.take(loads.stable_step(time));
-  return vote;
+  step_limit.take(heat_step());
+  if (contact) step_limit.take(contact->stable_step(dt_last));
+  if (rigid) step_limit.take(rigid->stable_step());
+  step_limit.take(loads.stable_step(time));
+  return step_limit;
 }
 
 template <int Dim>
@@ -30,10 +30,10 @@ bool Scene<Dim>::conducts() const {
 }
 
 template <int Dim>
-StepVote Scene<Dim>::heat_step() const {
-  StepVote vote;
-  for (const auto& solid : solids) vote.take(brunt::heat_step(solid->points()));
-  return vote;
+StepLimit Scene<Dim>::heat_step() const {
+  StepLimit step_limit;
+  for (const auto& solid : solids) step_limit.take(brunt::heat_step(solid->points()));
+  return step_limit;
 }
 
 template <int Dim>
@@ -232,8 +232,8 @@ void Scene<Dim>::check_own(Real time) const {
 }
 
 template <int Dim>
-std::string Scene<Dim>::advice(const StepVote& vote) const {
-  const std::string_view reason = vote.reason;
+std::string Scene<Dim>::advice(const StepLimit& step_limit) const {
+  const std::string_view reason = step_limit.reason;
   if (reason == "contact stiffness" || reason == "contact speed") {
     return "contact: faces are deep in each other or very fast there; try finer elements, or a "
            "lower "
@@ -241,7 +241,7 @@ std::string Scene<Dim>::advice(const StepVote& vote) const {
   }
   std::string mine;
   for (const auto& solid : solids) {
-    if (mine.empty()) mine = solid->advice(vote.entity);
+    if (mine.empty()) mine = solid->advice(step_limit.entity);
   }
   for (const Bytes& bytes : ranks->all_gather((Packer() << mine).take())) {
     std::string one;

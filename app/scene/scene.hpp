@@ -34,17 +34,18 @@ struct Scene {
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
   Supports<Dim> supports;
   Loads<Dim> loads;
-  std::unique_ptr<FreeBodies<Dim>> rigid;  ///< absent where all rigid bodies move as told
+  std::unique_ptr<FreeBodies<Dim>>
+      rigid;  ///< absent where all rigid bodies have a prescribed motion
   HeatBoundaries<Dim> heat;
   Sections<Dim> sections;
   std::vector<Probe> probes;
   Phases phases;
   std::vector<std::string> notes;  ///< of its building, for the log
   const Communicator* ranks = &lone_rank();
-  std::unique_ptr<const Deal> deal;  ///< whose each point is; none on a lone rank
+  std::unique_ptr<const Partition> partition;  ///< whose each point is; none on a lone rank
 
-  /// The smallest vote of this rank, and whose. Not collective.
-  StepVote stable_step(Real time, Real dt_last) const;
+  /// The smallest step limit of this rank, and whose. Not collective.
+  StepLimit stable_step(Real time, Real dt_last) const;
   /// True where some group has temperatures.
   bool conducts() const;
   /// Positions, velocities and temperatures of copies, from their owners. Collective, as all that
@@ -54,7 +55,7 @@ struct Scene {
   /// end, `step` counts those before it.
   void add_heat(Real time, Real dt, std::int64_t step);
   /// The longest stable step of heat of the owned points of this rank, and whose it is.
-  StepVote heat_step() const;
+  StepLimit heat_step() const;
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
   /// are due, after the motion; no answer depends on when.
   void rearrange();
@@ -62,8 +63,8 @@ struct Scene {
   Totals<Dim> totals(Real dt) const;
   /// Throws PhysicsError where a state is no longer a number or an element is inverted.
   void check(Real time) const;
-  /// What may help where a vote has collapsed. Collective.
-  std::string advice(const StepVote& vote) const;
+  /// What may help where a step limit has collapsed. Collective.
+  std::string advice(const StepLimit& step_limit) const;
   /// The whole body on the root, absolute positions; elsewhere empty.
   BodyView view(Label body) const;
   /// What this rank has of it, copies of points included; absolute positions. Not collective.

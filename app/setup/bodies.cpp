@@ -110,7 +110,7 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
     auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(surface.nodes);
     geometry.facets = std::move(surface.facets);
-    // What is held or moves as told is one surface, whatever it is made of.
+    // What is held or has a prescribed motion is one surface, whatever it is made of.
     const bool by_piece = deck::follows_forces(body);
     geometry.piece_names = by_piece ? std::move(surface.piece_names) : std::vector<std::string>{""};
     piece = by_piece ? std::move(surface.piece) : std::vector<Label>(geometry.facets.size(), 0);

@@ -213,7 +213,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
   for (const auto& [name, boundary] : deck.boundaries) {
     const std::string path = "boundaries." + name;
     const auto found = label_of(deck, boundary.body);
-    if (!found) continue;  // told by the deck's own checks
+    if (!found) continue;  // reported by the deck's own checks
     const Label label = *found;
     const deck::Body& body = deck.bodies[label].value;
     const bool moves = !boundary.fix.empty() || boundary.velocity || boundary.force;

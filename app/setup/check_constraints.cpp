@@ -120,7 +120,7 @@ void check_pair(const LoadedDeck& loaded, const Scene<Dim>& scene, const Constra
 template <int Dim>
 void check_constraints(const LoadedDeck& loaded, const Scene<Dim>& scene,
                        std::vector<DeckProblem>& problems) {
-  if (!(loaded.deck.time.end > 0)) return;  // told already
+  if (!(loaded.deck.time.end > 0)) return;  // reported already
   const auto& constraints = scene.supports.constraints();
   std::vector<const Constraint<Dim>*> sound;
   for (const auto& constraint : constraints) {

@@ -18,7 +18,7 @@ struct Skin {
   std::vector<std::array<Vec<Dim>, Dim>> simplices;
   std::vector<Vec<Dim>> points;  // of the skin, or all particles
   Vec<Dim> low = Vec<Dim>::Constant(kInfinity), high = Vec<Dim>::Constant(-kInfinity);
-  Real size = kInfinity;  // [m] of an element or a spacing; held or told: none
+  Real size = kInfinity;  // [m] of an element or a spacing; held or of prescribed motion: none
   bool particles = false, plane = false, rigid = false;
 
   Vec<Dim> center() const { return 0.5 * (low + high); }

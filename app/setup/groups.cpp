@@ -235,9 +235,9 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
 
 namespace {
 /// Temperatures of surfaces that are held at them. They take any heat, and store next to none where
-/// they are told another temperature.
+/// another temperature is prescribed for them.
 template <int Dim>
-void keep_warm(const LoadedDeck& loaded, Points<Dim>& points) {
+void hold_temperatures(const LoadedDeck& loaded, Points<Dim>& points) {
   std::vector<Real> at_start;
   for (const Label label : points.body) {
     at_start.push_back(loaded.deck.bodies[label].value.motion->temperature->at(0));
@@ -256,7 +256,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
     if (!body.rigid || group_kind(loaded.deck, body, name).conducts) continue;
-    if (is_warm_surface(loaded.deck, body) == warm) chosen.push_back(b);
+    if (is_heated_surface(loaded.deck, body) == warm) chosen.push_back(b);
   }
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
@@ -286,7 +286,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   mark_open<Dim>(facets);
   mark_borders<Dim>(facets, gathered.points.x);
   mark_sharpness<Dim>(facets, gathered.points.x);
-  if (warm) keep_warm(loaded, gathered.points);
+  if (warm) hold_temperatures(loaded, gathered.points);
   return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
 }
 

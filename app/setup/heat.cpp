@@ -28,7 +28,7 @@ bool is_held_with_its_sum(const Deck& deck, const std::string& name) {
 }
 
 /// A rigid body whose motion says its temperature.
-bool is_held_warm(const deck::Body& body) {
+bool has_held_temperature(const deck::Body& body) {
   return body.rigid && body.motion && body.motion->temperature;
 }
 }  // namespace
@@ -38,7 +38,7 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
                                      [&](const auto& m) { return m.name == body.material; });
   if (deck.heat == deck::Heat::off || material == deck.materials.end()) return HeatMode::none;
   // What is held at a temperature as a whole has nothing to conduct: its surface is enough.
-  if (is_held_warm(body)) return HeatMode::none;
+  if (has_held_temperature(body)) return HeatMode::none;
   const auto& thermal = material->value.thermal;
   if (!thermal) return HeatMode::none;
   const auto names = names_of_sum(deck, name);
@@ -80,15 +80,16 @@ bool is_held(const Deck& deck, const std::string& name) {
 }
 
 std::string heat_problem(const deck::Body& body, const std::string& name) {
-  if (!deck::follows_forces(body) || !is_held_warm(body)) return "";
+  if (!deck::follows_forces(body) || !has_held_temperature(body)) return "";
   return "'" + name +
-         "' moves freely, and only a body that moves as told is held at a temperature: give it "
+         "' moves freely, and only a body that has a prescribed motion is held at a temperature: "
+         "give it "
          "all components of `motion.velocity`, or take `motion.temperature` out";
 }
 
-bool is_warm_surface(const Deck& deck, const deck::Body& body) {
+bool is_heated_surface(const Deck& deck, const deck::Body& body) {
   const bool asked = deck.heat == deck::Heat::automatic || deck.heat == deck::Heat::conduct;
-  return asked && is_held_warm(body);
+  return asked && has_held_temperature(body);
 }
 
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name) {

@@ -24,7 +24,7 @@ bool is_held(const Deck& deck, const std::string& name);
 std::string heat_problem(const deck::Body& body, const std::string& name);
 
 /// True for a rigid body whose surface is held at the temperature of its motion.
-bool is_warm_surface(const Deck& deck, const deck::Body& body);
+bool is_heated_surface(const Deck& deck, const deck::Body& body);
 
 /// True where a boundary prescribes temperatures or heat.
 bool acts_on_heat(const deck::Boundary& boundary);
@@ -35,7 +35,8 @@ bool acts_on_heat(const deck::Boundary& boundary);
 struct GroupKind {
   bool conducts = false, held = false;
   bool rigid = false;  ///< only its heat is computed; else it deforms
-  bool free = false;   ///< it is rigid and follows its forces; else it is held or moves as told
+  bool free =
+      false;  ///< it is rigid and follows its forces; else it is held or has a prescribed motion
   bool operator==(const GroupKind&) const = default;
 };
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name);

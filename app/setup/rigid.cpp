@@ -50,14 +50,14 @@ void set_state(const deck::Body& body, const MassProperties& properties, const V
 
 /// Bodies of a plane that only move along it are told to start so.
 template <int Dim>
-void set_told_start(FreeBody<Dim>& made) {
+void set_prescribed_start(FreeBody<Dim>& made) {
   for (int c = 0; c < Dim; ++c) {
-    if (!made.is_free(c)) made.state.v[c] = made.told.velocity[c];
+    if (!made.is_free(c)) made.state.v[c] = made.prescribed.velocity[c];
   }
   if (made.turns) return;
-  const Vec3 spin = made.told.spin * made.told.axis;
+  const Vec3 spin = made.prescribed.spin * made.prescribed.axis;
   Vec3 arm = made.center;
-  arm.template head<Dim>() -= made.told.center;
+  arm.template head<Dim>() -= made.prescribed.center;
   const Vec3 round = spin.cross(arm);
   for (int c = 0; c < Dim; ++c) {
     if (!made.is_free(c)) made.state.v[c] += round[c];
@@ -177,13 +177,13 @@ std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<
     const auto& [name, body] = loaded.deck.bodies[one.body];
     const Material* material = material_of(loaded.deck, scene.materials, body);
     if (material == nullptr) continue;
-    one.told = motion_of<Dim>(body, one.body, scene.origin);
+    one.prescribed = motion_of<Dim>(body, one.body, scene.origin);
     try {
       const auto properties =
           mass_properties<Dim>(points, facets, material->density, scene.geometry, scene.depth);
       set_freedom(body, scene.geometry, one);
       set_state<Dim>(body, properties, scene.origin, one);
-      set_told_start(one);
+      set_prescribed_start(one);
       set_facets<Dim>(*material, properties, one, points, facets);
     } catch (const std::invalid_argument& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".shape", error.what()));

@@ -34,9 +34,10 @@ Vec<Dim> rounded_center(const std::vector<BodyGeometry<Dim>>& bodies, Geometry g
   return center;
 }
 
-/// How the rigid bodies move that are told to.
+/// How the rigid bodies move whose motion is prescribed.
 template <int Dim>
-std::vector<RigidMotion<Dim>> told_motions(const LoadedDeck& loaded, const Scene<Dim>& scene) {
+std::vector<RigidMotion<Dim>> prescribed_motions(const LoadedDeck& loaded,
+                                                 const Scene<Dim>& scene) {
   std::vector<RigidMotion<Dim>> motions;
   for (Label b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& body = loaded.deck.bodies[b].value;
@@ -69,12 +70,12 @@ void add_rigid_conductors(const LoadedDeck& loaded, const std::vector<BodyGeomet
     scene.solids.push_back(std::move(free));
   }
   if (auto told = make_elements(loaded, scene, bodies, kRigidConductors, next)) {
-    scene.supports.move_rigid(told->points(), told_motions(loaded, scene));
+    scene.supports.move_rigid(told->points(), prescribed_motions(loaded, scene));
     scene.solids.push_back(std::move(told));
   }
 }
 
-/// Rigid surfaces: of bodies that are held, move as told, or follow their forces.
+/// Rigid surfaces: of bodies that are held, have a prescribed motion, or follow their forces.
 template <int Dim>
 void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
                std::unique_ptr<RigidSurfaces<Dim>> surfaces, Followers<Dim>& followers,
@@ -86,7 +87,7 @@ void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
   const auto made = free_bodies_of(loaded, scene, surfaces->surface(), problems);
   if (!made.empty()) surfaces->set_shares(mass_shares<Dim>(made, surfaces->points()));
   followers.add(surfaces->points(), made);
-  scene.supports.move_rigid(surfaces->points(), told_motions(loaded, scene), std::move(free));
+  scene.supports.move_rigid(surfaces->points(), prescribed_motions(loaded, scene), std::move(free));
   scene.solids.push_back(std::move(surfaces));
 }
 
@@ -141,8 +142,9 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     auto particles = make_particles(loaded, *scene, bodies, kind, next);
     if (particles) scene->solids.push_back(std::move(particles));
   }
-  // Faces that are held or move as told come after those that are dealt out and do not, and those
-  // that stand on every rank last: whatever a lower face asks of others can be told beforehand.
+  // Faces that are held or have a prescribed motion come after those that are partitioned and do
+  // not, and those that stand on every rank last: whatever a lower face asks of others can be told
+  // beforehand.
   Followers<Dim> followers;
   add_rigid_conductors(loaded, bodies, *scene, next, followers, problems);
   for (const bool warm : {false, true}) {

@@ -80,7 +80,7 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
   };
   for (const auto& [name, given] : deck.probes) {
     const auto body = label_of(deck, given.body);
-    if (!body) continue;  // told by the deck's own checks
+    if (!body) continue;  // reported by the deck's own checks
     Probe probe;
     probe.name = name, probe.body = *body;
     if (tell("probes." + name + ".fields", find_probe(given, scene.own_view(*body), probe)))
@@ -89,7 +89,7 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
   }
   for (const auto& [name, given] : deck.sections) {
     const auto body = label_of(deck, given.body);
-    if (!body) continue;  // told by the deck's own checks
+    if (!body) continue;  // reported by the deck's own checks
     MaterialSection<Dim> section;
     section.name = name, section.body = *body;
     const auto wrong = find_section(given, deck.bodies[*body].value, scene, section);

@@ -7,7 +7,7 @@
 
 namespace brunt {
 
-/// Part of a body's tension that its artificial stress may carry untold.
+/// Part of a body's tension that its artificial stress may carry without a warning.
 inline constexpr Real kLargestArtificialShare = 0.01;
 
 /// bodies.NAME.artificial_stress
@@ -21,11 +21,11 @@ class ArtificialTensionWarnings {
   std::vector<std::string> take(Real time, const std::vector<Real>& shares,
                                 const std::vector<std::string>& names);
   /// One text a body.
-  const std::map<std::string, std::string>& all() const { return told_; }
-  void restore(std::map<std::string, std::string> told) { told_ = std::move(told); }
+  const std::map<std::string, std::string>& all() const { return warned_; }
+  void restore(std::map<std::string, std::string> told) { warned_ = std::move(told); }
 
  private:
-  std::map<std::string, std::string> told_;
+  std::map<std::string, std::string> warned_;
 };
 
 }  // namespace brunt

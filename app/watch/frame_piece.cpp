@@ -60,7 +60,7 @@ struct Copies {
   GhostPlan plan;                        // by number in `owned`, by place of the copy
 };
 
-Copies find_copies(const BodyView& view, const Deal& deal, const Communicator& ranks) {
+Copies find_copies(const BodyView& view, const Partition& partition, const Communicator& ranks) {
   Copies copies;
   std::vector<GlobalId> ids;
   std::vector<LocalIndex> places;
@@ -74,7 +74,7 @@ Copies find_copies(const BodyView& view, const Deal& deal, const Communicator& r
     } else {
       ids.push_back(number);
       places.push_back(static_cast<LocalIndex>(i));
-      owners.push_back(deal.of(number));
+      owners.push_back(partition.of(number));
     }
   }
   copies.plan = plan_ghosts(ranks, ids, places, owners, copies.owned);
@@ -83,11 +83,11 @@ Copies find_copies(const BodyView& view, const Deal& deal, const Communicator& r
 
 }  // namespace
 
-BodyView frame_piece(const BodyView& mine, const Deal& deal, const Communicator& ranks) {
+BodyView frame_piece(const BodyView& mine, const Partition& partition, const Communicator& ranks) {
   BodyView view = mine;
   take_cell_fields(view, ranks);
   if (!view.point_owned.empty()) drop_idle_copies(view);
-  const Copies copies = find_copies(view, deal, ranks);
+  const Copies copies = find_copies(view, partition, ranks);
   std::size_t width = 3;
   for (const auto& field : view.point_fields) width += static_cast<std::size_t>(field.components);
   const auto each = [&view](const auto& what) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/parallel/deal.hpp"
+#include "core/parallel/partition.hpp"
 #include "core/view.hpp"
 
 namespace brunt {
@@ -8,6 +8,6 @@ namespace brunt {
 /// its cells touch, with the values of their owners (forces on copies are not whole). All ranks
 /// with points of it get the same cell fields. The view needs the point field `id` where it has
 /// points. Collective.
-BodyView frame_piece(const BodyView& mine, const Deal& deal, const Communicator& ranks);
+BodyView frame_piece(const BodyView& mine, const Partition& partition, const Communicator& ranks);
 
 }  // namespace brunt

@@ -51,8 +51,8 @@ std::string lost_count_text(const LostPair& pair) {
 std::vector<std::string> LostContactWarnings::take(const std::vector<LostPair>& pairs) {
   std::vector<std::string> texts;
   for (const auto& pair : pairs) {
-    const bool first = told_.count(pair.name) == 0;
-    told_[pair.name] = pair;
+    const bool first = warned_.count(pair.name) == 0;
+    warned_[pair.name] = pair;
     if (first) texts.push_back(pair.name + ": " + lost_text(pair, dim_));
   }
   return texts;
@@ -60,7 +60,7 @@ std::vector<std::string> LostContactWarnings::take(const std::vector<LostPair>& 
 
 std::map<std::string, std::string> LostContactWarnings::all() const {
   std::map<std::string, std::string> texts;
-  for (const auto& [name, pair] : told_) {
+  for (const auto& [name, pair] : warned_) {
     texts[name] = name + ": " + lost_text(pair, dim_) + "; " + lost_count_text(pair);
   }
   return texts;

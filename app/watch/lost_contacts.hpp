@@ -26,7 +26,7 @@ class LostContactWarnings {
 
  private:
   int dim_;
-  std::map<std::string, LostPair> told_;  // as they stood last
+  std::map<std::string, LostPair> warned_;  // as they stood last
 };
 
 }  // namespace brunt

@@ -207,7 +207,7 @@ BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, Label body, Real time
   };
   std::erase_if(view.point_fields, dropped);
   std::erase_if(view.cell_fields, dropped);
-  return alone ? view : frame_piece(view, *scene.deal, *scene.ranks);
+  return alone ? view : frame_piece(view, *scene.partition, *scene.ranks);
 }
 
 template <int Dim>
@@ -259,7 +259,7 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
                  drift_);
 }
 
-/// Tells where a group votes for a step at which it is unstable.
+/// Tells where a group has a step limit at which it is unstable.
 template <int Dim>
 void Monitor<Dim>::check_step(Scene<Dim>& scene, const Clock& clock) {
   const int every = deck_.time.check_step;
@@ -343,7 +343,7 @@ void Monitor<Dim>::write_last_frame(Scene<Dim>& scene, const Clock& clock) {
   progress_.finish();
   try {
     if (collector_ && last_frame_ != clock.time()) write_frame(scene, clock.time());
-  } catch (const PhysicsError&) {  // told already, of what the frame would show
+  } catch (const PhysicsError&) {  // reported already, of what the frame would show
   }
   if (history_) history_->flush();
 }

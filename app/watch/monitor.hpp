@@ -70,7 +70,7 @@ class Monitor final : public Observer<Dim> {
   /// What was lost of contacts as of the last row or check of drift, by pair of bodies.
   std::map<std::string, std::string> lost_contacts() const { return lost_contacts_.all(); }
   /// What was told of energies and of the step.
-  const std::vector<RunWarning>& told() const { return watch_.told(); }
+  const std::vector<RunWarning>& warned() const { return watch_.warned(); }
   /// Where the energy went that is neither physics nor dissipation, as of the last row.
   EnergyShares energy_shares() const;
   /// Of artificial stress that carries too much, by body.

@@ -36,10 +36,10 @@ void report_free(const FreeBodies<Dim>& bodies, std::map<Label, RigidReport>& re
   }
 }
 
-/// Resultants on what is held or moves as told, and how it lies.
+/// Resultants on what is held or has a prescribed motion, and how it lies.
 template <int Dim>
-void report_told(const typename Supports<Dim>::Rigid& rigid, const Scene<Dim>& scene, Real time,
-                 std::map<Label, RigidReport>& reports) {
+void report_prescribed(const typename Supports<Dim>::Rigid& rigid, const Scene<Dim>& scene,
+                       Real time, std::map<Label, RigidReport>& reports) {
   struct Sums {
     std::array<ExactSum, 6> sum;
   };
@@ -88,7 +88,7 @@ template <int Dim>
 std::map<Label, RigidReport> rigid_reports(const Scene<Dim>& scene, Real time) {
   std::map<Label, RigidReport> reports;
   for (const auto& rigid : scene.supports.rigid()) {
-    report_told<Dim>(rigid, scene, time, reports);
+    report_prescribed<Dim>(rigid, scene, time, reports);
   }
   if (scene.rigid) report_free(*scene.rigid, reports);
   return reports;

@@ -15,7 +15,8 @@ struct RigidReport {
                                  ///< the point of its motion, held: the deck's origin
 };
 
-/// Rigid bodies by label, at a whole step. time [s]. Collective where some are held or told.
+/// Rigid bodies by label, at a whole step. time [s]. Collective where some are held or of
+/// prescribed motion.
 template <int Dim>
 std::map<Label, RigidReport> rigid_reports(const Scene<Dim>& scene, Real time);
 

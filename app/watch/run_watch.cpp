@@ -88,8 +88,8 @@ void RunWatch::look_at_created(const RunLook& now, const Clock& clock,
          "energy that nobody put in, over the largest", worst.share,
          created_text(now, worst) + " (time.max_created)"});
   }
-  if (created_told_ != 0 || worst.share <= kCreatedWarning) return;
-  created_told_ = 1;
+  if (created_warned_ != 0 || worst.share <= kCreatedWarning) return;
+  created_warned_ = 1;
   warnings.push_back({"energy", "energy that nobody put in is " + percent(worst.share) +
                                     " of the largest" + (body.empty() ? "" : " of " + body) + " " +
                                     at_time(clock) + ": " + created_text(now, worst)});
@@ -97,11 +97,11 @@ void RunWatch::look_at_created(const RunLook& now, const Clock& clock,
 
 void RunWatch::look_at_hourglass(const RunLook& now, const Clock& clock,
                                  std::vector<RunWarning>& warnings) {
-  for (std::size_t b = 0; b < hourglass_told_.size(); ++b) {
-    if (hourglass_told_[b] != 0) continue;
+  for (std::size_t b = 0; b < hourglass_warned_.size(); ++b) {
+    if (hourglass_warned_[b] != 0) continue;
     const Real share = now.watch.hourglass_share(now.energies, static_cast<Label>(b));
     if (share <= kHourglassWarning) continue;
-    hourglass_told_[b] = 1;
+    hourglass_warned_[b] = 1;
     warnings.push_back({"hourglass", deck_.bodies[b].name + ": hourglass energy is " +
                                          percent(share) + " of the work of its stresses " +
                                          at_time(clock) + "; try " +
@@ -114,11 +114,11 @@ void RunWatch::look_at_steps(const Clock& clock, std::vector<RunWarning>& warnin
   const Real passed = clock.time() - last_time_;
   const auto steps = static_cast<Real>(clock.step() - last_step_);
   last_time_ = clock.time(), last_step_ = clock.step();
-  if (steps_told_ != 0 || !(clock.planned_step() > 0) || steps <= 0) return;
+  if (steps_warned_ != 0 || !(clock.planned_step() > 0) || steps <= 0) return;
   const Real plan = clock.end() / clock.planned_step();
   const Real left = (clock.end() - clock.time()) * steps / passed;
   if (left <= kStepsWarning * plan) return;
-  steps_told_ = 1;
+  steps_warned_ = 1;
   std::ostringstream out;
   out.precision(3);
   out << "the step has shrunk to " << passed / steps << " s " << at_time(clock) << ", by "
@@ -132,7 +132,7 @@ std::vector<RunWarning> RunWatch::look(const RunLook& now, const Clock& clock) {
   look_at_hourglass(now, clock, warnings);
   look_at_steps(clock, warnings);
   look_at_created(now, clock, warnings);
-  told_.insert(told_.end(), warnings.begin(), warnings.end());
+  warned_.insert(warned_.end(), warnings.begin(), warnings.end());
   return warnings;
 }
 
@@ -141,7 +141,7 @@ void RunWatch::save_state(std::vector<StateTable>& tables,
   save_row(
       "watch", [&](auto& row) { visit(row, *this); }, tables);
   auto& text = texts[kTold];
-  for (const auto& [id, said] : told_) {
+  for (const auto& [id, said] : warned_) {
     text.append(id).push_back('\0');
     text.append(said).push_back('\0');
   }
@@ -151,12 +151,12 @@ void RunWatch::load_state(const StateTables& tables,
                           const std::map<std::string, std::string>& texts) {
   load_row(
       "watch", [&](auto& row) { visit(row, *this); }, tables);
-  told_.clear();
+  warned_.clear();
   const auto found = texts.find(kTold);
   if (found == texts.end()) throw StateError("the text 'watch' is missing");
   std::istringstream text(found->second);
   for (RunWarning one; std::getline(text, one.id, '\0') && std::getline(text, one.text, '\0');) {
-    told_.push_back(one);
+    warned_.push_back(one);
   }
 }
 

@@ -29,12 +29,12 @@ class RunWatch {
   /// Steps left over the steps of the plan of which a warning tells.
   static constexpr Real kStepsWarning = 10;
 
-  explicit RunWatch(const Deck& deck) : deck_(deck), hourglass_told_(deck.bodies.size(), 0) {}
+  explicit RunWatch(const Deck& deck) : deck_(deck), hourglass_warned_(deck.bodies.size(), 0) {}
 
   /// What is to be told now. Throws PhysicsError above time.max_created.
   std::vector<RunWarning> look(const RunLook& now, const Clock& clock);
   /// All that has been told.
-  const std::vector<RunWarning>& told() const { return told_; }
+  const std::vector<RunWarning>& warned() const { return warned_; }
   /// Largest share of energy that nobody put in, of all looks.
   Real worst_created() const { return worst_created_; }
 
@@ -44,9 +44,9 @@ class RunWatch {
  private:
   template <class Row, class Watch>
   static void visit(Row& row, Watch& watch) {
-    row(watch.created_told_), row(watch.steps_told_), row(watch.worst_created_);
+    row(watch.created_warned_), row(watch.steps_warned_), row(watch.worst_created_);
     row(watch.last_time_), row(watch.last_step_);
-    for (auto& told : watch.hourglass_told_) row(told);
+    for (auto& told : watch.hourglass_warned_) row(told);
   }
   void look_at_created(const RunLook& now, const Clock& clock, std::vector<RunWarning>& warnings);
   void look_at_hourglass(const RunLook& now, const Clock& clock, std::vector<RunWarning>& warnings);
@@ -56,9 +56,9 @@ class RunWatch {
   std::string remedy(const CreatedEnergy& worst, const std::string& pair) const;
 
   const Deck& deck_;
-  std::vector<RunWarning> told_;
-  std::vector<std::uint64_t> hourglass_told_;
-  std::uint64_t created_told_ = 0, steps_told_ = 0;
+  std::vector<RunWarning> warned_;
+  std::vector<std::uint64_t> hourglass_warned_;
+  std::uint64_t created_warned_ = 0, steps_warned_ = 0;
   Real worst_created_ = 0;
   Real last_time_ = 0;  // [s] of the last look
   std::int64_t last_step_ = 0;

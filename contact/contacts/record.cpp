@@ -14,7 +14,7 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
       for (int c = 0; c < Dim; ++c) {
         nodes.spring[at][c] += next->spring[c];
         nodes.damping[at][c] += next->damping[c];
-        if (nodes.rubs) nodes.friction[at][c] += next->friction[c];
+        if (nodes.has_friction) nodes.friction[at][c] += next->friction[c];
       }
       nodes.pressed[at] = 1;
     }
@@ -52,7 +52,7 @@ void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
   auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
   auto& f = points.f[static_cast<std::size_t>(nodes.point[i])];
   f += nodes.spring[i] + nodes.damping[i];
-  if (nodes.rubs) f += nodes.friction[i];
+  if (nodes.has_friction) f += nodes.friction[i];
 }
 }  // namespace
 
@@ -73,7 +73,7 @@ void Records<Dim>::clear() {
     part.lost.clear();
     part.deep.clear();
     part.past = 0;
-    part.vote = StepVote{};
+    part.step_limit = StepLimit{};
   }
 }
 
@@ -107,10 +107,10 @@ std::size_t Records<Dim>::size() const {
 }
 
 template <int Dim>
-StepVote Records<Dim>::vote() const {
-  StepVote vote;
-  for (const auto& part : parts_) vote.take(part.vote);
-  return vote;
+StepLimit Records<Dim>::step_limit() const {
+  StepLimit step_limit;
+  for (const auto& part : parts_) step_limit.take(part.step_limit);
+  return step_limit;
 }
 
 template <int Dim>
@@ -128,9 +128,9 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
     char* const pressed = nodes.pressed.data();
     const char* const pressed_last = nodes.pressed_last.data();
-    const bool rubs = nodes.rubs;
+    const bool has_friction = nodes.has_friction;
     for (std::size_t i = first; i < last; ++i) {
-      if (rubs && pressed_last[i]) nodes.friction[i].setZero();
+      if (has_friction && pressed_last[i]) nodes.friction[i].setZero();
       if (!pressed[i]) continue;  // most touch nothing, and are not even read
       nodes.spring[i].setZero();
       nodes.damping[i].setZero();

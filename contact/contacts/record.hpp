@@ -7,7 +7,7 @@
 #include "contact/contacts/heat.hpp"
 #include "contact/contacts/lost.hpp"
 #include "contact/contacts/particle_pair.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 
 namespace brunt {
 
@@ -86,7 +86,7 @@ class Records {
     std::vector<DeepParticle<Dim>> deep;            ///< the same
     std::vector<ParticleMeeting<Dim>> meetings;     ///< room to work
     std::size_t past = 0;                           ///< where its frictions look for theirs
-    StepVote vote;
+    StepLimit step_limit;
   };
   void clear();
   /// Cuts 0 .. n in parts by thread and runs work(first, last, part) on each.
@@ -174,7 +174,7 @@ class Records {
   template <class Find>
   void attach(const Find& find);
   std::size_t size() const;
-  StepVote vote() const;
+  StepLimit step_limit() const;
 
  private:
   std::vector<Part> parts_;

@@ -23,9 +23,9 @@ Real inverse_mass(const Entities<3>& entities, const ContactFace<3>& face,
 }
 
 /// Bound of a spring on both sides, of elements together with their own: half of it where faces are
-/// deep errs a quarter as much (contact/evaluate/face_votes.cpp).
-void take_vote(const Entities<3>& entities, const FaceCandidate& candidate,
-               const EdgeContact& contact, Real stiffness, StepVote& vote) {
+/// deep errs a quarter as much (contact/evaluate/face_step_limits.cpp).
+void take_step_limit(const Entities<3>& entities, const FaceCandidate& candidate,
+                     const EdgeContact& contact, Real stiffness, StepLimit& step_limit) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
   const auto weights = std::span(contact.weight);
@@ -35,7 +35,8 @@ void take_vote(const Entities<3>& entities, const FaceCandidate& candidate,
   for (const auto* face : {&lower, &upper}) {
     if (face->deforms() && face->element_step > 0) squared += 1 / std::pow(face->element_step, 2);
   }
-  if (squared > 0) vote.take({1 / std::sqrt(squared), "contact stiffness", lower.body, lower.id});
+  if (squared > 0)
+    step_limit.take({1 / std::sqrt(squared), "contact stiffness", lower.body, lower.id});
 }
 
 void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
@@ -90,7 +91,7 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, con
       const Real depth = contact.penetration / stiffening;
       const Real tangent =
           candidate.stiffness * candidate.limit * candidate.limit * (1 + 3 * depth * depth);
-      take_vote(entities, candidate, contact, tangent, part.vote);
+      take_step_limit(entities, candidate, contact, tangent, part.step_limit);
     }
   }
 }

@@ -4,9 +4,9 @@
 namespace brunt {
 
 /// Appends a record for each two blades (contact/geometry/edge_contact.hpp) of a pair of faces that
-/// push each other, and the bounds of their springs to part.vote. Their spring is k l^2 [N/m], k
-/// that of the faces and l [m] the depth at which they let go. Edges have no friction and pass no
-/// heat.
+/// push each other, and the bounds of their springs to part.step_limit. Their spring is k l^2
+/// [N/m], k that of the faces and l [m] the depth at which they let go. Edges have no friction and
+/// pass no heat.
 inline void add_blades(const Entities<2>&, const FaceCandidate&, const EvaluationStep&,
                        Records<2>::Part&) {}
 void add_blades(const Entities<3>& entities, const FaceCandidate& candidate,

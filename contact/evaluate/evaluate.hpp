@@ -9,14 +9,14 @@
 
 namespace brunt {
 
-/// The step that led here [s], and the longest that may follow: no speed vote need be longer.
+/// The step that led here [s], and the longest that may follow: no speed limit need be longer.
 struct EvaluationStep {
   Real dt = 0;
   Real longest = 0;
   TouchStep touches;
   Real longest_of_faces = kInfinity;  ///< [s] the same of faces, which look ahead by it
   Real longest_of_rigid = kInfinity;  ///< [s] bound of free rigid bodies on linear springs
-  bool fast = false;                  ///< faces may be fast enough to vote for their speed
+  bool fast = false;                  ///< faces may be fast enough to bound the step by their speed
 };
 
 /// What the contacts of a particle with faces leave to those with other particles.
@@ -31,15 +31,15 @@ struct ParticleLoad {
 /// F = k volume + c area closing speed at the centre of pressure, not below 0 (contact.md 2.5);
 /// friction goes on from its past, or from what both faces carried (2.6). No past: no friction.
 /// What is left of first touches goes to part.face_touches, the bounds of what closes in or is deep
-/// to part.vote.
+/// to part.step_limit.
 template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
                     const Section& section, const EvaluationStep& step,
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part);
 
 /// The same for the candidates of particles, row by row; F = k(d) + c closing speed,
-/// not below 0 (contact.md 2.8). Takes into part.vote the bounds of what touches, 2/sqrt(sum k/m),
-/// and of what closes in: (gap + r/2) over the closing speed, so r/2 over it where there is
+/// not below 0 (contact.md 2.8). Takes into part.step_limit the bounds of what touches, 2/sqrt(sum
+/// k/m), and of what closes in: (gap + r/2) over the closing speed, so r/2 over it where there is
 /// contact. Friction as on faces. loads  by particle, out; empty: nobody asks
 template <int Dim>
 void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
@@ -58,7 +58,7 @@ struct PairRows {
 /// The same for the rows starts[i] .. starts[i+1] of pairs of particles: F = k(d) + c closing
 /// speed, not below 0, along the line of their centres, which keeps angular momentum; the row of
 /// the smaller id makes the record. Friction acts at the centres, with slips less what the turn of
-/// the material about them makes of their distance. Votes as above, from all contacts of a
+/// the material about them makes of their distance. Step limits as above, from all contacts of a
 /// particle.
 template <int Dim>
 void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const Section& section,

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "contact/evaluate/edges.hpp"
-#include "contact/evaluate/face_votes.hpp"
+#include "contact/evaluate/face_step_limits.hpp"
 #include "contact/geometry/crossing.hpp"
 
 namespace brunt {
@@ -149,7 +149,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   const Real closing = (v_lower - v_upper).dot(plane.normal);
   record.spring = candidate.stiffness * plane.volume;
   record.stored = candidate.stiffness * plane.energy;
-  take_barrier_vote<Dim>(entities, candidate, plane, closing, step, part.vote);
+  limit_by_barrier<Dim>(entities, candidate, plane, closing, step, part.step_limit);
   record.damping = candidate.damping * plane.ramp * plane.area * closing;
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
@@ -212,7 +212,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   const int n_lower = entities.faces[l].n_nodes;
   const bool torques = section.geometry != Geometry::axisymmetric;
   FrictionStep<Dim> step;
-  step.options = candidate.rubs;
+  step.options = candidate.friction;
   step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
   step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
   std::copy_n(plane.lower_at_middle.begin(), n_lower, step.weight.begin());
@@ -233,7 +233,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   auto& friction = part.frictions.emplace_back();
   find_friction(entities.nodes, record, step, friction);
-  const bool slid = friction.slips && candidate.rubs->cohesion > 0;
+  const bool slid = friction.slips && candidate.friction->cohesion > 0;
   touch.slips = touch.slips || slid;
   warm_faces(entities, candidate, step, part);
 }
@@ -255,7 +255,7 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
     if (!candidate.presses && plane.deepest > meets) {
       touch.overlap = std::max(touch.overlap, plane.deepest);
     }
-    const bool bonds = candidate.rubs != nullptr && candidate.rubs->bonds();
+    const bool bonds = candidate.friction != nullptr && candidate.friction->bonds();
     touch.bonded = touch.bonded || (bonds && plane.penetration >= -meets);
   }
   return touch;
@@ -290,7 +290,7 @@ bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
   constexpr Real kWidest = 0.25;  // of the depth: farther, the lists may not see both faces
   for (int i = 0; i < n; ++i) {
     const Real opening = std::max(-planes[static_cast<std::size_t>(i)].penetration, 0.0);
-    if (candidate.stiffness * opening > candidate.rubs->tension) return true;
+    if (candidate.stiffness * opening > candidate.friction->tension) return true;
     if (opening > kWidest * candidate.limit) return true;
   }
   return false;
@@ -301,10 +301,10 @@ template <int Dim>
 int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
               const FaceCandidate& candidate, const TouchStep& step, FirstTouch& touch,
               Planes<Dim>& planes) {
-  const bool rubs = candidate.rubs != nullptr;
+  const bool has_friction = candidate.friction != nullptr;
   if (!touch.matters()) {
     return common_planes<Dim>(lower, upper, section, planes,
-                              {.middle = rubs, .barrier = candidate.barrier()});
+                              {.middle = has_friction, .barrier = candidate.barrier()});
   }
   if (!step.again) {
     touch.bonded = touch.bonded && !touch.slips;
@@ -322,7 +322,7 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
   }
   return common_planes<Dim>(
       lower, upper, section, planes,
-      {.middle = rubs, .opening = -touch.overlap, .barrier = candidate.barrier()});
+      {.middle = has_friction, .opening = -touch.overlap, .barrier = candidate.barrier()});
 }
 }  // namespace
 
@@ -334,7 +334,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
   for (const auto& candidate : candidates) {
     const auto l = static_cast<std::size_t>(candidate.lower);
     const auto u = static_cast<std::size_t>(candidate.upper);
-    if (step.fast) take_approach_vote<Dim>(entities, candidate, step, part.vote);
+    if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
     const GlobalId first = entities.faces[l].id, second = entities.faces[u].id;
@@ -373,7 +373,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       part.face_on_face.back().ordinal = plane.ordinal;
       touch.held = touch.held || plane.deepest > FirstTouch::kHeldFrom * candidate.limit;
       if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
-      if (candidate.rubs == nullptr || history == nullptr) continue;
+      if (candidate.friction == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
     }
     if (!step.touches.time_zero || candidate.presses) {

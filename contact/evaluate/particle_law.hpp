@@ -13,7 +13,7 @@ struct ParticleLaw {
   Real stiffness = 0;  ///< [N/m] per breadth
   Real own = 0;        ///< [N/m] phi times the particle's own spring, per breadth
   Real zeta = 0;
-  const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
+  const PairOptions* friction = nullptr;  ///< the pair's options where it has friction
 };
 
 /// (2 r)^(Dim - 1): the section of a particle per breadth.
@@ -29,7 +29,7 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
   const Real own = particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
   const Real of_face = face.stiffness * section_of<Dim>(particle);
   return {options.stiffness * contact_spring(own, true, of_face, face.deforms()),
-          options.stiffness * own, options.damping, options.rubs() ? &options : nullptr};
+          options.stiffness * own, options.damping, options.has_friction() ? &options : nullptr};
 }
 
 /// How far behind the face the particle is held [m]. In front of a thin rigid body it no longer

@@ -87,7 +87,7 @@ void add_friction(const Entities<Dim>& entities, const PresentPair<Dim>& pair, R
   auto& record = part.two_particles.back();
   const BodyTurn<Dim> turn(spin_between(entities.nodes, first, second), dt);
   FrictionStep<Dim> step;
-  step.options = candidate.rubs;
+  step.options = candidate.friction;
   step.lower = {0, 1, false};
   step.upper = {1, 2, false};
   step.weight[0] = step.weight[1] = 1;
@@ -146,12 +146,12 @@ Real overlap_kept(const TouchStep& step, const PresentPair<Dim>& pair,
 
 /// Bound of the step by a pair that closes in.
 template <int Dim>
-void take_speed_vote(const PresentPair<Dim>& pair, StepVote& vote) {
+void limit_by_speed(const PresentPair<Dim>& pair, StepLimit& step_limit) {
   const auto& meeting = pair.meeting;
   if (!(meeting.closing > 0)) return;
   const Real gap = std::max(-meeting.overlap, 0.0);
   const Real room = gap + 0.5 * std::min(pair.first.radius, pair.second.radius);
-  vote.take({room / meeting.closing, "contact speed", pair.first.body, pair.first.id});
+  step_limit.take({room / meeting.closing, "contact speed", pair.first.body, pair.first.id});
 }
 
 /// What stands behind each contact of a particle for heat: its section belongs to the contacts
@@ -216,7 +216,7 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
       }
       if (!is_lower) continue;
       meeting.overlap -= overlap_kept(step.touches, pair, part.pair_touches);
-      if (near) take_speed_vote(pair, part.vote);
+      if (near) limit_by_speed(pair, part.step_limit);
       Real damper = 0, pressure = 0;
       if (meeting.overlap > 0) {
         const auto& record = part.two_particles.emplace_back(record_of(entities, pair, damper));
@@ -224,7 +224,7 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
       }
       if (warm) part.pair_heat.push_back(heat_path(pair, starts[s] + c, pressure));
       if (!(meeting.overlap > 0)) continue;
-      if (row[c].rubs != nullptr && history != nullptr) {
+      if (row[c].friction != nullptr && history != nullptr) {
         add_friction(entities, pair, damper, step.dt, *history, part);
       }
     }
@@ -234,7 +234,7 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
     }
     if (load.squared_frequency > 0) {
       const Real longest = 2 / std::sqrt(load.squared_frequency) * lag_factor(load.zeta);
-      part.vote.take({longest, "contact stiffness", particle.body, particle.id});
+      part.step_limit.take({longest, "contact stiffness", particle.body, particle.id});
     }
   }
 }

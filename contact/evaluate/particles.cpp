@@ -59,11 +59,11 @@ constexpr Real kSurelyMore = 1 + 1e-9;
 
 /// The bound of a particle, `before` [m] the mean plane of face f, that closes on it: to half a
 /// radius of overlap, or half a radius more, of faces that hold less than a radius half of that.
-/// What would vote more than `longest` need not be near, nor listed. On an open surface it closes
+/// What would allow more than `longest` need not be near, nor listed. On an open surface it closes
 /// from both sides, and where it touches either way.
 template <int Dim>
-void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
-                     Real before, Real longest, StepVote& vote) {
+void limit_by_speed(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
+                    Real before, Real longest, StepLimit& step_limit) {
   const auto& plane = entities.planes[f];
   const Vec<Dim> relative = now.v - entities.face_velocity(f);
   const Real r = now.particle.radius;
@@ -75,15 +75,15 @@ void take_speed_vote(const Entities<Dim>& entities, std::size_t f, const Present
   }
   const Real way =
       std::max(before - r - plane.warp, 0.0) + 0.5 * std::min(r, entities.faces[f].half_thickness);
-  const Real least = std::min(longest, vote.step);
-  // Most take longer, which spares the division; one branch for all that has no vote.
+  const Real least = std::min(longest, step_limit.step);
+  // Most take longer, which spares the division; one branch for all that bounds no step.
   const bool none =
       !(closing > 0) | (before < -kDepthRadii * r) | (way > closing * least * kSurelyMore);
   if (none) return;
   const Real step = way / closing;
   if (step > least) return;
   if (!now.about.in(entities.boxes[f], r + relative.norm() * longest)) return;
-  vote.take({step, "contact speed", now.particle.body, now.particle.id});
+  step_limit.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
 /// Faces that may hold the particle of a row. Where it is before all of them, those farther from it
@@ -100,9 +100,9 @@ std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const Parti
   LocalIndex *near = part.near.data(), *touching = near + room;
   const std::size_t listed = rows.clearances.find_near(first, last, rows.loss, near);
   const Real farthest = (1 + 10 * kTouchingGap) * now.particle.radius;
-  // Where nothing is fast enough for the least way no face has a vote.
+  // Where nothing is fast enough for the least way no face bounds the step.
   const Real least = 0.5 * std::min(now.particle.radius, entities.shallowest);
-  const bool votes = !(least > rows.fastest * step.longest * kSurelyMore);
+  const bool step_limits = !(least > rows.fastest * step.longest * kSurelyMore);
   bool before_all = true;
   std::size_t n = 0, n_touching = 0;
   for (std::size_t i = 0; i < listed; ++i) {
@@ -110,7 +110,7 @@ std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const Parti
     const auto f = static_cast<std::size_t>(face);
     const auto& plane = entities.planes[f];
     const Real before = plane.normal.dot(now.x - plane.center);
-    if (votes) take_speed_vote(entities, f, now, before, step.longest, part.vote);
+    if (step_limits) limit_by_speed(entities, f, now, before, step.longest, part.step_limit);
     const auto& box = entities.boxes[f];
     const bool open = entities.any_open && entities.faces[f].open;
     const Reach reach =
@@ -144,7 +144,7 @@ void add_hit(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& n
 /// [N/m] what bounds the step of a particle on a face, as if both moved with their mass in series.
 /// On a free rigid body others may be as deep in the barrier, as many as its faces have room for:
 /// each has its section's part of the body's mass, m''. Springs of all faces at once have a bound
-/// of their own, vote_of_rigid.
+/// of their own, step_limit_of_rigid.
 template <int Dim>
 Real stiffness_of(const ParticleSpring& spring, Real overlap, const Present<Dim>& now,
                   const ContactFace<Dim>& face, Real mass) {
@@ -225,7 +225,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
   const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
   auto& record = part.particle_on_face.back();
   FrictionStep<Dim> step;
-  step.options = law.rubs;
+  step.options = law.friction;
   step.upper = {0, 1, false};
   step.lower = {1, record.n_nodes, section.geometry != Geometry::axisymmetric && !face.rigid()};
   step.point = now.x;
@@ -265,17 +265,17 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
     fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
     if (hit.inside) note_deep(entities, hit, step.longest, part);
-    if (law.rubs != nullptr && history != nullptr) {
+    if (law.friction != nullptr && history != nullptr) {
       add_friction(entities, now, law, hit, section, dt, *history, part);
     }
     load.zeta = std::max(load.zeta, law.zeta);
   }
-  const Real lag = lag_factor(load.zeta), least = part.vote.step;
+  const Real lag = lag_factor(load.zeta), least = part.step_limit.step;
   // Most steps are longer than one that is known, which spares a root and a division.
   const bool longer = 4 * lag * lag > least * least * squared_frequency * kSurelyMore;
   if (squared_frequency > 0 && !longer && !now.particle.held) {
     const Real step = 2 / std::sqrt(squared_frequency) * lag;
-    part.vote.take({step, "contact stiffness", now.particle.body, now.particle.id});
+    part.step_limit.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
 }
 }  // namespace
@@ -288,7 +288,7 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
   PairFinder pairs(rows.pairs);
   for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
     const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
-    if (out_of_touch && !entities.nodes.warm) continue;
+    if (out_of_touch && !entities.nodes.conduct) continue;
     const LocalIndex place = rows.row_clearances[row].entity;
     const auto& particle = entities.particles[static_cast<std::size_t>(place)];
     const auto node = static_cast<std::size_t>(particle.node);
@@ -309,7 +309,7 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
     if (!part.hits.empty()) {
       record_hits(entities, now, pairs, section, step, history, load, part);
     }
-    if (entities.nodes.warm) {
+    if (entities.nodes.conduct) {
       load.on_faces = load.heat_contacts = add_particle_heat<Dim>(
           entities, rows, row, pairs, section_of<Dim>(particle) * now.breadth, ends, part);
     }

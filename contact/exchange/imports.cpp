@@ -93,8 +93,8 @@ void ContactImports<Dim>::renew(const ImportBoxes<Dim>& offers, Entities<Dim>& e
   entities.refresh_planes();
   plan(entities.nodes);
   find_peers(entities.nodes);
-  if (entities.nodes.rubs) plan_tractions(entities);
-  if (entities.nodes.warm) plan_temperatures(entities.nodes);
+  if (entities.nodes.has_friction) plan_tractions(entities);
+  if (entities.nodes.conduct) plan_temperatures(entities.nodes);
 }
 
 template <int Dim>
@@ -203,20 +203,20 @@ void ContactImports<Dim>::refresh_motion(ContactNodes<Dim>& nodes) const {
     constexpr int kMotion = 2 * Dim;
     const int before_material = kMotion + (nodes.turns ? 3 : 0);
     refresh_ghosts(
-        ranks(), plans_[s], before_material + (nodes.asks_material ? 2 : 0),
+        ranks(), plans_[s], before_material + (nodes.needs_material ? 2 : 0),
         [&](std::size_t i, Real* out) {
           for (int c = 0; c < Dim; ++c) out[c] = points.x[i][c], out[Dim + c] = points.v[i][c];
           for (int c = 0; c < 3 && nodes.turns; ++c) {
             out[kMotion + c] = i < spin.size() ? spin[i][c] : 0.0;
           }
-          if (!nodes.asks_material) return;
+          if (!nodes.needs_material) return;
           const SurfaceMaterial shown = i < material.size() ? material[i] : SurfaceMaterial{};
           out[before_material] = shown.temperature, out[before_material + 1] = shown.flow_stress;
         },
         [&](std::size_t i, const Real* in) {
           for (int c = 0; c < Dim; ++c) nodes.x[i][c] = in[c], nodes.v[i][c] = in[Dim + c];
           for (int c = 0; c < 3 && nodes.turns; ++c) nodes.spin[i][c] = in[kMotion + c];
-          if (!nodes.asks_material) return;
+          if (!nodes.needs_material) return;
           nodes.material[i] = {in[before_material], in[before_material + 1]};
         });
   }

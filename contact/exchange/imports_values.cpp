@@ -119,7 +119,7 @@ void ContactImports<Dim>::plan_tractions(const Entities<Dim>& entities) {
 
 template <int Dim>
 void ContactImports<Dim>::refresh_tractions(Entities<Dim>& entities) const {
-  if (!entities.nodes.rubs) return;
+  if (!entities.nodes.has_friction) return;
   refresh_ghosts(
       ranks(), tractions_, 2 + Dim,
       [&](std::size_t i, Real* out) {

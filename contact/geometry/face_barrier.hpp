@@ -30,7 +30,7 @@ struct FaceBarrier {
     const Real slope = 6 * s * (1 - s) / (kIsWhole - kFadesIn), part = s * s * (3 - 2 * s);
     return {onset, part * strength, slope / part};
   }
-  /// The way of a step where faces are deep [m]: slower ones have no vote of speed.
+  /// The way of a step where faces are deep [m]: slower ones bound no step by their speed.
   Real least_way() const { return 0.5 * onset; }
   Real beyond(Real g) const { return onset > 0 ? std::max(g - onset, 0.0) : 0.0; }
   /// b/g0 [1/m]; there is a barrier.

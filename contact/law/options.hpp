@@ -65,14 +65,14 @@ struct PairOptions {
   bool bonds() const { return cohesion > 0 || tension > 0; }
 
   bool passes_heat() const { return heat.index() != 0; }
-  bool rubs() const {
+  bool has_friction() const {
     if (bonds()) return true;
     if (decaying) return decaying->at_rest > 0;
     return friction && !(friction->is_constant() && friction->constant == 0);
   }
-  /// True where friction depends on the temperature or the flow stress of what rubs.
-  bool asks_material() const {
-    if (shear_limit && rubs()) return true;
+  /// True where friction depends on the temperature or the flow stress of what slides.
+  bool needs_material() const {
+    if (shear_limit && has_friction()) return true;
     if (!friction || decaying) return false;
     if (friction->over == Varying::Over::sliding)
       return friction->depends[0] || friction->depends[1];
@@ -143,7 +143,7 @@ struct ContactOptions {
   std::set<std::pair<Label, Label>> turned;  ///< those whose name puts the second body first
   SearchMode search = SearchMode::grid;
   std::optional<Real> skin;  ///< [m]; none: tuned on counted work
-  Real safety = 1;           ///< fraction of its votes that a step is
+  Real safety = 1;           ///< fraction of its step limits that a step is
 };
 
 }  // namespace brunt

@@ -60,12 +60,12 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       const PairOptions& pair = of(a, b);
       if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
       pairs_.emplace_back(a, b);
-      rubs_ = rubs_ || pair.rubs();
-      asks_material_ = asks_material_ || pair.asks_material();
+      has_friction_ = has_friction_ || pair.has_friction();
+      needs_material_ = needs_material_ || pair.needs_material();
       presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;
       if (first->second.particles && second->second.particles && !pair.bonded) {
         meeting_.insert({a, b});
-        particles_rub_ = particles_rub_ || pair.rubs();
+        particles_have_friction_ = particles_have_friction_ || pair.has_friction();
       }
       const Real gap = gap_of(pair.heat);
       if (gap > 0) gaps_.resize(std::max(gaps_.size(), std::size_t{b} + 1), 0.0);
@@ -96,7 +96,7 @@ std::string PairTable::name(std::size_t pair) const {
   return given != pair_names_.end() ? given->second : body_names_[a] + "-" + body_names_[b];
 }
 
-Label PairTable::told(std::size_t pair) const {
+Label PairTable::reported_body(std::size_t pair) const {
   const auto [a, b] = pairs_[pair];
   return turned_.count({a, b}) != 0 ? b : a;
 }

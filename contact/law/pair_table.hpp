@@ -32,13 +32,13 @@ class PairTable {
   bool particles_meet() const { return !meeting_.empty(); }
   bool particles_meet(Label body) const { return meeting_.count(body) != 0; }
   /// True if any of these pairs has friction.
-  bool particles_rub() const { return particles_rub_; }
+  bool particles_have_friction() const { return particles_have_friction_; }
   /// The largest stiffness and damping with which anything may touch this body; 0: nothing may.
   PairOptions strongest(Label body) const;
   /// True if any of these pairs has friction.
-  bool rubs() const { return rubs_; }
+  bool has_friction() const { return has_friction_; }
   /// True if in any of these pairs friction depends on temperature or flow stress.
-  bool asks_material() const { return asks_material_; }
+  bool needs_material() const { return needs_material_; }
   /// True if in any of these pairs an overlap at time 0 is felt at once.
   bool presses() const { return presses_; }
   /// Widest opening [m] through which heat passes to each body, by label; empty: none has any.
@@ -50,7 +50,7 @@ class PairTable {
   /// The name of a pair, as history.csv uses it: the deck's, or "a-b".
   std::string name(std::size_t pair) const;
   /// The body of a pair on which history.csv tells the force: the first that the deck names.
-  Label told(std::size_t pair) const;
+  Label reported_body(std::size_t pair) const;
   /// Places of the pairs with columns in history.csv: all, or where they are more than
   /// kMostReportedPairs those that the deck names.
   const std::vector<std::size_t>& reported() const { return reported_; }
@@ -64,13 +64,13 @@ class PairTable {
   std::vector<std::string> body_names_;
   std::vector<std::pair<Label, Label>> pairs_;
   std::vector<std::size_t> reported_;
-  bool rubs_ = false;
+  bool has_friction_ = false;
   bool presses_ = false;
-  bool asks_material_ = false;
+  bool needs_material_ = false;
   std::vector<Real> gaps_;   // [m]
   std::set<Label> selves_;   // bodies that the deck pairs with themselves
   std::set<Label> meeting_;  // bodies whose particles may touch those of others
-  bool particles_rub_ = false;
+  bool particles_have_friction_ = false;
 };
 
 /// Looks up the options of pairs one after another, mostly of the same two bodies.

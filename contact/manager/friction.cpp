@@ -131,7 +131,7 @@ void ContactManager<Dim>::Implementation::load_growths(const StateTables& tables
 template <int Dim>
 void ContactManager<Dim>::Implementation::read_materials() {
   auto& nodes = entities.nodes;
-  if (!nodes.asks_material) return;
+  if (!nodes.needs_material) return;
   entities.read_materials(surfaces);
   imports.refresh_materials(entities.materials);
   nodes.read_temperatures(surfaces);
@@ -154,7 +154,7 @@ void ContactManager<Dim>::Implementation::refuse_friction(const ContactRecord<Di
                     friction.coefficient,
                     cause.str()};
   wrong_friction_at = friction.point;
-  vote.take({-1, "coefficient of friction", 0, 0});
+  step_limit.take({-1, "coefficient of friction", 0, 0});
 }
 
 template <int Dim>
@@ -171,7 +171,7 @@ void ContactManager<Dim>::check(Real time, const Vec<Dim>& origin) const {
 
 template <int Dim>
 void ContactManager<Dim>::Implementation::begin_friction(Real dt) {
-  if (!entities.nodes.rubs) return;
+  if (!entities.nodes.has_friction) return;
   history.clear();
   records.visit_with_friction([&](const ContactRecord<Dim>&, const Friction<Dim>* friction) {
     if (friction != nullptr) history.add(*friction, entities.nodes, dt);
@@ -181,7 +181,7 @@ void ContactManager<Dim>::Implementation::begin_friction(Real dt) {
 template <int Dim>
 void ContactManager<Dim>::Implementation::end_friction() {
   auto& nodes = entities.nodes;
-  if (!nodes.rubs) return;
+  if (!nodes.has_friction) return;
   wrong_friction.reset();
   // One pass for all: of a million faces, reading records takes longer than what is done with them.
   TractionSum<Dim> tractions(entities, imports.send_tractions(records, entities));
@@ -208,7 +208,7 @@ void ContactManager<Dim>::Implementation::end_friction() {
     nodes.pair_energy[at] += friction.energy();
     nodes.pair_energy[at] += friction.taken - heat;
     nodes.friction_heat[at] += heat;
-    if (friction.slips && nodes.warm) nodes.friction_given[at] += friction.warmth * heat;
+    if (friction.slips && nodes.conduct) nodes.friction_given[at] += friction.warmth * heat;
   });
 }
 

@@ -24,15 +24,15 @@ struct ContactManager<Dim>::Implementation {
   void take_rigid(const RigidSprings& of_scene);
   /// The longest step that may follow one of dt, 0 for the first: that of the springs, and four
   /// times dt where particles must look ahead.
-  StepVote longest_after(Real dt) const;
-  /// How far ahead [s] speed votes look after a step of dt: the same on all ranks.
-  Real look_ahead(Real dt, const StepVote& longest) const;
+  StepLimit longest_after(Real dt) const;
+  /// How far ahead [s] speed limits look after a step of dt: the same on all ranks.
+  Real look_ahead(Real dt, const StepLimit& longest) const;
   /// Tables and lists anew at the present positions; what is booked stays with the points' ids.
   /// with_motion: velocities are those of the step under way, else of the last evaluation.
   void renew(Real ahead, bool with_motion);
-  /// Records and votes of the lists at the present motion; friction goes on from its past, or is
-  /// left out where there is none: at time 0, and where the last evaluation is repeated.
-  void evaluate(Real dt, const StepVote& longest, Real ahead, FrictionHistory<Dim>* past);
+  /// Records and step limits of the lists at the present motion; friction goes on from its past, or
+  /// is left out where there is none: at time 0, and where the last evaluation is repeated.
+  void evaluate(Real dt, const StepLimit& longest, Real ahead, FrictionHistory<Dim>* past);
   /// Remembers the contacts that the evaluation at `time` after a step dt has lost.
   void remember_lost(Real dt, Real time);
   void save_lost(std::vector<StateTable>& tables) const;
@@ -41,7 +41,7 @@ struct ContactManager<Dim>::Implementation {
   void read_materials();
   /// Makes the records of the last step the past of this one, and books their work at nodes.v.
   void begin_friction(Real dt);
-  /// Remembers a coefficient of friction that is no number at least 0, and votes for no step.
+  /// Remembers a coefficient of friction that is no number at least 0, and allows no step.
   void refuse_friction(const ContactRecord<Dim>& record, const Friction<Dim>& friction);
   /// Books what friction did in this step, and what the faces carry from now on. Collective.
   void end_friction();
@@ -90,7 +90,7 @@ struct ContactManager<Dim>::Implementation {
   /// The first coefficient of friction of the last evaluation that is none, with its contact.
   std::optional<PhysicsFailure> wrong_friction;
   Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]
-  StepVote vote;
+  StepLimit step_limit;
   Real dt_last = 0;      // [s] of the last evaluation
   Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation
   bool started = false;  // forces have been evaluated

@@ -10,16 +10,16 @@ namespace brunt {
 
 namespace {
 /// How much longer than the last a step may be where particles look ahead for what is near. That is
-/// a vote: of less than half a step's it leaves room for twice the step.
+/// a step limit: of less than half a step's it leaves room for twice the step.
 Real step_growth(Real safety) { return std::max(4.0, 2 / safety); }
 
 /// Friction between particles needs to know how the material about them turns; some friction, how
-/// hot and hard what rubs is.
+/// hot and hard what slides is.
 template <int Dim>
-void ask_surfaces(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs) {
+void set_needs(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs) {
   for (auto* surface : surfaces) {
-    surface->asks_spin = pairs.particles_rub();
-    surface->asks_material = pairs.asks_material();
+    surface->needs_spin = pairs.particles_have_friction();
+    surface->needs_material = pairs.needs_material();
   }
 }
 }  // namespace
@@ -33,9 +33,9 @@ void ContactManager<Dim>::Implementation::take_rigid(const RigidSprings& of_scen
 }
 
 template <int Dim>
-StepVote ContactManager<Dim>::Implementation::longest_after(Real dt) const {
-  StepVote longest = entities.stiffness_vote();
-  longest.take(rigid.vote);
+StepLimit ContactManager<Dim>::Implementation::longest_after(Real dt) const {
+  StepLimit longest = entities.stiffness_limit();
+  longest.take(rigid.step_limit);
   if (dt > 0 && !entities.particles.empty()) {
     const auto& first = entities.particles.front();
     longest.take({step_growth(options.safety) * dt, "contact look-ahead", first.body, first.id});
@@ -44,7 +44,7 @@ StepVote ContactManager<Dim>::Implementation::longest_after(Real dt) const {
 }
 
 template <int Dim>
-Real ContactManager<Dim>::Implementation::look_ahead(Real dt, const StepVote& longest) const {
+Real ContactManager<Dim>::Implementation::look_ahead(Real dt, const StepLimit& longest) const {
   if (dt > 0) return step_growth(options.safety) * dt;
   return -ranks.all->max(-longest.step);
 }
@@ -54,7 +54,7 @@ void ContactManager<Dim>::Implementation::renew(Real ahead, bool with_motion) {
   Entities<Dim> fresh(surfaces, pairs, section, ranks, rigid);
   if (started) fresh.nodes.inherit(entities.nodes);
   std::swap(entities, fresh);
-  entities.longest_step = std::min(entities.longest_step, rigid.vote.step);
+  entities.longest_step = std::min(entities.longest_step, rigid.step_limit.step);
   if (with_motion) entities.nodes.read_motion(surfaces);
   entities.refresh_planes();
   candidates.build(entities, pairs, ahead, imports);
@@ -62,7 +62,7 @@ void ContactManager<Dim>::Implementation::renew(Real ahead, bool with_motion) {
 }
 
 template <int Dim>
-void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& longest, Real ahead,
+void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepLimit& longest, Real ahead,
                                                    FrictionHistory<Dim>* past) {
   records.clear();
   const bool repeated = past == nullptr;
@@ -70,7 +70,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
                             ahead,
                             {&touches, repeated && !started, repeated && started},
                             entities.longest_step,
-                            rigid.vote.step,
+                            rigid.step_limit.step,
                             candidates.way_of_faces(entities) > 0};
   const auto on_faces = candidates.faces();
   if (!on_faces.empty()) entities.refresh_reaches();
@@ -81,7 +81,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
                     });
   const auto rows = candidates.pair_starts();
   loads.assign(rows.empty() ? 0 : entities.particles.size(), {});
-  sides.assign(entities.nodes.warm ? candidates.pairs().size() : 0, {});
+  sides.assign(entities.nodes.conduct ? candidates.pairs().size() : 0, {});
   const ParticleRows beside_faces = candidates.particle_rows(pairs, ahead);
   if (!beside_faces.row_clearances.empty()) {
     records.for_parts(beside_faces.row_clearances.size(), kWorthThreads,
@@ -99,8 +99,8 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepVote& long
                       });
   }
   records.collect_touches(touches);
-  vote = longest;
-  vote.take(records.vote());
+  step_limit = longest;
+  step_limit.take(records.step_limit());
 }
 
 template <int Dim>
@@ -108,7 +108,7 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
                                     std::vector<Surface<Dim>*> surfaces,
                                     std::vector<std::string> body_names, Real depth) {
   PairTable pairs(options, surfaces, body_names);
-  ask_surfaces(surfaces, pairs);
+  set_needs(surfaces, pairs);
   implementation_ = std::make_unique<Implementation>(
       options, Section{geometry, depth}, std::move(pairs), std::move(surfaces), ContactRanks{});
   auto& own = *implementation_;
@@ -118,12 +118,12 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
 
 template <int Dim>
 ContactManager<Dim>::ContactManager(const ContactManager& whole,
-                                    std::vector<Surface<Dim>*> surfaces, const Deal& deal,
+                                    std::vector<Surface<Dim>*> surfaces, const Partition& partition,
                                     const Communicator& ranks) {
   const auto& own = *whole.implementation_;
-  ask_surfaces(surfaces, own.pairs);
+  set_needs(surfaces, own.pairs);
   implementation_ = std::make_unique<Implementation>(
-      own.options, own.section, own.pairs, std::move(surfaces), ContactRanks{&ranks, &deal});
+      own.options, own.section, own.pairs, std::move(surfaces), ContactRanks{&ranks, &partition});
   implementation_->take_rigid(own.rigid);
   rearrange();
 }
@@ -132,8 +132,8 @@ template <int Dim>
 ContactManager<Dim>::~ContactManager() = default;
 
 template <int Dim>
-StepVote ContactManager<Dim>::stable_step(Real) const {
-  return implementation_->vote;
+StepLimit ContactManager<Dim>::stable_step(Real) const {
+  return implementation_->step_limit;
 }
 
 template <int Dim>
@@ -145,7 +145,7 @@ void ContactManager<Dim>::rearrange() {
     return;
   }
   own.entities.refresh_planes();
-  const StepVote longest = own.longest_after(0);
+  const StepLimit longest = own.longest_after(0);
   const Real ahead = own.look_ahead(0, longest);
   own.renew(ahead, false);
   own.evaluate(0, longest, ahead, nullptr);
@@ -156,7 +156,7 @@ template <int Dim>
 void ContactManager<Dim>::start() {
   auto& own = *implementation_;
   if (own.started || !own.pairs.presses()) return;
-  own.evaluate(0, own.vote, own.ahead_last, nullptr);
+  own.evaluate(0, own.step_limit, own.ahead_last, nullptr);
   own.press_at_start();  // row 0 of a history reads the records that are left
 }
 
@@ -171,7 +171,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
   };
   read_motion();
   own.begin_friction(dt);
-  const StepVote longest = own.longest_after(dt);
+  const StepLimit longest = own.longest_after(dt);
   const Real ahead = own.look_ahead(dt, longest);
   {
     const WallTimer timer(own.list_time, *own.ranks.all);
@@ -201,8 +201,8 @@ template <int Dim>
 void ContactManager<Dim>::add_heat(Real dt) {
   auto& own = *implementation_;
   auto& nodes = own.entities.nodes;
-  if (!nodes.warm) return;
-  nodes.foresee_temperatures(own.surfaces, dt);
+  if (!nodes.conduct) return;
+  nodes.predict_temperatures(own.surfaces, dt);
   own.imports.refresh_temperatures(nodes.temperature);
   own.complete_pair_heat();
   own.records.change_heat(
@@ -230,8 +230,8 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       hash.add(nodes.damping_energy[i]);
       for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
       part.state_hash += hash.value();
-      if (nodes.warm) part.heat.friction.add(nodes.friction_given[i]);
-      if (!nodes.rubs) continue;
+      if (nodes.conduct) part.heat.friction.add(nodes.friction_given[i]);
+      if (!nodes.has_friction) continue;
       part.add(Column::contact_friction, nodes.friction_heat[i]);
       part.add(Column::contact_spring, nodes.friction_stored[i]);
       part.add(Column::contact_damping, nodes.friction_damped[i]);
@@ -245,7 +245,7 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
     totals.add(Column::contact_spring, record.stored);
     totals.add(Column::contact_pairs, -record.stored);
   });
-  if (nodes.rubs) totals.state_hash += implementation_->friction_hash();
+  if (nodes.has_friction) totals.state_hash += implementation_->friction_hash();
   totals.state_hash += implementation_->touch_hash();
 }
 

@@ -7,9 +7,9 @@
 #include "contact/law/options.hpp"
 #include "contact/manager/reach.hpp"
 #include "core/ledger.hpp"
-#include "core/parallel/deal.hpp"
+#include "core/parallel/partition.hpp"
 #include "core/solid.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
 #include "core/wall_time.hpp"
@@ -70,14 +70,14 @@ class ContactManager {
   ContactManager(ContactOptions options, Geometry geometry, std::vector<Surface<Dim>*> surfaces,
                  std::vector<std::string> body_names, Real depth = 1);
   /// The part of a whole, at time 0, that this rank evaluates: pairs whose lower face or whose
-  /// particle it owns. surfaces  this rank's, in the order of the whole's. deal and ranks outlive
-  /// the manager. From here on rearrange, add_forces and reports are collective.
-  ContactManager(const ContactManager& whole, std::vector<Surface<Dim>*> surfaces, const Deal& deal,
-                 const Communicator& ranks);
+  /// particle it owns. surfaces  this rank's, in the order of the whole's. partition and ranks
+  /// outlive the manager. From here on rearrange, add_forces and reports are collective.
+  ContactManager(const ContactManager& whole, std::vector<Surface<Dim>*> surfaces,
+                 const Partition& partition, const Communicator& ranks);
   ~ContactManager();
 
-  /// Votes before the step, from each face's own spring and from near pairs (physics.md A5).
-  StepVote stable_step(Real dt_last) const;
+  /// Step limits before the step, from each face's own spring and from near pairs (physics.md A5).
+  StepLimit stable_step(Real dt_last) const;
   /// Reads the surfaces anew and rebuilds the lists; what is booked stays with the points' ids.
   void rearrange();
   /// Before the first step: where bodies press at time 0, accelerations of their points and the
@@ -92,14 +92,14 @@ class ContactManager {
   /// Collective among neighbours.
   void add_heat(Real dt);
   /// Throws PhysicsError where the last evaluation found a coefficient of friction below 0 or not
-  /// finite; it has also voted for no step. origin  [m] of the positions. Not collective.
+  /// finite; it has also allowed no step. origin  [m] of the positions. Not collective.
   void check(Real time, const Vec<Dim>& origin) const;
   void add_totals(Totals<Dim>& totals) const;
   /// Forces and energies of the owned points that contact moves.
   void save_state(std::vector<StateTable>& tables) const;
   /// Takes contact back to a saved state; the surfaces are there already. Lists are built, records
-  /// and votes evaluated anew at the positions and mid-step velocities of the last evaluation.
-  /// Throws StateError where a row is missing.
+  /// and step limits evaluated anew at the positions and mid-step velocities of the last
+  /// evaluation. Throws StateError where a row is missing.
   void load_state(const StateTables& tables);
   /// One for each pair with columns in history.csv (PairTable::reported), in ascending order.
   /// origin  [m] of the positions, in the coordinates about whose origin torques are taken
@@ -121,7 +121,7 @@ class ContactManager {
   ContactWork work() const;
   /// How dear each owned point of each surface is to compute here, in nanoseconds or so.
   std::vector<std::vector<Real>> point_work() const;
-  /// Where each face and particle may touch, and what touches: what dealing out would have to
+  /// Where each face and particle may touch, and what touches: what a partition would have to
   /// carry.
   ContactReaches<Dim> reaches() const;
 

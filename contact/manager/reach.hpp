@@ -33,7 +33,7 @@ struct ContactTouch {
   std::vector<ContactNodeName> node;
 };
 
-/// What contact of a whole scene would ask of ranks if its points were dealt out: for tools that
+/// What contact of a whole scene would ask of ranks if its points were partitioned: for tools that
 /// tell what a run on so many ranks would send.
 template <int Dim>
 struct ContactReaches {

@@ -153,7 +153,7 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
   for (std::size_t p = 0; p < reported.size(); ++p) place[own.pairs.pairs()[reported[p]]] = p;
   std::vector<PairSums> sums(reported.size());
   std::vector<Real> temperature;
-  if (own.entities.nodes.warm) {
+  if (own.entities.nodes.conduct) {
     temperature = own.entities.nodes.present_temperatures(own.surfaces);
     own.imports.refresh_temperatures(temperature);
   }
@@ -166,7 +166,7 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     auto& sum = sums[known->second];
     // A body exerts no force on itself as a whole.
-    const Label told = own.pairs.told(reported[known->second]);
+    const Label told = own.pairs.reported_body(reported[known->second]);
     const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
     const Vec<Dim> force = force_of(nodes, whole);
     for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
@@ -191,7 +191,7 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
     if (first == second) return;
-    const Label told = own.pairs.told(reported[known->second]);
+    const Label told = own.pairs.reported_body(reported[known->second]);
     sums[known->second].through.add(flow.upper_body == told ? flow.through : -flow.through);
   });
   own.ranks.all->reduce_all(std::span(sums),

@@ -13,8 +13,8 @@ void visit_node(Row& row, Nodes& nodes, std::size_t i) {
   row(nodes.damping[i]);
   row(nodes.spring_work[i]);
   row(nodes.damping_energy[i]);
-  if (nodes.warm) row(nodes.friction_given[i]);
-  if (!nodes.rubs) return;
+  if (nodes.conduct) row(nodes.friction_given[i]);
+  if (!nodes.has_friction) return;
   row(nodes.friction[i]);
   row(nodes.friction_heat[i]);
   row(nodes.friction_stored[i]);
@@ -62,7 +62,7 @@ void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
         table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
-  if (nodes.rubs) own.save_friction(tables);
+  if (nodes.has_friction) own.save_friction(tables);
   own.save_touches(tables);
   own.save_lost(tables);
 }
@@ -87,12 +87,12 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   own.load_touches(tables);
   own.load_lost(tables);
   rearrange();
-  const StepVote longest = own.longest_after(own.dt_last);
+  const StepLimit longest = own.longest_after(own.dt_last);
   own.ahead_last = own.look_ahead(own.dt_last, longest);
   own.renew(own.ahead_last, false);
   own.evaluate(own.dt_last, longest, own.ahead_last, nullptr);
   own.records.collect_deep(own.deep);
-  if (nodes.rubs) own.load_friction(tables);
+  if (nodes.has_friction) own.load_friction(tables);
 }
 
 template void ContactManager<2>::save_state(std::vector<StateTable>&) const;

@@ -95,8 +95,8 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
     ImportBoxes<Dim> boxes;
     for (std::size_t f = 0; f < entities.faces.size(); ++f) {
       boxes.offered.push_back(box_of_face(entities, f));
-      // Faces that are held or move as told have larger ids than those that are dealt out and do
-      // not: they are the lower ones of faces that stand everywhere alone.
+      // Faces that are held or have a prescribed motion have larger ids than those that are
+      // partitioned and do not: they are the lower ones of faces that stand everywhere alone.
       const auto& face = entities.faces[f];
       if (face.owned && !face.rigid() && !face.everywhere)
         boxes.wanted.push_back(boxes.offered.back());
@@ -124,7 +124,7 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
 template <int Dim>
 Real Candidates<Dim>::way_of_faces(const Entities<Dim>& entities) const {
   const Real way = speed_ * entities.longest_step;
-  // Nearer than that nothing votes; what has no bound votes nothing.
+  // Nearer than that nothing bounds the step; what has no bound limits nothing.
   const Real least = FaceBarrier::before(entities.least_limit).least_way();
   return std::isfinite(way) && way > least ? way : 0.0;
 }
@@ -173,7 +173,7 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
                                             in_series(a.areal_mass, b.areal_mass));
     candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
     if (same_piece(a, b)) candidate.limit *= kDeepestInside;
-    if (options.rubs()) candidate.rubs = &options;
+    if (options.has_friction()) candidate.friction = &options;
     if (a.capacity > 0 && b.capacity > 0 && options.passes_heat()) candidate.heat = &options.heat;
     candidate.presses = options.initial_overlap == InitialOverlap::press;
     faces_.push_back(candidate);

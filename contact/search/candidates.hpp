@@ -23,12 +23,12 @@ SearchBox<Dim> finite_box(SearchBox<Dim> box) {
 /// Two faces that may touch before the list is rebuilt, lower index first, with their law.
 struct FaceCandidate {
   LocalIndex lower = 0, upper = 0;
-  Real stiffness = 0;                 ///< [Pa/m]
-  Real damping = 0;                   ///< [Pa s/m]
-  Real limit = 0;                     ///< [m] penetration at which they let go: the smaller depth
-  const PairOptions* rubs = nullptr;  ///< the pair's options where it has friction
-  const ContactHeat* heat = nullptr;  ///< how heat passes, where both sides take any
-  bool presses = false;               ///< an overlap at time 0 is felt at once
+  Real stiffness = 0;  ///< [Pa/m]
+  Real damping = 0;    ///< [Pa s/m]
+  Real limit = 0;      ///< [m] penetration at which they let go: the smaller depth
+  const PairOptions* friction = nullptr;  ///< the pair's options where it has friction
+  const ContactHeat* heat = nullptr;      ///< how heat passes, where both sides take any
+  bool presses = false;                   ///< an overlap at time 0 is felt at once
   FaceBarrier barrier() const { return FaceBarrier::before(limit); }
 };
 
@@ -63,18 +63,18 @@ class Candidates {
  public:
   Candidates(SearchMode mode, std::optional<Real> skin) : mode_(mode), given_skin_(skin) {}
 
-  /// Lists at nodes.x; pairs outlive them; longest [s] is the step whose speed votes they must
+  /// Lists at nodes.x; pairs outlive them; longest [s] is the step whose speed limits they must
   /// serve. With other ranks it first brings in their faces that may touch what is evaluated here.
   /// Collective.
   void build(Entities<Dim>& entities, const PairTable& pairs, Real longest,
              ContactImports<Dim>& imports);
-  /// True if they hold every contact and speed vote at nodes.x, nodes.v, planes; the same on all
+  /// True if they hold every contact and speed limit at nodes.x, nodes.v, planes; the same on all
   /// ranks. Collective: one reduction.
   bool complete(const Entities<Dim>& entities, Real longest, const Communicator& ranks);
 
   std::span<const FaceCandidate> faces() const { return faces_; }
   /// Particles beside faces, as far as motion has brought them since the lists were built;
-  /// longest [s] is the step that speed votes look ahead.
+  /// longest [s] is the step that speed limits look ahead.
   ParticleRows particle_rows(const PairTable& pairs, Real longest) const;
   /// How many faces stand beside particles in all rows.
   std::size_t n_particles() const { return starts_.empty() ? 0 : starts_.back(); }
@@ -84,12 +84,13 @@ class Candidates {
   std::span<const std::size_t> pair_starts() const { return pair_starts_; }
   Real skin() const { return skin_; }
   /// How far faces may come in the longest step at the present speeds [m]; 0: no faces are fast
-  /// enough to vote for their speed (contact/evaluate/face_votes.hpp).
+  /// enough to bound the step by their speed (contact/evaluate/face_step_limits.hpp).
   Real way_of_faces(const Entities<Dim>& entities) const;
   std::size_t builds() const { return builds_; }
   /// Where a face may touch another before the lists are renewed [m].
   SearchBox<Dim> box_of_face(const Entities<Dim>& entities, std::size_t face) const;
-  /// Where a particle may touch a face, or vote for its speed, before the lists are renewed [m].
+  /// Where a particle may touch a face, or bound the step by its speed, before the lists are
+  /// renewed [m].
   SearchBox<Dim> box_of_particle(const Entities<Dim>& entities, std::size_t particle) const;
   /// The same for touching or nearing another particle, half of the way each [m].
   SearchBox<Dim> box_beside_particles(const Entities<Dim>& entities, std::size_t particle) const;
@@ -111,7 +112,7 @@ class Candidates {
   std::vector<Clearance> row_clearances_;
   std::vector<PairCandidate> pairs_;
   std::vector<std::size_t> pair_starts_;
-  Real speed_reach_ = 0;   // [m] of motion that the particles' boxes foresee
+  Real speed_reach_ = 0;   // [m] of motion that the particles' boxes predict
   Real face_reach_ = 0;    // [m] the same of faces, both sides together
   Real speed_ = 0;         // [m/s] largest relative speed now
   Real moved_ = 0;         // [m] largest relative displacement since

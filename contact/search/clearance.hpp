@@ -6,8 +6,8 @@
 
 namespace brunt {
 
-/// What kept a particle from touching a face or voting for its speed when the lists were built;
-/// in single precision, on the safe side. Small: it is all that is read of most candidates.
+/// What kept a particle from touching a face or bounding the step by its speed when the lists were
+/// built; in single precision, on the safe side. Small: it is all that is read of most candidates.
 struct Clearance {
   LocalIndex entity = 0;  ///< the face of the candidate; of a row its particle
   float apart = 0;        ///< [m] between its sphere and the face's box, in the widest component
@@ -30,7 +30,8 @@ struct Clearance {
 struct ClearanceLoss {
   Real apart = kInfinity, before = kInfinity, turn = kInfinity;
 
-  /// True only if the particle, before the face and beside its box, can neither touch it nor vote.
+  /// True only if the particle, before the face and beside its box, can neither touch it nor bound
+  /// the step.
   bool leaves(const Clearance& clearance) const {
     return clearance.apart > apart && clearance.before > before + turn * clearance.arm;
   }

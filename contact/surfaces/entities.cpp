@@ -141,11 +141,11 @@ template <int Dim>
 Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
                         const Section& section, const ContactRanks& ranks,
                         const RigidSprings& rigid) {
-  nodes.rubs = pairs.rubs();
+  nodes.has_friction = pairs.has_friction();
   gaps = pairs.gaps();
-  nodes.turns = pairs.particles_rub();
-  nodes.asks_material = pairs.asks_material();
-  for (const auto* surface : surfaces) nodes.warm = nodes.warm || surface->points->conducts;
+  nodes.turns = pairs.particles_have_friction();
+  nodes.needs_material = pairs.needs_material();
+  for (const auto* surface : surfaces) nodes.conduct = nodes.conduct || surface->points->conducts;
   std::vector<Real> sizes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const auto& surface = *surfaces[s];
@@ -199,7 +199,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
   set_options(pairs, diameters, rigid, *this);
-  constant_vote = vote_of_particles<Dim>(pairs, section, *this, rigid);
+  constant_limit = step_limit_of_particles<Dim>(pairs, section, *this, rigid);
   add_faces({});
   for (const auto& face : faces) {
     if (face.deforms() && !face.held) longest_step = std::min(longest_step, face.element_step);
@@ -219,8 +219,8 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   planes.resize(faces.size());
   boxes.resize(faces.size());
   reaches.resize(faces.size());
-  if (nodes.rubs) tractions.assign(faces.size(), {});
-  if (nodes.asks_material) materials.assign(faces.size(), {});
+  if (nodes.has_friction) tractions.assign(faces.size(), {});
+  if (nodes.needs_material) materials.assign(faces.size(), {});
 }
 
 template <int Dim>
@@ -251,7 +251,7 @@ std::size_t Entities<Dim>::particle_with(GlobalId id) const {
 
 template <int Dim>
 void Entities<Dim>::inherit_tractions(const Entities& old) {
-  if (!nodes.rubs) return;
+  if (!nodes.has_friction) return;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::size_t before = old.face_with(faces[f].id);
     if (before < old.faces.size() && old.faces[before].id == faces[f].id) {
@@ -275,7 +275,7 @@ void Entities<Dim>::read_materials(const std::vector<Surface<Dim>*>& surfaces) {
 
 template <int Dim>
 void Entities<Dim>::Seen::take(const Seen& other) {
-  vote.take(other.vote);
+  step_limit.take(other.step_limit);
   warped = std::max(warped, other.warped);
   turned_square = std::max(turned_square, other.turned_square);
 }
@@ -309,7 +309,7 @@ void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
   const Real area = std::max(plane.area, face.footprint);
   const Real phi = face.phi * recoil_factor(face.recoil) * area / face.area_start;
   const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
-  seen.vote.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
+  seen.step_limit.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
 }
 
 template <int Dim>
@@ -328,10 +328,10 @@ void Entities<Dim>::refresh_planes() {
       for (std::size_t f = first; f < last; ++f) refresh_plane(f);
       for (std::size_t f = first; f < last; ++f) look_at(f, part);
     }
-#pragma omp critical(brunt_contact_vote)
+#pragma omp critical(brunt_contact_step_limit)
     all.take(part);
   }
-  surface_vote = all.vote;
+  surface_limit = all.step_limit;
   warped = all.warped;
   turned = std::sqrt(all.turned_square);
 }
@@ -354,10 +354,10 @@ void Entities<Dim>::refresh_reaches() {
 }
 
 template <int Dim>
-StepVote Entities<Dim>::stiffness_vote() const {
-  StepVote vote = constant_vote;
-  vote.take(surface_vote);
-  return vote;
+StepLimit Entities<Dim>::stiffness_limit() const {
+  StepLimit step_limit = constant_limit;
+  step_limit.take(surface_limit);
+  return step_limit;
 }
 
 template struct Entities<2>;

@@ -7,7 +7,7 @@
 #include "contact/law/pair_table.hpp"
 #include "contact/surfaces/nodes.hpp"
 #include "contact/surfaces/ranks.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 
 namespace brunt {
 
@@ -37,8 +37,8 @@ struct ContactFace {
   Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
   Real compliance = 0;       ///< [1/kg] of the free rigid body behind it; 0: its nodes move each
   Real mean_compliance = 0;  ///< [1/kg] as of Facet
-  bool held = false;         ///< votes no step
-  bool rigid() const { return stiffness == 0; }  ///< held or moved as told
+  bool held = false;         ///< bounds no step
+  bool rigid() const { return stiffness == 0; }  ///< held or in prescribed motion
   bool deforms() const { return stiffness > 0 && compliance == 0; }
   bool everywhere = false;         ///< it stands on every rank
   bool open = false;               ///< of a surface with a rim, which has two sides for particles
@@ -64,8 +64,8 @@ struct FaceShape {
 
 /// What the springs of free rigid bodies say of steps, from their whole scene: constant.
 struct RigidSprings {
-  StepVote vote;    ///< their own
-  Real recoil = 0;  ///< largest (frequency)^2 dt^2/4 of them in the longest step of others
+  StepLimit step_limit;  ///< their own
+  Real recoil = 0;       ///< largest (frequency)^2 dt^2/4 of them in the longest step of others
   std::set<Label> neighbours;  ///< bodies that deform, or of particles, and may touch them
   Real recoil_beside(Label body) const { return neighbours.count(body) != 0 ? recoil : 0.0; }
 };
@@ -80,7 +80,7 @@ struct ContactParticle {
   Real modulus = 0;                 ///< [Pa]
   Real conductivity = 0;            ///< [W/m/K]; 0: takes no heat
   Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
-  bool held = false;                ///< votes no step
+  bool held = false;                ///< bounds no step
   bool owned = true;                ///< its row of candidates is evaluated here
   std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
 };
@@ -107,12 +107,12 @@ struct Entities {
   Real turned = 0;                           ///< largest change of a normal since then
   std::vector<SearchBox<Dim>> boxes;         ///< of planes
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
-  std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing rubs
+  std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing has friction
   /// Behind each face, as of the step's start; empty where no friction asks for it.
   std::vector<SurfaceMaterial> materials;
   std::vector<char> conducts;   ///< by surface: its points keep the temperature
-  StepVote constant_vote;       ///< bound from the springs of particles
-  StepVote surface_vote;        ///< the same of faces, at the last planes
+  StepLimit constant_limit;     ///< bound from the springs of particles
+  StepLimit surface_limit;      ///< the same of faces, at the last planes
   Real deepest = 0;             ///< [m] largest depth of a face of any rank
   Real shallowest = kInfinity;  ///< [m] smallest half thickness of the faces here
   /// [m] smallest penetration at which faces let go, of all ranks
@@ -147,7 +147,7 @@ struct Entities {
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
   /// Bound from the springs of faces and particles at the last planes, before anything touches
   /// (physics.md A5).
-  StepVote stiffness_vote() const;
+  StepLimit stiffness_limit() const;
   /// [m/s] mean over the corners of a face.
   Vec<Dim> face_velocity(std::size_t face) const {
     const auto& one = faces[face];
@@ -161,7 +161,7 @@ struct Entities {
  private:
   /// What planes say as a whole.
   struct Seen {
-    StepVote vote;
+    StepLimit step_limit;
     Real warped = 0, turned_square = 0;
     void take(const Seen& other);
   };

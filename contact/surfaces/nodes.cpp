@@ -33,13 +33,13 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   }
   pressed.push_back(0), pressed_last.push_back(0);
   if (turns) spin.push_back(Vec3::Zero());
-  if (asks_material) material.emplace_back();
+  if (needs_material) material.emplace_back();
   spring_work.push_back(0);
   damping_energy.push_back(0);
-  if (warm) {
+  if (conduct) {
     for (auto* field : {&temperature, &capacity, &heat_rate, &friction_given}) field->push_back(0);
   }
-  if (rubs) {
+  if (has_friction) {
     friction.push_back(Vec<Dim>::Zero());
     for (auto* field : {&friction_heat, &friction_stored, &friction_damped, &pair_energy})
       field->push_back(0);
@@ -66,7 +66,7 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
     to_v[i] = velocity;
     part.take(now - from_x[i], velocity);
   });
-  if (turns || asks_material || warm) read_matter(surfaces);
+  if (turns || needs_material || conduct) read_matter(surfaces);
 }
 
 template <int Dim>
@@ -77,15 +77,16 @@ void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) 
     const auto& from = *surfaces[static_cast<std::size_t>(surface[i])];
     const auto p = static_cast<std::size_t>(point[i]);
     if (turns && p < from.spin.size()) spin[i] = from.spin[p];
-    if (asks_material && p < from.particle_material.size()) material[i] = from.particle_material[p];
+    if (needs_material && p < from.particle_material.size())
+      material[i] = from.particle_material[p];
     const auto& points = *from.points;
-    if (!warm || !points.conducts) continue;
+    if (!conduct || !points.conducts) continue;
     capacity[i] = points.capacity_varies(p) ? points.heated_mass[p] : points.capacity[p];
   }
 }
 
 template <int Dim>
-void ContactNodes<Dim>::foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt) {
+void ContactNodes<Dim>::predict_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt) {
   for (std::size_t i = 0; i < size(); ++i) {
     if (!owned[i]) continue;
     const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
@@ -99,7 +100,7 @@ void ContactNodes<Dim>::foresee_temperatures(const std::vector<Surface<Dim>*>& s
 
 template <int Dim>
 void ContactNodes<Dim>::read_temperatures(const std::vector<Surface<Dim>*>& surfaces) {
-  if (warm) temperature = present_temperatures(surfaces);
+  if (conduct) temperature = present_temperatures(surfaces);
 }
 
 template <int Dim>
@@ -134,8 +135,8 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
     pressed[i] = old.pressed[*it], pressed_last[i] = old.pressed_last[*it];
     spring_work[i] = old.spring_work[*it], damping_energy[i] = old.damping_energy[*it];
-    if (warm) friction_given[i] = old.friction_given[*it];
-    if (!rubs) continue;
+    if (conduct) friction_given[i] = old.friction_given[*it];
+    if (!has_friction) continue;
     friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];
     friction_stored[i] = old.friction_stored[*it], pair_energy[i] = old.pair_energy[*it];
     friction_damped[i] = old.friction_damped[*it];

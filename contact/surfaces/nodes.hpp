@@ -43,13 +43,13 @@ struct ContactNodes {
   /// did it is 0, friction too.
   std::vector<char> pressed, pressed_last;
   std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
-  bool rubs = false;               ///< some pair has friction; else the fields below are empty
+  bool has_friction = false;       ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
-  bool turns = false;              ///< particles rub on particles; else `spin` is empty
+  bool turns = false;              ///< particles have friction with particles; else `spin` is empty
   std::vector<Vec3> spin;          ///< [rad/s] of the material, where its surface tells it
-  bool asks_material = false;      ///< some friction does; else `material` is empty
+  bool needs_material = false;     ///< some friction does; else `material` is empty
   std::vector<SurfaceMaterial> material;  ///< of a particle, where its surface tells it
-  bool warm = false;                      ///< some points conduct; else the fields below are empty
+  bool conduct = false;                   ///< some points conduct; else the fields below are empty
   std::vector<Real> temperature;          ///< [K] at the end of the step, but for contact
   std::vector<Real> capacity;             ///< [J/K], or [kg] where it varies; 0: takes no heat
   std::vector<Real> heat_rate;            ///< [W] of this evaluation
@@ -69,7 +69,7 @@ struct ContactNodes {
   /// Temperatures [K] of owned points now, by node; 0 elsewhere, and where none is kept.
   std::vector<Real> present_temperatures(const std::vector<Surface<Dim>*>& surfaces) const;
   /// The temperatures that owned points will have after dt by the heat they have so far.
-  void foresee_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
+  void predict_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
   /// Takes over what outlives a step from the same points in an older table.
   void inherit(const ContactNodes& old);
 

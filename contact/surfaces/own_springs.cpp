@@ -11,9 +11,9 @@
 namespace brunt {
 
 template <int Dim>
-StepVote vote_of_particles(const PairTable& pairs, const Section& section,
-                           const Entities<Dim>& entities, const RigidSprings& rigid) {
-  StepVote vote;
+StepLimit step_limit_of_particles(const PairTable& pairs, const Section& section,
+                                  const Entities<Dim>& entities, const RigidSprings& rigid) {
+  StepLimit step_limit;
   std::map<Label, PairOptions> options;
   for (const auto& particle : entities.particles) {
     const auto node = static_cast<std::size_t>(particle.node);
@@ -30,9 +30,9 @@ StepVote vote_of_particles(const PairTable& pairs, const Section& section,
     const Real recoil = rigid.recoil_beside(particle.body);
     const Real zeta = recoil_damping(it->second.damping, recoil);
     const Real step = 2 * std::sqrt(mass / (k * recoil_factor(recoil))) * lag_factor(zeta);
-    vote.take({step, "contact stiffness", particle.body, particle.id});
+    step_limit.take({step, "contact stiffness", particle.body, particle.id});
   }
-  return vote;
+  return step_limit;
 }
 
 namespace {
@@ -119,7 +119,7 @@ RigidSprings springs_of_rigid(const PairTable& pairs, const Section& section,
     piece.squared_frequency += k * area * compliance;
     piece.damping += damping_coefficient(face.zeta, k, face.areal_mass) * area * compliance;
   }
-  const Real others = std::min(entities.longest_step, entities.constant_vote.step);
+  const Real others = std::min(entities.longest_step, entities.constant_limit.step);
   for (const auto& [piece, springs] : pieces) {
     const Real frequency = std::sqrt(springs.squared_frequency);
     if (!(frequency > 0)) continue;
@@ -129,15 +129,15 @@ RigidSprings springs_of_rigid(const PairTable& pairs, const Section& section,
       step *= std::sqrt(kMostRecoil);
       rigid.recoil = std::max(rigid.recoil, 0.25 * springs.squared_frequency * others * others);
     }
-    rigid.vote.take({step, "contact stiffness", springs.body, piece});
+    rigid.step_limit.take({step, "contact stiffness", springs.body, piece});
   }
   return rigid;
 }
 
-template StepVote vote_of_particles<2>(const PairTable&, const Section&, const Entities<2>&,
-                                       const RigidSprings&);
-template StepVote vote_of_particles<3>(const PairTable&, const Section&, const Entities<3>&,
-                                       const RigidSprings&);
+template StepLimit step_limit_of_particles<2>(const PairTable&, const Section&, const Entities<2>&,
+                                              const RigidSprings&);
+template StepLimit step_limit_of_particles<3>(const PairTable&, const Section&, const Entities<3>&,
+                                              const RigidSprings&);
 template RigidSprings springs_of_rigid<2>(const PairTable&, const Section&, const Entities<2>&);
 template RigidSprings springs_of_rigid<3>(const PairTable&, const Section&, const Entities<3>&);
 

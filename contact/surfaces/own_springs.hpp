@@ -5,8 +5,8 @@ namespace brunt {
 
 /// Smallest 2 sqrt(m/k) of the particles on their own springs.
 template <int Dim>
-StepVote vote_of_particles(const PairTable& pairs, const Section& section,
-                           const Entities<Dim>& entities, const RigidSprings& rigid);
+StepLimit step_limit_of_particles(const PairTable& pairs, const Section& section,
+                                  const Entities<Dim>& entities, const RigidSprings& rigid);
 
 /// Bounds of free rigid bodies on the springs of all their faces at once, in every direction: of
 /// K = sum k A J^T J the largest eigenvalue of M^-1 K, found when they are built, and so of

@@ -208,21 +208,21 @@ void HeatBoundaries<Dim>::load_state(const StateTables& tables) {
 }
 
 template <int Dim>
-StepVote heat_step(const Points<Dim>& points) {
-  StepVote vote;
-  if (!points.conducts) return vote;
+StepLimit heat_step(const Points<Dim>& points) {
+  StepLimit step_limit;
+  if (!points.conducts) return step_limit;
   const Real steps = points.conduction_every;
   for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
     // Infinite where nothing flows.
     const Real step = points.least_capacity(i) / (steps * points.conductance[i]);
-    vote.take({step >= 0 ? step : 0.0, "heat of point", points.body[i], points.id[i]});
+    step_limit.take({step >= 0 ? step : 0.0, "heat of point", points.body[i], points.id[i]});
   }
-  return vote;
+  return step_limit;
 }
 
 template class HeatBoundaries<2>;
 template class HeatBoundaries<3>;
-template StepVote heat_step(const Points<2>&);
-template StepVote heat_step(const Points<3>&);
+template StepLimit heat_step(const Points<2>&);
+template StepLimit heat_step(const Points<3>&);
 
 }  // namespace brunt

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/boundaries/supports.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
@@ -41,7 +41,8 @@ class HeatBoundaries {
   /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
   void follow(const Points<Dim>& old, Points<Dim>& now);
 
-  /// Gives points their prescribed temperatures at time 0, and conductances for the first vote.
+  /// Gives points their prescribed temperatures at time 0, and conductances for the first step
+  /// limit.
   void start();
   /// Flux, convection h A (T_fluid - T) and radiation, at T(n); time is that of the step's end.
   void add_heat(Real time, Real dt);
@@ -78,6 +79,6 @@ class HeatBoundaries {
 /// while H is steady, but lets points pass T_f. What contact exchanges is no part of H: by backward
 /// Euler, it bounds no step (docs/decisions.md).
 template <int Dim>
-StepVote heat_step(const Points<Dim>& points);
+StepLimit heat_step(const Points<Dim>& points);
 
 }  // namespace brunt

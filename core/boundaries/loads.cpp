@@ -131,7 +131,7 @@ void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
 }
 
 template <int Dim>
-StepVote Loads<Dim>::stable_step(Real time) const {
+StepLimit Loads<Dim>::stable_step(Real time) const {
   // The drag lags by half a step: stable while rate dt < 2; a tenth of it keeps it accurate.
   if (rate_ > 0 && time <= until_) return {0.2 / rate_, "damping", 0, 0};
   return {};

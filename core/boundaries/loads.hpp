@@ -35,7 +35,7 @@ class Loads {
 
   /// Adds forces at the end of the step; books 1/2 (f(n) + f(n+1)).dx to boundary and damping.
   void add_forces(Real time, Real dt, const Vec<Dim>& origin);
-  StepVote stable_step(Real time) const;
+  StepLimit stable_step(Real time) const;
   void add_totals(Totals<Dim>& totals) const;
   /// The same of rigid bodies, which every rank has: one of them adds it.
   void add_rigid_totals(Totals<Dim>& totals) const;

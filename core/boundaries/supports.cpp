@@ -113,7 +113,8 @@ template <int Dim>
 void Supports<Dim>::impose_rigid(Rigid& rigid, Real time, Real dt) {
   auto& points = *rigid.points;
 #pragma omp parallel for schedule(static)
-  for (LocalIndex point = 0; point < points.size(); ++point) {  // copies move as told too
+  for (LocalIndex point = 0; point < points.size();
+       ++point) {  // copies have a prescribed motion too
     const auto i = static_cast<std::size_t>(point);
     if (rigid.motion_of_point[i] == kFree) continue;
     const auto& motion = rigid.motions[rigid.motion_of_point[i]];
@@ -131,7 +132,7 @@ void Supports<Dim>::impose_constraint(Constraint<Dim>& constraint, Real time, Re
   for (std::size_t k = 0; k < constraint.chosen.size(); ++k) {
     const auto i = static_cast<std::size_t>(constraint.chosen[k]);
     const Vec3 place = absolute<Dim>(points.x_start[i], origin_);
-    Vec<Dim> change = Vec<Dim>::Zero();  // of the motion that was foretold
+    Vec<Dim> change = Vec<Dim>::Zero();  // of the motion that was predicted
     for (int c = 0; c < Dim; ++c) {
       if (!constraint.velocity[c]) continue;
       const Real old = points.a[i][c];

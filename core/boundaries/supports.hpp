@@ -26,7 +26,7 @@ struct Constraint {
   std::vector<Real> work;                                       ///< [J] done on the scene
 };
 
-/// All that holds points or moves them as told, and the work that this takes.
+/// All that holds points or prescribes their motion, and the work that this takes.
 template <int Dim>
 class Supports {
  public:
@@ -54,7 +54,7 @@ class Supports {
   void load_state(const StateTables& tables);
   const std::vector<Constraint<Dim>>& constraints() const { return constraints_; }
 
-  /// Rigid surfaces that are held or moved as told.
+  /// Rigid surfaces that are held or in prescribed motion.
   struct Rigid {
     Points<Dim>* points;
     std::vector<RigidMotion<Dim>> motions;     // by label; absent: held

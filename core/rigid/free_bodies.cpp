@@ -105,16 +105,16 @@ void FreeBodies<Dim>::start() {
 }
 
 template <int Dim>
-Vec3 FreeBodies<Dim>::told_center(const FreeBody<Dim>& body, Real time) const {
-  return in_space<Dim>(body.told.position(body.center.template head<Dim>(), time));
+Vec3 FreeBodies<Dim>::prescribed_center(const FreeBody<Dim>& body, Real time) const {
+  return in_space<Dim>(body.prescribed.position(body.center.template head<Dim>(), time));
 }
 
-/// What is not free goes as told: the acceleration at the start of the step becomes the one that
-/// leads there, as for points that a boundary moves.
+/// What is not free follows its prescribed motion: the acceleration at the start of the step
+/// becomes the one that leads there, as for points that a boundary moves.
 template <int Dim>
 void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords) {
   auto& state = body.state;
-  const Vec3 now = told_center(body, time), before = told_center(body, time - dt);
+  const Vec3 now = prescribed_center(body, time), before = prescribed_center(body, time - dt);
   for (int c = 0; c < Dim; ++c) {
     if (body.is_free(c)) continue;
     const Real old = state.a[c];
@@ -127,7 +127,7 @@ void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chor
     state.x[c] = now[c];
   }
   if (body.turns) return;
-  const auto& told = body.told;
+  const auto& told = body.prescribed;
   state.turn = Eigen::AngleAxis<Real>(told.spin * time, told.axis);
   const Mat3 rotation = state.rotation();
   state.momentum = rotation * (state.inertia * (rotation.transpose() * (told.spin * told.axis)));
@@ -194,10 +194,11 @@ void FreeBodies<Dim>::take_forces(const Vec3& point_force, const Vec3& point_tor
   body.torque = point_torque + body.load_torque;
   if (body.turns) state.torque = body.torque;
   state.a = body.force / state.mass;
-  const Vec3 place = told_center(body, time);
-  const Vec3 about = in_space<Dim>(Vec<Dim>(body.told.center + time * body.told.velocity));
-  const Vec3 told =
-      in_space<Dim>(body.told.velocity) + body.told.spin * body.told.axis.cross(place - about);
+  const Vec3 place = prescribed_center(body, time);
+  const Vec3 about =
+      in_space<Dim>(Vec<Dim>(body.prescribed.center + time * body.prescribed.velocity));
+  const Vec3 told = in_space<Dim>(body.prescribed.velocity) +
+                    body.prescribed.spin * body.prescribed.axis.cross(place - about);
   for (int c = 0; c < Dim; ++c) {
     if (body.is_free(c)) continue;
     const Real needed = 2 * (told[c] - state.v[c]) / dt;
@@ -215,14 +216,14 @@ void FreeBodies<Dim>::correct(Real dt) {
 }
 
 template <int Dim>
-StepVote FreeBodies<Dim>::stable_step() const {
-  StepVote vote;
+StepLimit FreeBodies<Dim>::stable_step() const {
+  StepLimit step_limit;
   for (const auto& body : bodies_) {
-    const Real rate = body.turns ? body.state.fastest_spin() : std::fabs(body.told.spin);
+    const Real rate = body.turns ? body.state.fastest_spin() : std::fabs(body.prescribed.spin);
     if (rate == 0) continue;
-    vote.take({kLargestTurn / rate, "spin of a rigid body", body.body, body.piece});
+    step_limit.take({kLargestTurn / rate, "spin of a rigid body", body.body, body.piece});
   }
-  return vote;
+  return step_limit;
 }
 
 template <int Dim>

@@ -9,19 +9,19 @@
 #include "core/rigid/rigid_body.hpp"
 #include "core/rigid/rigid_surfaces.hpp"
 #include "core/state.hpp"
-#include "core/step_vote.hpp"
+#include "core/step_limit.hpp"
 
 namespace brunt {
 
 /// A rigid body of which something follows its forces: all of it, or some components of its
-/// velocity, and then it turns as told.
+/// velocity, and then it turns as prescribed.
 template <int Dim>
 struct FreeBody {
   RigidBody state;
   Label body = 0, piece = 0;
-  RigidMotion<Dim> told;            ///< of what is not free
+  RigidMotion<Dim> prescribed;      ///< of what is not free
   std::array<bool, Dim> free{};     ///< components of its velocity
-  bool turns = false;               ///< it turns by its torques, else as told
+  bool turns = false;               ///< it turns by its torques, else as prescribed
   Vec3 center = Vec3::Zero();       ///< [m] of mass, at time 0
   Vec3 load_force = Vec3::Zero();   ///< [N] accumulated: what acts on it as a whole
   Vec3 load_torque = Vec3::Zero();  ///< [N m] about its centre
@@ -65,7 +65,7 @@ class FreeBodies {
   /// The second kick; bodies and points have the velocities of the whole step.
   void correct(Real dt);
   /// What a free body allows of the step: it shall not turn by more than 0.2 rad.
-  StepVote stable_step() const;
+  StepLimit stable_step() const;
   /// Adds what owned points have booked.
   void add_totals(Totals<Dim>& totals) const;
   /// Adds masses, momenta and energies of the bodies, and their state hash: every rank has them,
@@ -91,7 +91,7 @@ class FreeBodies {
   void find_points(Group& group) const;
   static void add_forces(Real dt, Group& group, std::vector<Sums>& sums);
   void impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords);
-  Vec3 told_center(const FreeBody<Dim>& body, Real time) const;
+  Vec3 prescribed_center(const FreeBody<Dim>& body, Real time) const;
   void take_forces(const Vec3& point_force, const Vec3& point_torque, Real time, Real dt,
                    FreeBody<Dim>& body);
   template <class Velocity>

@@ -25,14 +25,14 @@ RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> fa
 
 /// All points and facets stand on every rank; forces and work are kept by the owner of each point.
 template <int Dim>
-std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Deal& deal,
+std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Partition& partition,
                                                      const Communicator& ranks) const {
   std::vector<LocalIndex> order, place(points_.x.size());
   LocalIndex n_owned = 0;
   for (const bool owned : {true, false}) {
     for (LocalIndex i = 0; i < points_.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
-      if ((deal.of(points_.id[k]) == ranks.rank()) != owned) continue;
+      if ((partition.of(points_.id[k]) == ranks.rank()) != owned) continue;
       place[k] = static_cast<LocalIndex>(order.size());
       order.push_back(i);
     }
@@ -40,7 +40,7 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Deal& deal,
   }
   auto facets = surface_.facets;
   for (auto& facet : facets) {
-    facet.owned = deal.of(points_.id[static_cast<std::size_t>(facet.node[0])]) == ranks.rank();
+    facet.owned = partition.of(points_.id[static_cast<std::size_t>(facet.node[0])]) == ranks.rank();
   }
   for (auto& facet : facets) {
     for (auto& node : facet.node) {

@@ -22,12 +22,12 @@ struct RigidMotion {
 };
 
 /// The group of all rigid surfaces: points without mass that others move, and their facets.
-/// It updates no elements and votes no step.
+/// It updates no elements and bounds no step.
 template <int Dim>
 class RigidSurfaces final : public Solid<Dim> {
  public:
   /// Points of all rigid bodies, at time 0, with their facets (stiffness 0 where they are held or
-  /// move as told).
+  /// have a prescribed motion).
   RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets);
   RigidSurfaces(const RigidSurfaces&) = delete;
   RigidSurfaces& operator=(const RigidSurfaces&) = delete;
@@ -36,13 +36,14 @@ class RigidSurfaces final : public Solid<Dim> {
   /// bodies. The points themselves have no mass.
   void set_shares(std::vector<Real> shares) { shares_ = std::move(shares); }
 
-  std::unique_ptr<Solid<Dim>> part(const Deal& deal, const Communicator& ranks) const override;
+  std::unique_ptr<Solid<Dim>> part(const Partition& partition,
+                                   const Communicator& ranks) const override;
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
   Surface<Dim>& surface() override { return surface_; }
   void update_state(Real) override {}
   void add_internal_forces(Real) override {}
-  StepVote stable_step() const override { return {}; }
+  StepLimit stable_step() const override { return {}; }
   void rearrange() override {}
   void add_totals(Totals<Dim>&) const override {}
   void check(Real, const std::vector<std::string>&) const override {}

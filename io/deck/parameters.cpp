@@ -79,7 +79,8 @@ class Resolver {
     }
     for (auto& [name, uses] : undeclared_) {
       if (uses.size() > 1) {
-        problems_[told_[name]].message += "; it is used " + std::to_string(uses.size()) + " times";
+        problems_[warned_[name]].message +=
+            "; it is used " + std::to_string(uses.size()) + " times";
       }
       Parameter parameter;
       parameter.name = name;
@@ -119,7 +120,7 @@ class Resolver {
       if (uses.size() > 1) return nullptr;
       std::vector<std::string> known;
       for (const Declared& other : declared_) known.push_back(other.parameter.name);
-      told_[name] = problems_.size();
+      warned_[name] = problems_.size();
       problems_.push_back(
           {place, path, "the parameter $" + name + " is not declared" + suggestion(name, known)});
       return nullptr;
@@ -264,7 +265,7 @@ class Resolver {
   }
 
   void negate(Node& node, const Parameter& parameter, const std::string& path) {
-    if (parameter.failed) return;  // told already
+    if (parameter.failed) return;  // reported already
     if (!parameter.value) {
       problems_.push_back({node.place, path,
                            "$" + parameter.name +
@@ -311,8 +312,8 @@ class Resolver {
   std::map<std::string, std::size_t> index_;  ///< of a name in declared_
   std::set<std::string> used_;
   std::map<std::string, std::vector<SourcePlace>> undeclared_;  ///< where each is used
-  std::map<std::string, std::size_t> told_;  ///< the problem of each that is undeclared
-  std::vector<std::size_t> open_;            ///< that are being resolved, outermost first
+  std::map<std::string, std::size_t> warned_;  ///< the problem of each that is undeclared
+  std::vector<std::size_t> open_;              ///< that are being resolved, outermost first
   bool all_resolved_ = false;
   static constexpr std::size_t kMaxNodes = 1'000'000, kLongestText = 10'000;
   std::size_t n_nodes_ = 0;  ///< that parameters have put in

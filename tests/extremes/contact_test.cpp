@@ -35,7 +35,7 @@ ContactScene<3> corner(Real stiffness) {
 // C6. Thrown into the corner at v = 0.04 c along each axis the particle overlaps each wall by less
 // than v/c dp sqrt(rho dp^3 / k dp^-2) = 0.04 dp / sqrt(phi), under 5 % of dp for phi = 1. With the
 // default damping it never leaves faster than it came, whatever the stiffness and although steps as
-// long as its votes allow meet the walls within a step, which gives or takes (w dt)^2/8 of a
+// long as its limits allow meet the walls within a step, which gives or takes (w dt)^2/8 of a
 // bounce.
 TEST(ContactExtremes, NoStiffnessThrowsACornerParticleOut) {
   for (const Real stiffness : {1.0, 10.0, 100.0}) {
@@ -59,7 +59,7 @@ TEST(ContactExtremes, NoStiffnessThrowsACornerParticleOut) {
 }
 
 // C6 without damping: what a bounce gives or takes, (w dt)^2/8 of its energy, is below 1e-6 in
-// steps of a thousandth of what is voted for, w dt < 0.002.
+// steps of a thousandth of what they allow, w dt < 0.002.
 TEST(ContactExtremes, NoStiffnessThrowsACornerParticleOutUndamped) {
   for (const Real stiffness : {1.0, 10.0, 100.0}) {
     auto scene = corner(stiffness);
@@ -119,12 +119,12 @@ TEST(ContactExtremes, SoftOnHardCostsNoStep) {
     int seen = 0;
     SceneHooks hooks;
     hooks.step_done = [&](Scene<3>& scene, const Clock& clock) {
-      StepVote solids;
+      StepLimit solids;
       for (const auto& solid : scene.solids) solids.take(solid->stable_step());
-      const auto vote = scene.contact->stable_step(clock.dt());
-      // The step that `end` cuts votes for four of its own length.
+      const auto step_limit = scene.contact->stable_step(clock.dt());
+      // The step that `end` cuts allows four of its own length.
       if (clock.dt() < 0.5 * solids.step) return;
-      EXPECT_GE(vote.step, own_spring * solids.step) << vote.reason;
+      EXPECT_GE(step_limit.step, own_spring * solids.step) << step_limit.reason;
       ++seen;
     };
     const auto run = simulate_text(

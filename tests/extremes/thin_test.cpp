@@ -223,7 +223,7 @@ void expect_none_below(int dim, Plate plate, bool file, Real thick, Real mach, R
   ASSERT_EQ(run.bodies.at("shots").position.size(), 27u);
   EXPECT_EQ(count_below(run, dim), 0) << name;
   EXPECT_LT(run.worst_drift, 1e-12) << name;  // rounding of a hundred steps
-  // Steps foresee their way into the barrier and are no longer than half of what is stable there:
+  // Steps predict their way into the barrier and are no longer than half of what is stable there:
   // each of nine bounces, in another phase, gives or takes up to (w dt)^2/8 = 0.12 of its energy.
   const Real bounce = 0.5 * 9 * (dim == 2 ? 1e-3 : 1e-6) * std::pow(mach * 100, 2);
   EXPECT_LT(std::fabs(run.last("energy.contact.pairs")), 0.12 / 3 * bounce) << name;

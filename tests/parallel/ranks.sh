@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # The same history, byte for byte, state hashes and all, and the same frames, bit for bit, on any
-# number of ranks and threads: every shipped deck, shortened; with another skin; dealt out again
+# number of ranks and threads: every shipped deck, shortened; with another skin; repartitioned
 # every few steps; and split in two by a restart on other ranks. Decks of contact alone besides, which
 # stand beside this file: all that a contact remembers moves with its points. Warnings are the same
 # too, with the place and time of the first contact that did not hold and how many followed it.
-#   ranks.sh PROGRAM SOURCE COMPARE STATE_DIFFERENCE RANDOM_DEAL RANKS...
+#   ranks.sh PROGRAM SOURCE COMPARE STATE_DIFFERENCE RANDOM_PARTITION RANKS...
 # COMPARE: the program of tests/support/compare_frames.cpp, or true where there are no frames.
-# RANDOM_DEAL: the program with points dealt by a hash, so that nearly every contact is shared by
+# RANDOM_PARTITION: the program with points spread by a hash, so that nearly every contact is shared by
 # ranks: for decks of contact, and for all on four ranks and more.
 set -euo pipefail
 brunt=$1
 decks=$2/decks own=$2/tests/parallel
 compare=$3
 state_difference=$4
-random_deal=$5
+random_partition=$5
 shift 5
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -109,16 +109,16 @@ check() {  # check CASE RANKS...
   done
   run "$deck" "$name-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
   same "$deck" "$name-1" "$name-skin"
-  run "$deck" "$name-dealt" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
-  same "$deck" "$name-1" "$name-dealt"
-  grep -q '"deals": [1-9]' "$name-dealt/summary.json" || { echo "FAILED: $deck was not dealt again"; status=1; }
+  run "$deck" "$name-repartitioned" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
+  same "$deck" "$name-1" "$name-repartitioned"
+  grep -q '"repartitions": [1-9]' "$name-repartitioned/summary.json" || { echo "FAILED: $deck was not repartitioned"; status=1; }
   run "$deck" "$name-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
   run "$deck" "$name-rest" --ranks 3 --threads 1 --restart "$name-half" -- $shorten
   same "$deck" "$name-1" "$name-rest"
   run "$deck" "$name-alone" --threads 1 --restart "$name-half" -- $shorten
   same "$deck" "$name-1" "$name-alone"
   case $deck in decks/*) touches "$deck" "$name-half/history.csv" ;; *) [ "$1" -ge 4 ] || return 0 ;; esac
-  program=$random_deal
+  program=$random_partition
   run "$deck" "$name-random" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
   same "$deck" "$name-1" "$name-random"
   run "$deck" "$name-random-rest" --ranks 2 --threads 1 --restart "$name-half" -- $shorten

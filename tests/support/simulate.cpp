@@ -123,7 +123,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   result.steps = clock.step();
   result.steps_here = clock.step() - checkpointing.first_step();
   result.worst_drift = monitor.worst_drift();
-  result.told = monitor.told();
+  result.told = monitor.warned();
   for (const auto& [body, text] : monitor.artificial_tension()) {
     result.told.push_back({artificial_stress_path(body), text});
   }

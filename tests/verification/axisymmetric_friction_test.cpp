@@ -40,7 +40,7 @@ TEST(AxisymmetricFriction, AShaftInARing) {
   ASSERT_EQ(run.failure, "");
   EXPECT_LT(run.worst_drift, 1e-12);
   // Of the 2.2 J that springs hold at time 0: their area 2 pi r grows with what they push out,
-  // which no force answers, parts of d/R = 5e-4 of it; measured 1.02e-3 with what rubs.
+  // which no force answers, parts of d/R = 5e-4 of it; measured 1.02e-3 with what slides.
   EXPECT_LT(std::fabs(run.last("energy.contact.pairs")), 1.5e-3 * run.largest_energy());
   const Real E = 210e9, nu = 0.3, R = 0.01, b = 0.02, L = 0.02, h = 1e-3, phi = 0.5, mu = 0.1;
   const Real M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu));

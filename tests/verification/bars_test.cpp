@@ -20,8 +20,8 @@ const Real kWave = std::sqrt(kModulus / kDensity);
 const Real kContactTime = 2 * kLength / kWave;
 const Real kPlateau = 0.5 * kDensity * kWave * kSpeed * kWidth * kWidth;  // [N]
 
-// CFL 0.8 means dt = 0.8 h/c here, as in the table of test 9; the contact's vote is 0.926 h/c.
-// (At 0.74 h/c, safety 0.8, an independent 1D chain gives an overshoot of 3.6 % instead.)
+// CFL 0.8 means dt = 0.8 h/c here, as in the table of test 9; the contact's step limit is 0.926
+// h/c. (At 0.74 h/c, safety 0.8, an independent 1D chain gives an overshoot of 3.6 % instead.)
 const std::vector<std::string> kTableOfTest9 = {"output.history=0.02 us", "time.safety=0.864"};
 
 /// The figures of test 9; plateau [N].

@@ -185,7 +185,7 @@ TEST(FreeRigidHeat, AFallingBlockAndItsPlateComeToTheTemperatureOfTheirMixture) 
 }
 
 // The same on particles, and of a body that follows its forces along one axis alone.
-TEST(FreeRigidHeat, ItWarmsParticlesAndMovesInPartAsTold) {
+TEST(FreeRigidHeat, ItWarmsParticlesAndMovesInPartAsPrescribed) {
   const auto run = simulate_text(
       kMixture, {"time.end=20 ms", "bodies.plate.method=sph", "bodies.plate.cells=null",
                  "bodies.plate.size=1 mm", "bodies.block.motion={velocity: [0, 0, free]}"});

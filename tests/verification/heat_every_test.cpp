@@ -158,9 +158,10 @@ TEST(HeatEvery, HalfSpacesErrAsTheClosedFormSays) {
   }
 }
 
-// A window as long as the vote allows, from temperatures without any order, in a fluid that takes
-// ten times as much from surface points as their neighbours do, 1e6 W/m^2/K against k/(0.375 h) or
-// so: no point ever leaves the extremes of body and fluid. A vote of C/(N G + H) would let it.
+// A window as long as the step limit allows, from temperatures without any order, in a fluid that
+// takes ten times as much from surface points as their neighbours do, 1e6 W/m^2/K against k/(0.375
+// h) or so: no point ever leaves the extremes of body and fluid. A step limit of C/(N G + H) would
+// let it.
 TEST(HeatEvery, WindowsMakeNoNewExtremes) {
   for (const char* method : {"fe", "sph"}) {
     SceneHooks hooks;

@@ -32,7 +32,9 @@ output: {history: 1 us}
 class Broken final : public Solid<3> {
  public:
   Broken(std::unique_ptr<Solid<3>> solid, Real factor) : solid_(std::move(solid)), by_(factor) {}
-  std::unique_ptr<Solid<3>> part(const Deal&, const Communicator&) const override { return {}; }
+  std::unique_ptr<Solid<3>> part(const Partition&, const Communicator&) const override {
+    return {};
+  }
   void save_state(std::vector<StateTable>& tables) const override { solid_->save_state(tables); }
   void load_state(const StateTables& tables) override { solid_->load_state(tables); }
   const GhostPlan& ghosts() const override { return solid_->ghosts(); }
@@ -46,7 +48,7 @@ class Broken final : public Solid<3> {
     solid_->add_internal_forces(dt);
     for (std::size_t i = 0; i < f.size(); ++i) f[i] = before[i] + by_ * (f[i] - before[i]);
   }
-  StepVote stable_step() const override { return solid_->stable_step(); }
+  StepLimit stable_step() const override { return solid_->stable_step(); }
   void rearrange() override { solid_->rearrange(); }
   WallTime take_list_time() override { return solid_->take_list_time(); }
   void add_totals(Totals<3>& totals) const override { solid_->add_totals(totals); }

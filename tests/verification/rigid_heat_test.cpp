@@ -53,8 +53,8 @@ TEST(RigidHeat, AMotionHoldsItsTemperature) {
   EXPECT_NEAR(whole.last("contact.aluminium-steel.heat_rate"), -rate, 5e-3 * rate);
 }
 
-// A block slides over a rigid steel block that moves as told and conducts: friction warms both, and
-// heat adds up. Bits are those of any threads, skin and restart.
+// A block slides over a rigid steel block that has a prescribed motion and conducts: friction warms
+// both, and heat adds up. Bits are those of any threads, skin and restart.
 TEST(RigidHeat, AMovingToolIsWarmedByFriction) {
   const auto overrides =
       with({"time.end=20 us", "materials.aluminium.strength=null", "bodies.plate.rigid=true",

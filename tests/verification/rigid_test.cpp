@@ -336,9 +336,9 @@ output: {history: 1 ms}
   EXPECT_LT(result.worst_drift, 1e-10);
 }
 
-// A cube that rattles between two held planes, turning, in the largest step that it votes for, is
-// stable: its kinetic energy is never above that of the start by more than what the scheme makes of
-// entering contact between steps.
+// A cube that rattles between two held planes, turning, in the largest step that its limit allows,
+// is stable: its kinetic energy is never above that of the start by more than what the scheme makes
+// of entering contact between steps.
 TEST(Rigid, LargestStepIsStable) {
   const auto result = run(R"(
 time: {end: 20 ms, safety: 1}

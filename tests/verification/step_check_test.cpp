@@ -1,9 +1,9 @@
 // time.check_step against closed forms of the longest stable step, 2/omega of leapfrog.
 //
 // A bar of elements h long, nu 0, without bulk viscosity: its lumped masses swing against each
-// other with omega = 2c/h, and its elements vote h/c: 1.
+// other with omega = 2c/h, and its elements allow h/c: 1.
 //
-// Two layers of particles a distance d apart: omega = 2c/d, and the vote is 0.95 d/c
+// Two layers of particles a distance d apart: omega = 2c/d, and the step limit is 0.95 d/c
 // (sph/spread.hpp): at least 1, and at most 1/0.95 and what the spread about a particle of the rim
 // gives away, some 2 %.
 #include <gtest/gtest.h>
@@ -70,8 +70,8 @@ TEST(StepCheck, KnowsTwoLayersOfParticles) {
   EXPECT_LT(run.step_margins[0].second, 1.02 / 0.95 + 0.004);
 }
 
-// Hourglass control of 2,000 times its usual stiffness is what no vote counts with.
-TEST(StepCheck, WarnsOfWhatTheVoteDoesNotKnow) {
+// Hourglass control of 2,000 times its usual stiffness is what no step limit counts with.
+TEST(StepCheck, WarnsOfWhatTheStepLimitDoesNotKnow) {
   const auto run = simulate_text(kBar, {"bodies.bar.element.hourglass.stiffness=100",
                                         "time.end=0.05 us", "bodies.bar.velocity=[0, 0, 0]"});
   ASSERT_EQ(run.step_margins.size(), 1U);

@@ -41,8 +41,9 @@ std::vector<ElementSet<3>> shuffled_sets(const FiniteElements<3>& elements, std:
   return sets;
 }
 
-/// Stores everything that may be stored in any order in another one. deal  of one rank, outlives it
-void shuffle_storage(Scene<3>& scene, const Deal& deal) {
+/// Stores everything that may be stored in any order in another one. partition  of one rank,
+/// outlives it
+void shuffle_storage(Scene<3>& scene, const Partition& partition) {
   std::mt19937 random(7);
   std::vector<std::unique_ptr<Solid<3>>> old;
   std::vector<Surface<3>*> surfaces;
@@ -60,8 +61,8 @@ void shuffle_storage(Scene<3>& scene, const Deal& deal) {
     std::shuffle(surface.particles.begin(), surface.particles.end(), random);
     surfaces.push_back(&surface);
   }
-  scene.contact =
-      std::make_unique<ContactManager<3>>(*scene.contact, std::move(surfaces), deal, lone_rank());
+  scene.contact = std::make_unique<ContactManager<3>>(*scene.contact, std::move(surfaces),
+                                                      partition, lone_rank());
 }
 
 void expect_same_bits(const std::string& name, const std::vector<std::string>& overrides,
@@ -69,11 +70,11 @@ void expect_same_bits(const std::string& name, const std::vector<std::string>& o
   const std::string path = std::string(BRUNT_SOURCE_DIR) + "/decks/" + name + "/" + name + ".yaml";
   const LoadedDeck loaded = load_deck(path, overrides);
   const auto plain = test::simulate(loaded);
-  Deal deal;
+  Partition partition;
   test::SceneHooks hooks;
   hooks.built = [&](Scene<3>& scene) {
-    deal.owner.assign(scene.n_points(), 0);
-    shuffle_storage(scene, deal);
+    partition.owner.assign(scene.n_points(), 0);
+    shuffle_storage(scene, partition);
   };
   const auto other = test::simulate(loaded, {}, hooks);
   ASSERT_TRUE(plain.failure.empty() && other.failure.empty());

@@ -1,6 +1,6 @@
 // What a run on 2, 4, ... 4096 ranks would compute, copy and send, without those ranks: the scene
-// is built as `run` builds it, its points are dealt out by the same bisection, and what every rank
-// would have is counted. With it a simple model of the time of a step.
+// is built as `run` builds it, its points are partitioned by the same bisection, and what every
+// rank would have is counted. With it a simple model of the time of a step.
 //   scaling DECK [--set KEY=VALUE]... [--steps N] [--ranks N,...] [--csv]
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -195,7 +195,8 @@ void print_ranks(const std::vector<RankLoad>& loads, const Machine& machine, con
       1e6 * slowest.neighbours, 1e6 * slowest.lists, 1e6 * slowest.all_ranks, efficiency);
 }
 
-/// The points where they are now, weighed by the work that was measured: what Balance deals by.
+/// The points where they are now, weighed by the work that was measured: what Balance partitions
+/// by.
 template <int Dim>
 WeighedPoints<Dim> measured_points(const Scene<Dim>& scene, const Machine& machine) {
   auto all = weighed_points(scene);
@@ -231,11 +232,11 @@ void tell(const LoadedDeck& loaded, const Arguments& arguments) {
   Rates rates;
   measure(loaded.deck, arguments, *scene, machine, rates);
   if (arguments.again) points = measured_points(*scene, machine);
-  std::vector<Deal> deals;
+  std::vector<Partition> partitions;
   for (const int n : arguments.ranks) {
-    deals.push_back(deal_out<Dim>(lone_rank(), points.x, points.weight, n));
+    partitions.push_back(make_partition<Dim>(lone_rank(), points.x, points.weight, n));
   }
-  const auto whole = deal_out<Dim>(lone_rank(), points.x, points.weight);
+  const auto whole = make_partition<Dim>(lone_rank(), points.x, points.weight);
   const auto alone = rank_loads<Dim>(*scene, whole, points.weight, 1);
   if (!arguments.csv) {
     std::printf("%zu points, %zu elements, %zu particles, %zu candidates of contact\n",
@@ -254,8 +255,8 @@ void tell(const LoadedDeck& loaded, const Arguments& arguments) {
   }
   print_heads(arguments.csv);
   const Real seconds = work_of(alone.front(), machine);
-  for (std::size_t k = 0; k < deals.size(); ++k) {
-    const auto loads = rank_loads<Dim>(*scene, deals[k], points.weight, arguments.ranks[k]);
+  for (std::size_t k = 0; k < partitions.size(); ++k) {
+    const auto loads = rank_loads<Dim>(*scene, partitions[k], points.weight, arguments.ranks[k]);
     print_ranks(loads, machine, arguments.ranks[k] > 1 ? rates : Rates{}, seconds, arguments.csv);
   }
 }
@@ -274,7 +275,7 @@ int run(int argc, char** argv) {
   app.add_option("--ns-face", arguments.ns_face, "of a face or particle of contact");
   app.add_option("--latency", arguments.latency, "of a message [us]");
   app.add_option("--bandwidth", arguments.bandwidth, "of a rank [GB/s]");
-  app.add_flag("--again", arguments.again, "deals out again by the work after the steps");
+  app.add_flag("--again", arguments.again, "repartitions by the work after the steps");
   app.add_flag("--csv", arguments.csv, "sums over the ranks, for programs");
   CLI11_PARSE(app, argc, argv);
   const ParallelSession session(argc, argv);

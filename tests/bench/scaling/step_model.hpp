@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dealt_scene.hpp"
+#include "partitioned_scene.hpp"
 
 namespace brunt {
 

@@ -39,12 +39,12 @@ TEST(Clock, TheStepHasCollapsedAThousandfoldBelowTheFirstThatMaterialBounds) {
   EXPECT_EQ(Clock(1.0, 0.5, 1e-2, 1e-7).least_step(), 1e-7);
 }
 
-TEST(StepVote, TiesGoToTheSmallerEntity) {
-  StepVote vote;
-  vote.take({2.0, "b", 0, 7});
-  vote.take({2.0, "a", 0, 3});
-  vote.take({3.0, "c", 0, 1});
-  EXPECT_STREQ(vote.reason, "a");
+TEST(StepLimit, TiesGoToTheSmallerEntity) {
+  StepLimit step_limit;
+  step_limit.take({2.0, "b", 0, 7});
+  step_limit.take({2.0, "a", 0, 3});
+  step_limit.take({3.0, "c", 0, 1});
+  EXPECT_STREQ(step_limit.reason, "a");
 }
 
 }  // namespace

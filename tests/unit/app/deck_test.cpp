@@ -135,12 +135,12 @@ TEST(Deck, FrictionIsANumberATableOrALaw) {
   EXPECT_DOUBLE_EQ(hot.coefficient({.temperature = 273.15 + 50}), 0.3);
   const PairOptions expression =
       foot("contact.pairs.foot.friction='= 0.1 + T/1000 + yield/1e9 + p/1e6 + v'");
-  EXPECT_TRUE(expression.asks_material());
+  EXPECT_TRUE(expression.needs_material());
   EXPECT_DOUBLE_EQ(expression.coefficient(
                        {.temperature = 300, .flow_stress = 1e8, .pressure = 2e6, .speed = 0.5}),
                    0.1 + 0.3 + 0.1 + 2 + 0.5);
-  EXPECT_FALSE(foot("contact.pairs.foot.friction='= 0.1 + v'").asks_material());
-  EXPECT_TRUE(foot("contact.pairs.foot.shear_limit=true").asks_material());
+  EXPECT_FALSE(foot("contact.pairs.foot.friction='= 0.1 + v'").needs_material());
+  EXPECT_TRUE(foot("contact.pairs.foot.shear_limit=true").needs_material());
 }
 
 TEST(Deck, WrongFrictionIsToldAtItsPlace) {

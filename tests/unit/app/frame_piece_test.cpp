@@ -15,7 +15,7 @@ TEST(FramePiece, LeavesOutCopiesThatNoCellTouches) {
   view.point_mass = {0.5, 0.6, 0.7, 0.8};
   view.connectivity = {1, 3};
   view.cell_fields = {{"id", 1, {0}}};
-  const BodyView piece = frame_piece(view, Deal{std::vector<std::int32_t>(9, 0)}, lone_rank());
+  const BodyView piece = frame_piece(view, Partition{std::vector<std::int32_t>(9, 0)}, lone_rank());
   EXPECT_EQ(piece.position, (std::vector<Real>{1, 0, 0, 2, 0, 0, 3, 0, 0}));
   EXPECT_EQ(piece.point_owned, (std::vector<char>{0, 1, 1}));
   EXPECT_EQ(piece.point_fields.at(0).values, (std::vector<Real>{6, 7, 8}));
@@ -31,7 +31,7 @@ TEST(FramePiece, HasNoCellFieldsWithoutCells) {
   view.point_owned = {1};
   view.point_fields = {{"id", 1, {5}}};
   view.cell_fields = {{"eps_p", 1, {}}};
-  const BodyView piece = frame_piece(view, Deal{std::vector<std::int32_t>(9, 0)}, lone_rank());
+  const BodyView piece = frame_piece(view, Partition{std::vector<std::int32_t>(9, 0)}, lone_rank());
   EXPECT_TRUE(piece.cell_fields.empty());
   EXPECT_EQ(piece.position, view.position);
 }

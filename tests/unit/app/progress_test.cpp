@@ -13,7 +13,7 @@ TEST(Progress, SaysTimeStepWhoseDriftAndWhatIsLeft) {
             "1 min 30 s left");
 }
 
-TEST(Progress, ForetellsNothingFromTheFirstInstants) {
+TEST(Progress, PredictsNothingFromTheFirstInstants) {
   const std::string text = progress_text({1e-9, 80e-6, 1, 1e-9, "bar: element", 0, 30});
   EXPECT_EQ(text.find("left"), std::string::npos) << text;
 }

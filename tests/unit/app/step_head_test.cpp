@@ -16,21 +16,21 @@ const StepHead kTied{{1.0, "contact speed", 2, 4}, {}};
 const StepHead kBroken{{std::nan(""), "element", 5, 5}, {}};
 
 StepHead joined(StepHead a, const StepHead& b) {
-  const GlobalId before = a.vote.entity;
+  const GlobalId before = a.step_limit.entity;
   const bool taken = a.take(b);
-  EXPECT_EQ(taken, a.vote.entity != before);
+  EXPECT_EQ(taken, a.step_limit.entity != before);
   return a;
 }
 
-TEST(StepHead, TheSmallestVoteWinsWhoeverIsHeardFirst) {
+TEST(StepHead, TheSmallestLimitWinsWhoeverIsHeardFirst) {
   for (const auto& [a, b, winner] : {std::array{kSlow, kFast, kFast},
                                      {kFast, kTied, kTied},  // the smaller id
                                      {kBroken, kFast, kBroken},
                                      {kSlow, kBroken, kBroken}}) {
     for (const StepHead& head : {joined(a, b), joined(b, a)}) {
-      EXPECT_EQ(head.vote.entity, winner.vote.entity);
-      EXPECT_STREQ(head.vote.reason, winner.vote.reason);
-      EXPECT_EQ(head.vote.body, winner.vote.body);
+      EXPECT_EQ(head.step_limit.entity, winner.step_limit.entity);
+      EXPECT_STREQ(head.step_limit.reason, winner.step_limit.reason);
+      EXPECT_EQ(head.step_limit.body, winner.step_limit.body);
     }
   }
 }
@@ -50,8 +50,8 @@ TEST(StepHead, OneThatIsAskedIsEnough) {
 
 TEST(StepHead, OfALoneRankIsItsOwn) {
   const StepHead head = over_ranks(kSlow, lone_rank());
-  EXPECT_EQ(head.vote.step, 2.0);
-  EXPECT_STREQ(head.vote.reason, "element");
+  EXPECT_EQ(head.step_limit.step, 2.0);
+  EXPECT_STREQ(head.step_limit.reason, "element");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // What proves a face out of a particle's reach may never be wrong: of faces and particles at
 // random, moved at random, all that is left out must still be beyond its radius and what speed
-// votes look ahead in some component, and before the face. And it must prove something: a particle
-// three radii beside a face at rest, half a radius before it, is left out.
+// step limits look ahead in some component, and before the face. And it must prove something: a
+// particle three radii beside a face at rest, half a radius before it, is left out.
 #include "contact/search/clearance.hpp"
 
 #include <gtest/gtest.h>

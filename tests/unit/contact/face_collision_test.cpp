@@ -43,7 +43,7 @@ void check(Real mass, Real stiffness, Real zeta) {
   scene.options.fallback = {false, kPhi, zeta, {}};
   const Real reduced = mass / (1 + mass), k = kPhi * in_series(1.0, stiffness);
   const Real omega = std::sqrt(k / reduced);
-  // A face votes for what its own spring alone allows, sqrt(2 m''/S), whatever it touches.
+  // A face allows what its own spring alone allows, sqrt(2 m''/S), whatever it touches.
   const Real own = std::sqrt(std::min(1.0, mass / stiffness)), dt = std::min(0.01 / omega, own);
   const Real v = kSpeed * omega;  // to a depth of 1 % of the elements
   add(scene, true, 0, 1, 1);

@@ -1,5 +1,5 @@
-// Friction that depends on what rubs. Two faces whose springs S = M/h are equal have k = phi S / 2
-// per area: pressed by d they carry p = k d. Dragged over many times the slip d mu at which they
+// Friction that depends on what slides. Two faces whose springs S = M/h are equal have k = phi S /
+// 2 per area: pressed by d they carry p = k d. Dragged over many times the slip d mu at which they
 // begin to slide, friction is mu p A, or Y/sqrt(3) A with a shear limit, whatever the mesh of both
 // sides; sums of some tens of forces leave 1e-14 of it.
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(FrictionLaw, FacesCarryNoMoreShearThanTheSofterSide) {
     show(scene, 0, {300, soft_above ? kHard : kSoft});
     show(scene, 1, {300, soft_above ? kSoft : kHard});
     scene.start();
-    ASSERT_TRUE(scene.groups[0].surface.asks_material);
+    ASSERT_TRUE(scene.groups[0].surface.needs_material);
     drag(scene);
     ASSERT_GT(0.5 * kPressure, kLimit);
     EXPECT_NEAR(scene.force(1)[0], -kLimit * kArea, 1e-12 * kLimit * kArea);

@@ -1,5 +1,6 @@
-// A particle shot at a face at 0.2 to 5 times its speed of sound, with the voted step (times 0.9):
-// it must come back, on a rigid face and on the face of one free element as large as itself.
+// A particle shot at a face at 0.2 to 5 times its speed of sound, with the step that contact allows
+// (times 0.9): it must come back, on a rigid face and on the face of one free element as large as
+// itself.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -85,9 +86,9 @@ TEST(ContactImpact, NoParticleIsLostInTwoDimensions) { shoot<2>(); }
 TEST(ContactImpact, NoParticleIsLostInThreeDimensions) { shoot<3>(); }
 
 /// A particle `height` [m] over a face of a metre that lets go `depth` behind itself, 0: a rigid
-/// one, and comes down at 4 km/s; the vote.
+/// one, and comes down at 4 km/s; the step limit.
 template <int Dim>
-StepVote vote_of_one_that_comes(Real height, Real depth) {
+StepLimit step_limit_of_one_that_comes(Real height, Real depth) {
   ContactScene<Dim> scene;
   const Real corner = kDensity * depth / (2 * (Dim == 2 ? 2 : 4));  // [kg] of a metre's face
   scene.add_face(scene.add_group(), upward_face<Dim>(1), depth > 0 ? kModulus / depth : 0, depth,
@@ -102,22 +103,22 @@ StepVote vote_of_one_that_comes(Real height, Real depth) {
 }
 
 template <int Dim>
-void expect_speed_votes() {
+void expect_speed_limits() {
   // Where they touch; with a gap of half a spacing, that much more.
   for (const auto& [height, way] : {std::pair(0.4, 0.25), {1.0, 0.75}}) {
-    const StepVote vote = vote_of_one_that_comes<Dim>(height * kSpacing, 0);
-    EXPECT_NEAR(vote.step, way * kSpacing / 4000, 1e-20);
-    EXPECT_STREQ(vote.reason, "contact speed");
+    const StepLimit step_limit = step_limit_of_one_that_comes<Dim>(height * kSpacing, 0);
+    EXPECT_NEAR(step_limit.step, way * kSpacing / 4000, 1e-20);
+    EXPECT_STREQ(step_limit.reason, "contact speed");
   }
   // A face that lets go 0.1 spacings behind itself: half of that (contact.md 2.3).
-  const StepVote vote = vote_of_one_that_comes<Dim>(0.6 * kSpacing, 0.1 * kSpacing);
-  EXPECT_NEAR(vote.step, (0.1 + 0.05) * kSpacing / 4000, 1e-20);
-  EXPECT_STREQ(vote.reason, "contact speed");
+  const StepLimit step_limit = step_limit_of_one_that_comes<Dim>(0.6 * kSpacing, 0.1 * kSpacing);
+  EXPECT_NEAR(step_limit.step, (0.1 + 0.05) * kSpacing / 4000, 1e-20);
+  EXPECT_STREQ(step_limit.reason, "contact speed");
 }
 
-TEST(ContactImpact, SpeedVoteIsHalfARadiusOrDepthOverTheClosingSpeed) {
-  expect_speed_votes<2>();
-  expect_speed_votes<3>();
+TEST(ContactImpact, SpeedLimitIsHalfARadiusOrDepthOverTheClosingSpeed) {
+  expect_speed_limits<2>();
+  expect_speed_limits<3>();
 }
 
 }  // namespace

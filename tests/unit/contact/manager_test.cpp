@@ -207,18 +207,18 @@ TEST(ContactManager, MomentumOfParticlesOnADeformableSheet) {
   EXPECT_LT(moment.norm(), 6 * 1e-14 * size);  // arms of up to 6 m
 }
 
-TEST(ContactManager, VoteIsThatOfTheFacesOwnSpring) {
+TEST(ContactManager, StepLimitIsThatOfTheFacesOwnSpring) {
   // h/c = sqrt(2 m''/S) with m'' = rho h/2 = 500, S = 1e6; ratio 0.972 at phi = 0.5, zeta = 0.
   ContactScene<3> scene;
   scene.options.fallback.damping = 0;
   add_sheet(scene, 4, 0, 1, 0.0, true, kStiffness, 1);
   add_sheet(scene, 5, 0, 1, 1.0, false, kStiffness, 1);  // far from it
   scene.start();
-  const auto vote = scene.contact->stable_step(0);
+  const auto step_limit = scene.contact->stable_step(0);
   const Real elements = std::sqrt(1000 / kStiffness);
-  EXPECT_NEAR(vote.step, elements * std::sqrt(2 / (1 + std::sqrt(1.25))), 1e-14);
-  EXPECT_STREQ(vote.reason, "contact stiffness");
-  EXPECT_EQ(vote.entity, 1u << 3);
+  EXPECT_NEAR(step_limit.step, elements * std::sqrt(2 / (1 + std::sqrt(1.25))), 1e-14);
+  EXPECT_STREQ(step_limit.reason, "contact stiffness");
+  EXPECT_EQ(step_limit.entity, 1u << 3);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Particles on faces that move, turn and deform (contact.md 3, tests 7 and 22). A particle of
 // radius r and modulus M on faces of S = M/h has k = phi M (2 r)^(Dim - 2) in series with phi S (2
-// r)^(Dim - 1); on faces that move as told, its own alone. It overlaps a surface by r less its
-// distance, in whatever frame and however the faces are shaped.
+// r)^(Dim - 1); on faces that have a prescribed motion, its own alone. It overlaps a surface by r
+// less its distance, in whatever frame and however the faces are shaped.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -15,7 +15,7 @@ using testing::ContactScene;
 
 constexpr Real kRadius = 0.25, kModulus = 2e4, kSide = 1e5;  // [m], [Pa], [Pa/m]
 
-/// [N/m] of phi = 1, on faces of elements or on such that move as told.
+/// [N/m] of phi = 1, on faces of elements or on such that have a prescribed motion.
 template <int Dim>
 Real spring(bool elements) {
   const Real own = Dim == 3 ? kModulus * 2 * kRadius : kModulus;

@@ -9,10 +9,10 @@ namespace {
 
 TEST(PairOptions, FrictionDecaysWithSpeed) {
   PairOptions pair;
-  EXPECT_FALSE(pair.rubs());
+  EXPECT_FALSE(pair.has_friction());
   EXPECT_EQ(pair.coefficient({.pressure = 1, .speed = 1}), 0);
   pair.decaying = DecayingFriction{0.5, 0.2, 3};
-  EXPECT_TRUE(pair.rubs());
+  EXPECT_TRUE(pair.has_friction());
   for (const Real pressure : {0.0, 1e9}) {
     const auto at = [&](Real speed) {
       return pair.coefficient({.pressure = pressure, .speed = speed});
@@ -33,40 +33,40 @@ TEST(PairOptions, FrictionDependsOnTheStateOfSliding) {
   pair.friction->ordinate = {0.1, 0.3};
   pair.friction->over = Varying::Over::temperature;
   EXPECT_DOUBLE_EQ(pair.coefficient(at), 0.2);
-  EXPECT_TRUE(pair.asks_material());
+  EXPECT_TRUE(pair.needs_material());
   pair.friction->over = Varying::Over::slip_speed;
   EXPECT_DOUBLE_EQ(pair.coefficient(at), 0.1 + 0.2 * 3 / 800);
-  EXPECT_FALSE(pair.asks_material());
+  EXPECT_FALSE(pair.needs_material());
   pair.friction->over = Varying::Over::pressure;
   EXPECT_EQ(pair.coefficient(at), 0.3);
-  EXPECT_FALSE(pair.asks_material());
+  EXPECT_FALSE(pair.needs_material());
   pair.friction->over = Varying::Over::sliding;
   pair.friction->evaluate = [](const std::array<Real, 4>& s) {
     return s[0] + 10 * s[1] + 100 * s[2] + 1000 * s[3];
   };
   EXPECT_DOUBLE_EQ(pair.coefficient(at), 400 + 2e9 + 1e8 + 3000);
   pair.friction->depends = {false, false, true, true};
-  EXPECT_FALSE(pair.asks_material());
+  EXPECT_FALSE(pair.needs_material());
   pair.friction->depends = {false, true, false, false};
-  EXPECT_TRUE(pair.asks_material());
+  EXPECT_TRUE(pair.needs_material());
 }
 
 TEST(PairOptions, AShearLimitAsksForTheMaterialOfWhatRubs) {
   PairOptions pair;
   pair.shear_limit = true;
-  EXPECT_FALSE(pair.asks_material());
+  EXPECT_FALSE(pair.needs_material());
   pair.friction.emplace().constant = 0.1;
-  EXPECT_TRUE(pair.asks_material());
+  EXPECT_TRUE(pair.needs_material());
 }
 
 TEST(PairOptions, NoFrictionDoesNotRub) {
   PairOptions pair;
   pair.friction.emplace();
-  EXPECT_FALSE(pair.rubs());
+  EXPECT_FALSE(pair.has_friction());
   pair.friction->constant = 0.1;
-  EXPECT_TRUE(pair.rubs());
+  EXPECT_TRUE(pair.has_friction());
   pair.decaying = DecayingFriction{0, 0, 1};
-  EXPECT_FALSE(pair.rubs());
+  EXPECT_FALSE(pair.has_friction());
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ ContactScene<3> beside_a_plate(Real compliance) {
 
 // Beside what deforms alone a rigid body has that spring, not its own 4e9: omega^2 = 2 faces x
 // 0.5 x 1e9 x 4 c. In the plate's own step, h/c = sqrt(2 m''/k) = 0.707e-3 s, r = omega^2 dt^2/4,
-// 5e-4 for c = 1e-6: the plate's spring is stiffer by 1/(1 - r), and its vote is the shorter one.
+// 5e-4 for c = 1e-6: the plate's spring is stiffer by 1/(1 - r), and its step limit is the shorter
+// one.
 TEST(OwnSprings, ARigidBodyTakesTheSpringOfItsNeighbour) {
   const Real light = 1e-6, step = std::sqrt(2 * 250.0 / 1e9);
   const Real r = 2 * 0.5 * 1e9 * 4 * light * step * step / 4;
@@ -77,8 +78,8 @@ TEST(OwnSprings, ARigidBodyTakesTheSpringOfItsNeighbour) {
               1e-12 * step);
 }
 
-// A light one, r > 1/4, votes itself, for sqrt(1/4) of 2/omega: then r is 1/4, and the highest
-// frequency^2 of plate and body together at most that of the plate on a spring of 4/3 phi.
+// A light one, r > 1/4, bounds the step itself, for sqrt(1/4) of 2/omega: then r is 1/4, and the
+// highest frequency^2 of plate and body together at most that of the plate on a spring of 4/3 phi.
 TEST(OwnSprings, ALightRigidBodyLeavesRoom) {
   const Real light = 1e-2;
   auto scene = beside_a_plate(light);

@@ -116,7 +116,7 @@ TEST(ParticlePair, ImpactOfTwoMasses) {
   }
 }
 
-// Steps as contact votes for, 0.9 of them, at 0.01 to 5 sound speeds c = sqrt(own / m) 2r: no
+// Steps as contact allows, 0.9 of them, at 0.01 to 5 sound speeds c = sqrt(own / m) 2r: no
 // centres pass each other, and energy comes back to 1 % (the step follows the barrier).
 TEST(ParticlePair, NothingPassesAtFiveSoundSpeeds) {
   const Real c = std::sqrt(kOwn) * 2 * kRadius;

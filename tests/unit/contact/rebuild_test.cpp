@@ -93,7 +93,7 @@ std::vector<std::uint64_t> run(const Setting& setting, int steps, std::size_t& c
     dt = std::min(0.5 * scene.contact->stable_step(dt).step, 5e-3);
     const bool due = setting.forced && step % setting.forced == 0;
     if (due) scene.contact->rearrange();
-    // The kick comes after all that could foresee it: what is checked is the motion itself.
+    // The kick comes after all that could predict it: what is checked is the motion itself.
     for (auto& group : scene.groups) {
       auto& p = group.points;
       Vec<Dim> push;

@@ -91,8 +91,8 @@ TEST(ContactStability, HoldsBelowTheLimitAndDivergesAboveIt) {
   }
 }
 
-// Particles look some steps ahead for what is near, and vote for no longer one. A step is `safety`
-// of its vote: however small that is, the next may be twice as long.
+// Particles look some steps ahead for what is near, and allow no longer one. A step is `safety`
+// of its step limit: however small that is, the next may be twice as long.
 TEST(Stability, StepsMayGrowWhateverTheSafety) {
   for (const Real safety : {0.9, 0.5, 0.24, 0.01}) {
     ContactScene<3> scene;

@@ -39,9 +39,9 @@ struct Bodies {
     auto& other = bodies[1];
     other.piece = 7, other.body = 1;
     other.free = {false, true, false};
-    other.told.velocity = Vec3(2, 0, 0);
-    other.told.center = Vec3(0, 8, 0);
-    other.told.spin = 4;
+    other.prescribed.velocity = Vec3(2, 0, 0);
+    other.prescribed.center = Vec3(0, 8, 0);
+    other.prescribed.spin = 4;
     other.state.mass = 2;
     other.state.x = other.center = Vec3(0, 9, 0);
     other.state.v = Vec3(2 - 4, 1, 0);
@@ -221,11 +221,11 @@ TEST(FreeBodies, PointsOfTwoGroupsAreOneBody) {
 }
 
 // A step turns no body by more than 0.2 rad, even if all its momentum went to its least inertia.
-TEST(FreeBodies, VoteForTheAngleOfAStep) {
+TEST(FreeBodies, LimitTheAngleOfAStep) {
   const Bodies bodies;
-  const StepVote vote = bodies.free->stable_step();
+  const StepLimit step_limit = bodies.free->stable_step();
   const Real fastest = std::max(Vec3(0.5, 2, 0.3).norm() / 0.34, 4.0);
-  EXPECT_NEAR(vote.step, 0.2 / fastest, 1e-14);
+  EXPECT_NEAR(step_limit.step, 0.2 / fastest, 1e-14);
 }
 
 }  // namespace

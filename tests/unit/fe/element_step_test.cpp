@@ -15,7 +15,7 @@ namespace {
 using namespace testing;
 
 struct Limit {
-  Real bound;  ///< [s] the element's vote
+  Real bound;  ///< [s] the element's step limit
   Real truth;  ///< [s] 2/omega
 };
 

@@ -176,7 +176,7 @@ TEST(ShapeGuard, StepsStayStable) {
   }
 }
 
-/// What viscous control takes of any motion in a step of the length that is voted leaves no more of
+/// What viscous control takes of any motion in a step of the length of the limit leaves no more of
 /// it than there was: v + dt f/m is no longer than v, in the norm of the masses. Power iteration
 /// finds the motion that it acts on most. A crushed and warped element.
 TEST(ShapeGuard, ViscousControlTakesNoMoreThanThereIs) {

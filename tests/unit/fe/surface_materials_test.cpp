@@ -32,7 +32,7 @@ void expect_materials(const Variant& variant) {
   auto& surface = solid.surface();
   solid.update_state(1);
   EXPECT_TRUE(surface.facet_material.empty());
-  surface.asks_material = true;
+  surface.needs_material = true;
   solid.update_state(1);
   ASSERT_EQ(surface.facet_material.size(), surface.facets.size());
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
@@ -56,7 +56,7 @@ TEST(SurfaceMaterials, WhatNeverYieldsHasNoFlowStress) {
   auto mesh = box_mesh<3>({1, 1, 1}, Vec3::Zero(), Vec3::Ones());
   mesh.set.material = &material;
   FiniteElements<3> solid(mesh.points, {mesh.set}, Geometry::three_d, 1);
-  solid.surface().asks_material = true;
+  solid.surface().needs_material = true;
   solid.update_state(1);
   for (const auto& shown : solid.surface().facet_material) {
     EXPECT_EQ(shown.flow_stress, kInfinity);

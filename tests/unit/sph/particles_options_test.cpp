@@ -136,7 +136,7 @@ TEST(SphParticles, ShowFrictionTheirMaterial) {
   auto solid = particles<2>(lattice<2>({5, 5}, kDp, 8960 * kDp * kDp), kDp, *material, {});
   solid->update_state(1e-9);
   EXPECT_TRUE(solid->surface().particle_material.empty());
-  solid->surface().asks_material = true;
+  solid->surface().needs_material = true;
   auto& state = solid->blocks()[0].state;
   state.eps_p[7] = 0.2, state.temperature[7] = 700;
   solid->update_state(1e-9);

@@ -315,8 +315,8 @@ std::vector<Vec3> stiffness_times(const std::vector<Vec3>& displacement, int n,
 // Undamped limit 2/omega_max, in h/c. Endless lattice: at the middle of 11^3, five layers from the
 // faces, which is beyond twice the support, a plane wave cos(k.x) is answered by omega^2(k) itself;
 // the largest of three directions is the a of A5: 5 %. Free faces and corners are stiffer, their
-// gradients being one-sided: omega_max of a free block by power iteration, and the vote, half of a,
-// must stay below its limit.
+// gradients being one-sided: omega_max of a free block by power iteration, and the step limit, half
+// of a, must stay below its limit.
 TEST(SphParticles, UndampedStepLimitOfALattice) {
   const auto material = elastic_material(kDensity, 200e9, 0.3);
   const Real h_over_c = 1.2 * kDp / std::sqrt(material->modulus() / kDensity);
@@ -350,9 +350,9 @@ TEST(SphParticles, UndampedStepLimitOfALattice) {
     }
     const auto rest =
         particles<3>(lattice<3>({6, 6, 6}, kDp, kDensity * 1e-9), kDp, *material, options);
-    const Real vote = rest->stable_step().step;
-    EXPECT_NEAR(vote, 0.5 * factor * h_over_c, 1e-12 * h_over_c);
-    EXPECT_LT(vote, 2 / std::sqrt(omega2));
+    const Real step_limit = rest->stable_step().step;
+    EXPECT_NEAR(step_limit, 0.5 * factor * h_over_c, 1e-12 * h_over_c);
+    EXPECT_LT(step_limit, 2 / std::sqrt(omega2));
   }
 }
 

@@ -1,11 +1,11 @@
-// The step that particles vote for against the largest frequency of the operator that is coded,
+// The step that particles allow against the largest frequency of the operator that is coded,
 // found by power iteration: v <- -dF/(m dt) of a body without stress, whose positions stay. The
 // Rayleigh quotient comes from below, after 150 iterations within 2 % (8x8x4: 1.6 % of what 1,600
 // give). Leapfrog is stable to 2/omega. Lattices keep 2 % to spare for that; disordered bodies come
 // nearer, and `time.safety` of 0.9 covers them.
 //
 // Two layers a distance d apart strain by the difference of their velocities over d, whatever the
-// kernel: omega = 2 c/d, dt = d/c, where kernels of 1.7 spacings would vote 1.54 d/c.
+// kernel: omega = 2 c/d, dt = d/c, where kernels of 1.7 spacings would allow 1.54 d/c.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,9 +41,9 @@ Points<Dim> body_of(std::array<int, Dim> n, bool hexagons, Real noise) {
   return test::lattice<Dim>(n, kDp, kDensity * std::pow(kDp, Dim), noise);
 }
 
-/// 2/omega over the vote without viscosity.
+/// 2/omega over the step limit without viscosity.
 template <int Dim>
-Real stable_votes(Points<Dim> body, const Material& material, SphOptions options) {
+Real stable_step_limits(Points<Dim> body, const Material& material, SphOptions options) {
   options.viscosity = {0, 0};
   auto solid = test::particles<Dim>(std::move(body), kDp, material, options);
   auto& points = solid->points();
@@ -92,11 +92,11 @@ void expect_stable(const std::vector<std::array<int, Dim>>& bodies, Real nu) {
     options.kernel = kernel, options.smoothing = smoothing;
     for (const auto& n : bodies) {
       for (const bool hexagons : {false, true}) {
-        EXPECT_GT(stable_votes<Dim>(body_of<Dim>(n, hexagons, 0), *material, options), 1.02)
+        EXPECT_GT(stable_step_limits<Dim>(body_of<Dim>(n, hexagons, 0), *material, options), 1.02)
             << static_cast<int>(kernel) << " " << smoothing << ", " << n[0] << " x " << n[1]
             << " x " << n[Dim - 1] << (hexagons ? " hexagonal" : "");
       }
-      EXPECT_GT(stable_votes<Dim>(body_of<Dim>(n, false, 0.15), *material, options), 1)
+      EXPECT_GT(stable_step_limits<Dim>(body_of<Dim>(n, false, 0.15), *material, options), 1)
           << static_cast<int>(kernel) << " " << smoothing << ", " << n[0] << " x " << n[1] << " x "
           << n[Dim - 1] << " disordered";
     }
@@ -118,8 +118,9 @@ TEST(StepBound, HoldsInSpaceLong) {
   expect_stable<3>({{5, 5, 2}, {6, 2, 2}, {2, 2, 2}}, 0.45);
 }
 
-// Bodies of any thickness but two or three layers vote as before: half of the undamped limit.
-TEST(StepBound, ThickBodiesVoteTheirKernels) {
+// Bodies of any thickness but two or three layers have the limit of before: half of the undamped
+// limit.
+TEST(StepBound, ThickBodiesTakeTheStepOfTheirKernels) {
   const auto material = elastic_material(kDensity, 200e9, 0.3);
   const Real c = std::sqrt((material->bulk + 4.0 / 3 * material->shear) / kDensity);
   SphOptions options;
@@ -152,9 +153,9 @@ Real speed_after(std::array<int, Dim> n, Real alpha) {
   return largest;
 }
 
-// Viscosity shortens the limit; the vote knows it. What it damps can only fall, and without it
-// one particle may come to have the energy of some others: tenfold is far from what an instability
-// makes of 600 steps.
+// Viscosity shortens the limit; the step limit knows it. What it damps can only fall, and without
+// it one particle may come to have the energy of some others: tenfold is far from what an
+// instability makes of 600 steps.
 TEST(StepBound, HoldsWithViscosity) {
   for (const Real alpha : {0.0, 0.1, 0.3, 1.0}) {
     for (const int layers : {1, 2, 3, 4}) {

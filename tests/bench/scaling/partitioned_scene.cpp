@@ -1,4 +1,4 @@
-#include "dealt_scene.hpp"
+#include "partitioned_scene.hpp"
 
 #include <algorithm>
 #include <unordered_map>
@@ -39,12 +39,12 @@ void add_refresh(const std::vector<Copy>& copies, Real bytes, std::vector<RankLo
 template <int Dim>
 class Counter {
  public:
-  Counter(Scene<Dim>& scene, const Deal& deal, int parts)
-      : scene_(scene), deal_(deal), parts_(parts), loads_(at(parts)) {}
+  Counter(Scene<Dim>& scene, const Partition& partition, int parts)
+      : scene_(scene), partition_(partition), parts_(parts), loads_(at(parts)) {}
   std::vector<RankLoad> count(std::span<const Real> weight) {
     for (const auto& solid : scene_.solids) {
       for (const GlobalId id : solid->points().id) {
-        auto& load = loads_[at(deal_.of(id))];
+        auto& load = loads_[at(partition_.of(id))];
         ++load.points;
         load.weight += weight[id];
       }
@@ -74,7 +74,7 @@ class Counter {
                        Sent RankLoad::*lists, Visit visit);
 
   Scene<Dim>& scene_;
-  const Deal& deal_;
+  const Partition& partition_;
   int parts_;
   std::vector<RankLoad> loads_;
   std::vector<Copy> nodes_;                          // copies of nodes of elements, sorted
@@ -92,7 +92,7 @@ void Counter<Dim>::count(const FiniteElements<Dim>& elements) {
       std::array<int, n> owner;
       for (std::size_t c = 0; c < n; ++c) {
         id[c] = ids[static_cast<std::size_t>(block.corner[static_cast<std::size_t>(e) * n + c])];
-        owner[c] = deal_.of(id[c]);
+        owner[c] = partition_.of(id[c]);
       }
       ++loads_[at(owner[0])].elements;
       element_owner_[block.id[e]] = owner[0];
@@ -157,7 +157,7 @@ void Counter<Dim>::count(const SphParticles<Dim>& particles) {
   std::vector<std::vector<SearchBox<Dim>>> boxes(at(parts_));
   std::vector<std::vector<GlobalId>> ids(at(parts_));
   for (std::size_t i = 0; i < points.x.size(); ++i) {
-    const int owner = deal_.of(points.id[i]);
+    const int owner = partition_.of(points.id[i]);
     const Real reach = particles.smoothing_lengths()[i] + 0.5 * particles.skin();
     SearchBox<Dim> box;
     for (std::size_t c = 0; c < Dim; ++c) {
@@ -194,7 +194,7 @@ void Counter<Dim>::count_contact() {
     loads_[at(owner.back())].surface += face.rigid ? 0 : 1;
   }
   for (const auto& one : reaches.particles) {
-    auto& load = loads_[at(deal_.of(one.node[0].point))];
+    auto& load = loads_[at(partition_.of(one.node[0].point))];
     load.candidates += one.candidates;
     ++load.surface;
   }
@@ -214,7 +214,7 @@ void Counter<Dim>::add_imports(const ContactReaches<Dim>& reaches, const std::ve
   }
   wanted = offered;
   for (const auto& one : reaches.particles) {
-    const auto r = at(deal_.of(one.node[0].point));
+    const auto r = at(partition_.of(one.node[0].point));
     wanted[r].push_back(one.box);
   }
   constexpr Real head = 80, corner = 16 + 2 * Dim * 8;  // of a face on its way
@@ -225,7 +225,7 @@ void Counter<Dim>::add_imports(const ContactReaches<Dim>& reaches, const std::ve
     loads_[at(from)].contact_lists.bytes += head + one.n_nodes * corner;
     pairs.emplace_back(from, to);
     for (int c = 0; c < one.n_nodes; ++c) {
-      const Copy copy{to, deal_.of(one.node[at(c)].point), one.node[at(c)].point};
+      const Copy copy{to, partition_.of(one.node[at(c)].point), one.node[at(c)].point};
       imported_.emplace_back(to, copy.owner);
       if (copy.owner == to || std::binary_search(nodes_.begin(), nodes_.end(), copy)) continue;
       copies.push_back(copy);
@@ -252,7 +252,7 @@ void Counter<Dim>::add_sizes(const ContactReaches<Dim>& reaches) {
     for (int c = 0; c < face.n_nodes; ++c) {
       const GlobalId point = face.node[at(c)].point;
       if (!outer.insert(point).second || !face.rigid) continue;
-      for (int r = 0; r < parts_; ++r) pairs.emplace_back(r, deal_.of(point));
+      for (int r = 0; r < parts_; ++r) pairs.emplace_back(r, partition_.of(point));
     }
   }
   for (const Copy& copy : nodes_) {
@@ -272,10 +272,11 @@ template <int Dim>
 void Counter<Dim>::add_letters(const ContactReaches<Dim>& reaches, const std::vector<int>& owner) {
   std::vector<std::pair<int, int>> letters;  // from, to
   for (const auto& touch : reaches.touches) {
-    const int from = touch.of_particle ? deal_.of(reaches.particles[touch.evaluator].node[0].point)
-                                       : owner[touch.evaluator];
+    const int from = touch.of_particle
+                         ? partition_.of(reaches.particles[touch.evaluator].node[0].point)
+                         : owner[touch.evaluator];
     for (const auto& node : touch.node) {
-      const int to = deal_.of(node.point);
+      const int to = partition_.of(node.point);
       if (to != from) letters.emplace_back(from, to);
     }
   }
@@ -289,12 +290,12 @@ void Counter<Dim>::add_letters(const ContactReaches<Dim>& reaches, const std::ve
 }  // namespace
 
 template <int Dim>
-std::vector<RankLoad> rank_loads(Scene<Dim>& scene, const Deal& deal, std::span<const Real> weight,
-                                 int parts) {
-  return Counter<Dim>(scene, deal, parts).count(weight);
+std::vector<RankLoad> rank_loads(Scene<Dim>& scene, const Partition& partition,
+                                 std::span<const Real> weight, int parts) {
+  return Counter<Dim>(scene, partition, parts).count(weight);
 }
 
-template std::vector<RankLoad> rank_loads(Scene<2>&, const Deal&, std::span<const Real>, int);
-template std::vector<RankLoad> rank_loads(Scene<3>&, const Deal&, std::span<const Real>, int);
+template std::vector<RankLoad> rank_loads(Scene<2>&, const Partition&, std::span<const Real>, int);
+template std::vector<RankLoad> rank_loads(Scene<3>&, const Partition&, std::span<const Real>, int);
 
 }  // namespace brunt

@@ -1,4 +1,4 @@
-#include "contact/evaluate/face_votes.hpp"
+#include "contact/evaluate/face_step_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,8 @@ SearchBox<Dim> widened(SearchBox<Dim> box, Real by) {
 }  // namespace
 
 template <int Dim>
-void take_approach_vote(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                        const EvaluationStep& step, StepVote& vote) {
+void limit_by_approach(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                       const EvaluationStep& step, StepLimit& step_limit) {
   const auto l = static_cast<std::size_t>(candidate.lower);
   const auto u = static_cast<std::size_t>(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
@@ -62,20 +62,20 @@ void take_approach_vote(const Entities<Dim>& entities, const FaceCandidate& cand
   const Front above = front_of<Dim>(entities, candidate.upper, -n, lower.center);
   const Real closing = below.speed + above.speed;
   if (!(closing > 0)) return;
-  const Real least = std::min(step.longest_of_faces, vote.step);
+  const Real least = std::min(step.longest_of_faces, step_limit.step);
   const Real way = way_of(candidate.barrier(), below.height + above.height);
   if (way > closing * least) return;
   const Real relative = (entities.face_velocity(u) - entities.face_velocity(l)).norm();
   // No farther than the lists see, whatever their skin.
   const Real sweep = candidate.limit + std::max(closing, relative) * step.longest_of_faces;
   if (!widened<Dim>(entities.boxes[l], sweep).meets(entities.boxes[u])) return;
-  vote.take({way / closing, "contact speed", entities.faces[l].body, entities.faces[l].id});
+  step_limit.take({way / closing, "contact speed", entities.faces[l].body, entities.faces[l].id});
 }
 
 template <int Dim>
-void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
-                       StepVote& vote) {
+void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                      const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
+                      StepLimit& step_limit) {
   const FaceBarrier barrier = candidate.barrier();
   const Real coming =
       std::min(std::max(closing, 0.0) * step.longest_of_faces, way_of(barrier, plane.deepest));
@@ -84,7 +84,7 @@ void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candi
   if (opening > 0 && back > 0) {
     const Real way = 0.5 * std::max(back, barrier.least_way());
     const auto& face = entities.faces[static_cast<std::size_t>(candidate.lower)];
-    vote.take({way / opening, "contact speed", face.body, face.id});
+    step_limit.take({way / opening, "contact speed", face.body, face.id});
   }
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[static_cast<std::size_t>(place)];
@@ -103,17 +103,17 @@ void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candi
     // A step at the limit of stability swings across the slope: what the mean of both forces does
     // is not what the spring holds. Half of it errs a quarter as much.
     const Real exact = 0.5 * (1 + 1 / root);
-    vote.take({exact * longest, "contact stiffness", face.body, face.id});
+    step_limit.take({exact * longest, "contact stiffness", face.body, face.id});
   }
 }
 
-template void take_approach_vote<2>(const Entities<2>&, const FaceCandidate&, const EvaluationStep&,
-                                    StepVote&);
-template void take_approach_vote<3>(const Entities<3>&, const FaceCandidate&, const EvaluationStep&,
-                                    StepVote&);
-template void take_barrier_vote<2>(const Entities<2>&, const FaceCandidate&, const CommonPlane<2>&,
-                                   Real, const EvaluationStep&, StepVote&);
-template void take_barrier_vote<3>(const Entities<3>&, const FaceCandidate&, const CommonPlane<3>&,
-                                   Real, const EvaluationStep&, StepVote&);
+template void limit_by_approach<2>(const Entities<2>&, const FaceCandidate&, const EvaluationStep&,
+                                   StepLimit&);
+template void limit_by_approach<3>(const Entities<3>&, const FaceCandidate&, const EvaluationStep&,
+                                   StepLimit&);
+template void limit_by_barrier<2>(const Entities<2>&, const FaceCandidate&, const CommonPlane<2>&,
+                                  Real, const EvaluationStep&, StepLimit&);
+template void limit_by_barrier<3>(const Entities<3>&, const FaceCandidate&, const CommonPlane<3>&,
+                                  Real, const EvaluationStep&, StepLimit&);
 
 }  // namespace brunt

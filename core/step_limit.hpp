@@ -7,7 +7,7 @@ namespace brunt {
 
 /// A bound on the time step, with whose it is and why. The smallest wins; ties go to the smaller
 /// entity id, so that the winner's name does not depend on order.
-struct StepVote {
+struct StepLimit {
   Real step = kInfinity;    ///< [s]
   const char* reason = "";  ///< "element", "particle", "contact stiffness", "contact speed", ...
   Label body = 0;
@@ -20,10 +20,10 @@ struct StepVote {
     return why == "element" || why == "particle" || why == "heat of point" ||
            why == "contact stiffness";
   }
-  bool before(const StepVote& other) const {
+  bool before(const StepLimit& other) const {
     return step < other.step || (step == other.step && entity < other.entity);
   }
-  void take(const StepVote& other) {
+  void take(const StepLimit& other) {
     if (other.before(*this)) *this = other;
   }
 };

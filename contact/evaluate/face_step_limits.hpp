@@ -5,18 +5,19 @@ namespace brunt {
 
 /// Takes in the bound of two faces that close in on each other (contact.md 2.3): in one step they
 /// come no deeper than the onset g0 of their barrier, or half of that deeper than they are, each by
-/// its foremost and its fastest corner. What is farther behind than its limit does not vote.
+/// its foremost and its fastest corner. What is farther behind than its limit does not bound the
+/// step.
 template <int Dim>
-void take_approach_vote(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                        const EvaluationStep& step, StepVote& vote);
+void limit_by_approach(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                       const EvaluationStep& step, StepLimit& step_limit);
 
 /// Takes in the bounds of both faces of a plane that reaches into the barrier, or does so in a step
 /// at its speed: those of elements, and of rigid bodies, with the slope that the pressure has there
 /// for that of the linear spring; and that of faces that open, by half of what they are beyond g0.
 /// closing  [m/s]
 template <int Dim>
-void take_barrier_vote(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
-                       StepVote& vote);
+void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                      const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
+                      StepLimit& step_limit);
 
 }  // namespace brunt

@@ -1,4 +1,4 @@
-#include "core/parallel/deal.hpp"
+#include "core/parallel/partition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,15 +34,15 @@ Cloud bar(std::size_t n) {
   return cloud;
 }
 
-TEST(Deal, ForMoreRanksThanThereAreSpreadsTheWeight) {
+TEST(Partition, ForMoreRanksThanThereAreSpreadsTheWeight) {
   const auto& ranks = session().ranks();
   const Cloud cloud = bar(4000);
   for (const int parts : {1, 2, 3, 7, 64}) {
-    const Deal deal = deal_out<3>(ranks, cloud.x, cloud.weight, parts);
+    const Partition partition = make_partition<3>(ranks, cloud.x, cloud.weight, parts);
     std::vector<Real> weight(static_cast<std::size_t>(parts), 0.0);
     Real sum = 0;
     for (std::size_t i = 0; i < cloud.x.size(); ++i) {
-      weight.at(static_cast<std::size_t>(deal.of(i))) += cloud.weight[i];
+      weight.at(static_cast<std::size_t>(partition.of(i))) += cloud.weight[i];
       sum += cloud.weight[i];
     }
     // Zoltan is asked for 1 %; each of at most log2(64) cuts may be off by the heaviest point.
@@ -50,22 +50,22 @@ TEST(Deal, ForMoreRanksThanThereAreSpreadsTheWeight) {
   }
 }
 
-TEST(Deal, FirstCutGoesAcrossTheLongestSide) {
+TEST(Partition, FirstCutGoesAcrossTheLongestSide) {
   const Cloud cloud = bar(1000);
-  const Deal deal = deal_out<3>(session().ranks(), cloud.x, cloud.weight, 2);
+  const Partition partition = make_partition<3>(session().ranks(), cloud.x, cloud.weight, 2);
   Real highest_of_low = 0, lowest_of_high = 5;
-  const int low = deal.of(static_cast<GlobalId>(
+  const int low = partition.of(static_cast<GlobalId>(
       std::min_element(cloud.x.begin(), cloud.x.end(),
                        [](const Vec3& a, const Vec3& b) { return a[2] < b[2]; }) -
       cloud.x.begin()));
   for (std::size_t i = 0; i < cloud.x.size(); ++i) {
-    if (deal.of(i) == low) highest_of_low = std::max(highest_of_low, cloud.x[i][2]);
-    if (deal.of(i) != low) lowest_of_high = std::min(lowest_of_high, cloud.x[i][2]);
+    if (partition.of(i) == low) highest_of_low = std::max(highest_of_low, cloud.x[i][2]);
+    if (partition.of(i) != low) lowest_of_high = std::min(lowest_of_high, cloud.x[i][2]);
   }
   EXPECT_LT(highest_of_low, lowest_of_high);
 }
 
-TEST(Deal, PointsWithoutWeightShapeNoPart) {
+TEST(Partition, PointsWithoutWeightShapeNoPart) {
   const Cloud cloud = bar(1000);
   Cloud with_wall = cloud;
   for (const Real x : {-20.0, 20.0}) {
@@ -74,20 +74,21 @@ TEST(Deal, PointsWithoutWeightShapeNoPart) {
       with_wall.weight.push_back(0);
     }
   }
-  const Deal plain = deal_out<3>(session().ranks(), cloud.x, cloud.weight, 4);
-  const Deal deal = deal_out<3>(session().ranks(), with_wall.x, with_wall.weight, 4);
-  ASSERT_EQ(deal.owner.size(), plain.owner.size() + 4);
-  EXPECT_TRUE(std::equal(plain.owner.begin(), plain.owner.end(), deal.owner.begin()));
+  const Partition plain = make_partition<3>(session().ranks(), cloud.x, cloud.weight, 4);
+  const Partition partition =
+      make_partition<3>(session().ranks(), with_wall.x, with_wall.weight, 4);
+  ASSERT_EQ(partition.owner.size(), plain.owner.size() + 4);
+  EXPECT_TRUE(std::equal(plain.owner.begin(), plain.owner.end(), partition.owner.begin()));
   // At the ends of the bar, where four parts lie one behind the other.
   const auto end = [&](bool high) {
     const auto less = [&](const Vec3& a, const Vec3& b) { return high != (a[2] < b[2]); };
     const auto at = std::min_element(cloud.x.begin(), cloud.x.end(), less) - cloud.x.begin();
-    return deal.of(static_cast<GlobalId>(at));
+    return partition.of(static_cast<GlobalId>(at));
   };
-  EXPECT_EQ(deal.of(1000), end(false));
-  EXPECT_EQ(deal.of(1001), end(true));
-  EXPECT_EQ(deal.of(1002), end(false));
-  EXPECT_EQ(deal.of(1003), end(true));
+  EXPECT_EQ(partition.of(1000), end(false));
+  EXPECT_EQ(partition.of(1001), end(true));
+  EXPECT_EQ(partition.of(1002), end(false));
+  EXPECT_EQ(partition.of(1003), end(true));
 }
 
 TEST(Boxes, RunsHoldAllAndMeetWhatOverlaps) {

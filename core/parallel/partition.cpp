@@ -1,4 +1,4 @@
-#include "core/parallel/deal.hpp"
+#include "core/parallel/partition.hpp"
 
 #include <mpi.h>
 #include <zoltan.h>
@@ -58,7 +58,7 @@ struct Destroy {
   void operator()(Zoltan_Struct* zoltan) const { Zoltan_Destroy(&zoltan); }
 };
 
-/// Zoltan needs MPI even where one process deals out for many; the session ends it.
+/// Zoltan needs MPI even where one process partitions for many; the session ends it.
 void start_mpi() {
   int started = 0;
   MPI_Initialized(&started);
@@ -81,13 +81,13 @@ int part_around(Zoltan_Struct* zoltan, Vec<Dim> x) {
 }  // namespace
 
 template <int Dim>
-Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x, std::span<const Real> weight,
-              int parts) {
-  Deal deal;
-  deal.owner.assign(x.size(), 0);
+Partition make_partition(const Communicator& ranks, std::span<const Vec<Dim>> x,
+                         std::span<const Real> weight, int parts) {
+  Partition partition;
+  partition.owner.assign(x.size(), 0);
   if (parts == 0) parts = ranks.size();
   const bool any = std::any_of(weight.begin(), weight.end(), [](Real one) { return one > 0; });
-  if (parts == 1 || !any) return deal;
+  if (parts == 1 || !any) return partition;
   start_mpi();
   float version = 0;
   require(Zoltan_Initialize(0, nullptr, &version), "start");
@@ -136,12 +136,14 @@ Deal deal_out(const Communicator& ranks, std::span<const Vec<Dim>> x, std::span<
   for (const auto& bytes : ranks.all_gather((Packer() << part).take())) {
     std::vector<std::int32_t> one;
     Unpacker(bytes) >> one;
-    for (const std::int32_t owner : one) deal.owner[at++] = owner;
+    for (const std::int32_t owner : one) partition.owner[at++] = owner;
   }
-  return deal;
+  return partition;
 }
 
-template Deal deal_out<2>(const Communicator&, std::span<const Vec<2>>, std::span<const Real>, int);
-template Deal deal_out<3>(const Communicator&, std::span<const Vec<3>>, std::span<const Real>, int);
+template Partition make_partition<2>(const Communicator&, std::span<const Vec<2>>,
+                                     std::span<const Real>, int);
+template Partition make_partition<3>(const Communicator&, std::span<const Vec<3>>,
+                                     std::span<const Real>, int);
 
 }  // namespace brunt
