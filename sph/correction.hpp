@@ -27,6 +27,7 @@ BRUNT_INLINE Real frobenius_square(const Real (&m)[kSymmetric<Dim>]) {
 
 /// correction <- moment^-1; the identity where that is not usable or ill conditioned, as on an
 /// isolated particle, a straight row or, in space, a flat sheet.
+/// docs/theory/sph.md (S7), (S9).
 /// moment, correction  [1] symmetric
 template <int Dim>
 BRUNT_INLINE void invert_moment(const Real (&moment)[kSymmetric<Dim>], bool usable,
@@ -73,6 +74,7 @@ BRUNT_INLINE void correct_rate(const Real (&rate)[Dim * Dim],
 }
 
 /// Motion of a step about its middle, out of the gradient G = dx (x) grad at its end.
+/// docs/theory/sph.md (S6), (S11).
 template <int Dim, class V>
 struct MidStep {
   V gradient[Dim][Dim];  ///< [1] L dt = G (I - G/2)^-1
@@ -114,6 +116,7 @@ inline constexpr Real kLargestStepGradient = 0.5;
 
 /// What is beyond the largest gradient is scaled to it: debris that crosses a neighbour in one step
 /// is not strained by a gradient of so few.
+/// docs/theory/sph.md (S10).
 template <int Dim, class V>
 BRUNT_INLINE MidStep<Dim, V> mid_step(const V (&at_end)[Dim][Dim]) {
   V end[Dim][Dim], half[Dim][Dim], full[Dim][Dim], inverse[Dim][Dim];

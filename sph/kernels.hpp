@@ -1,6 +1,7 @@
 #pragma once
 /// Smoothing kernels of support 2 h:
 ///   W(r) = alpha / h^Dim f(q),  q = r/h;   grad_i W = alpha / h^(Dim+2) (f'(q)/q) (x_i - x_j).
+/// docs/theory/sph.md (S1)
 /// Written on V = Real or Pack, for q in [0, 2], without branches and without pow. slope_over_q is
 /// f'/q, out of q and 1/q where the kernel divides by it.
 #include "core/simd.hpp"

@@ -11,6 +11,7 @@ namespace brunt {
 /// in zones of a width w when the list is built. Pairs of the same or of touching zones can have
 /// come nearer by what their zones moved against each other; others were apart by w along an axis.
 /// Neighbours that stream past each other far apart, as in a body that turns, cost no search.
+/// docs/theory/sph.md (S27), (S28).
 template <int Dim>
 class ListWatch {
  public:

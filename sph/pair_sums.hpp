@@ -167,6 +167,7 @@ struct StressPart {
 
 /// Monaghan 1992: Pi = (-alpha c mu + beta mu^2)/rho where pairs approach,
 /// mu = h v_ij.x_ij/(r^2 + 0.01 h^2), c, rho and h means of the pair (h: harmonic).
+/// docs/theory/sph.md (S15), (S16).
 template <int Dim>
 struct ViscousPart {
   Pack force[Dim];
@@ -195,6 +196,7 @@ struct ViscousPart {
 };
 
 /// Gray, Monaghan & Swift 2001: the artificial stresses S_i + S_j, times (W(r)/W(dp))^4.
+/// docs/theory/sph.md (S19).
 template <int Dim>
 struct ArtificialPart {
   Pack force[Dim];
@@ -280,6 +282,7 @@ BRUNT_INLINE void add_artificial(const ArtificialRecord<Dim>* records, LocalInde
 
 /// Forces on i per volume of i: sum V_j (T_i + T_j) grad_i W and its viscous and artificial kin,
 /// T = sigma B. The artificial part is skipped where it is zero for all four pairs.
+/// docs/theory/sph.md (S12).
 /// weights  [1/m^2] that the first pass gave to the row
 template <int Dim, class Kernel>
 BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIndex i,

@@ -70,6 +70,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
   }
 }
 
+/// docs/theory/sph.md (S5).
 /// The smoothing length follows the volume. The contact radius does not: its spring is that of the
 /// reference geometry, or it would have no potential.
 template <int Dim>

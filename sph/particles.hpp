@@ -61,6 +61,7 @@ struct ParticleState {
 /// same piece of a body, or of bodies that are bonded, interact here; others touch through contact.
 ///   L_i = sum V_j (v_j - v_i) (x) B_i grad W        B_i = [sum V_j (x_j - x_i) (x) grad W]^-1
 ///   f_i = sum V_i V_j (sigma_i B_i + sigma_j B_j) grad W
+/// docs/theory/sph.md (S7), (S8), (S12).
 /// Randles & Libersky 1996; Bonet & Lok 1999. The two are conjugate: the neighbours' weights V_j
 /// are those of the step's start in both, and each particle's own V_i is that of its stress, so
 /// that the power of the forces is exactly minus the sum of V_i sigma_i : L_i.
@@ -107,6 +108,7 @@ class SphParticles final : public Solid<Dim> {
   void load_state(const StateTables& tables) override;
 
   /// Skin of the neighbour lists, in units of the largest smoothing length of the group.
+  /// docs/theory/sph.md (S26).
   void set_skin(Real skin);
   void set_search(SearchMode mode) { search_ = mode; }
   std::span<ParticleBlock> blocks() { return blocks_; }

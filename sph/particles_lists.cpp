@@ -115,6 +115,7 @@ void SphParticles<Dim>::seed_step_limits() {
 
 /// Half of a h/c_eff with c_eff = c + |v_ij| + 1.2 (alpha c + beta max |mu_ij|), a from the
 /// dispersion of the kernel on a lattice, half for disorder; and 0.25 sqrt(h/|a_i|).
+/// docs/theory/sph.md (S21) to (S24).
 template <int Dim>
 StepLimit SphParticles<Dim>::stable_step() const {
   if (held_) return {};

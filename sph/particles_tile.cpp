@@ -160,6 +160,7 @@ void SphParticles<Dim>::publish(ParticleBlock& block, std::size_t first, const T
 
 /// XSPH (Monaghan 1989): positions move with a mean of the neighbours' velocities,
 /// x_i += dt xsph sum m_j/rho_ij (v_j - v_i) W, which keeps the centre of mass.
+/// docs/theory/sph.md (S20).
 template <int Dim>
 void SphParticles<Dim>::move_with_neighbours(Real dt) {
   std::vector<Vec<Dim>> shift;

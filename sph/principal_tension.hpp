@@ -48,6 +48,7 @@ BRUNT_INLINE auto negative_definite(const V (&a)[Dim][Dim]) {
 /// positive <- sum over k of max(lambda_k, 0) n_k (x) n_k; exactly 0 where there is no tension.
 /// Sweeps are a fixed number (cyclic Jacobi converges as the square; 3 x 3 is diagonal to round-off
 /// after four), so that a lane's bits do not depend on its neighbours.
+/// docs/theory/sph.md (S18).
 /// tensor  [Pa], both halves;  positive  [Pa], written
 template <int Dim, class V>
 BRUNT_INLINE void principal_tension(const V (&tensor)[Dim][Dim], V (&positive)[Dim][Dim]) {

@@ -46,6 +46,7 @@ InverseSpread inverse_of(const Eigen::Matrix<Real, Dim, Dim>& spread, const Exce
 /// the corner of a thick body, that is too little: the spread about the particle itself hardly
 /// falls towards faces. Of two layers that is dp^2/2, twice as much as C: dp^6/16 c^2 less is as
 /// much, and more layers feel little of it. The longer step holds.
+/// docs/theory/sph.md (S24), (S25).
 /// row, weights  neighbours and those of their gradients, 0 beyond the kernel
 /// shear_share  [1] 2 mu/(rho c^2)
 template <int Dim>

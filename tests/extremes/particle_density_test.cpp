@@ -1,3 +1,4 @@
+// docs/theory/sph.md (S6), (S10).
 // No motion gives a particle a density at or below zero: V(n+1)/V(n) = 1/det(I - G), and
 // |G| < 1 by Frobenius makes I - G invertible with a positive determinant, for (I - G) x = 0 would
 // need |G x| = |x|. In the case of a rod that breaks a plate, debris of six neighbours almost in a

@@ -1,3 +1,4 @@
+// docs/theory/sph.md (S1), (S12).
 // Particles in tension with the defaults of their keys. A bar without Poisson's ratio carries
 // E A strain; strain is taken between two probes 20 mm apart, the force where a section cuts it.
 // Pulled and pushed by 8e-4 that is linear to 4e-4; what is left of ringing after four transits

@@ -1,3 +1,4 @@
+// docs/theory/sph.md (S14).
 // Moments of the forces that particles have on each other: sum x (x) f less its transpose.
 // - Stress: f_i = sum V_i V_j (sigma_i B_i + sigma_j B_j) grad W, not along x_i - x_j, has
 //     sum x (x) f = -sum_i V_i K_i B_i sigma_i = -sum_i V_i sigma_i,  K_i = B_i^-1

@@ -5,8 +5,8 @@
 // of 8 points (exact to degree 15) gives the integral to round-off; 1e-10 is asked for.
 // Derivative: central differences of step 1e-5 err by f''' 1e-10/6 and by round-off of 1e-11;
 // |f'''| is below 50, so that 1e-7 leaves room. Lattice sums at h/dp = 1.2, sum V W and sum V F r^2
-// with F = -W'/r: the figures of the design (physics.md A2), printed with three decimals: half a
-// unit of the last.
+// with F = -W'/r: the table under docs/theory/sph.md (S1), printed with three decimals: one unit of
+// the last.
 #include "sph/kernels.hpp"
 
 #include <gtest/gtest.h>

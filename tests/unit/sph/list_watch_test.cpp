@@ -1,3 +1,4 @@
+// docs/theory/sph.md (S26) to (S28).
 // The watch may never let a pair through that came into reach unlisted. Random motions of a cloud:
 // whenever covers() holds, every pair now within reach was within reach + skin when the list was
 // built, by brute force. And it must not ask for a search where none is due: a cloud that moves as

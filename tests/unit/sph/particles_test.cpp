@@ -90,7 +90,8 @@ TEST(SphParticles, EntriesOfTheSkinAddNothing) {
   expect_skin_adds_nothing<3>();
 }
 
-// B1.18: a prescribed rigid rotation turns the stress and does not change it: ten turns at 360
+// docs/theory/sph.md (S11).
+// A prescribed rigid rotation turns the stress and does not change it: ten turns at 360
 // steps a turn, | |sigma| - |sigma_0| | <= 1e-8 |sigma_0| at every particle. The pressure takes
 // part through the density.
 TEST(SphParticles, RigidSpinKeepsTheStress) {
@@ -231,7 +232,7 @@ TEST(SphParticles, BodiesInteractThroughContactOnly) {
   }
 }
 
-// C1, quick: a plane-strain strip drawn to 10 % with 1 % noise must neither clump nor tear: nearest
+// Quick: a plane-strain strip drawn to 10 % with 1 % noise must neither clump nor tear: nearest
 // neighbours stay between 0.6 and 1.6 of the mean spacing.
 TEST(SphParticles, StripInTensionKeepsItsSpacing) {
   const auto material = elastic_material(1000, 1e7, 0.3);

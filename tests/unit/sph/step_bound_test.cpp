@@ -4,6 +4,7 @@
 // give). Leapfrog is stable to 2/omega. Lattices keep 2 % to spare for that; disordered bodies come
 // nearer, and `time.safety` of 0.9 covers them.
 //
+// docs/theory/sph.md (S21) to (S25).
 // Two layers a distance d apart strain by the difference of their velocities over d, whatever the
 // kernel: omega = 2 c/d, dt = d/c, where kernels of 1.7 spacings would allow 1.54 d/c.
 #include <gtest/gtest.h>
