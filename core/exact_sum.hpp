@@ -7,11 +7,11 @@
 
 namespace brunt {
 
-/// Sum of any doubles that does not depend on their order: a fixed-point number of 68 digits of
-/// 32 bits, each in a 64-bit word so that 2^10 additions need no carry. Adding the words of two
-/// sums is exact too, so a reduction over threads or ranks keeps every bit.
-/// Kulisch, Computer Arithmetic and Validity, 2008; a number lies over two words, as in Neal, Fast
-/// exact summation using small and large superaccumulators, 2015.
+/// Sum of any doubles that does not depend on their order: docs/theory/ledger.md (L6), a
+/// fixed-point number of 68 digits of 32 bits, each in a 64-bit word so that 2^10 additions need no
+/// carry. Adding the words of two sums is exact too, so a reduction over threads or ranks keeps
+/// every bit. Kulisch, Computer Arithmetic and Validity, 2008; a number lies over two words, as in
+/// Neal, Fast exact summation using small and large superaccumulators, 2015.
 class ExactSum {
  public:
   void add(Real value) {  ///< NaN and infinity poison the sum

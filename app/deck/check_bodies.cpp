@@ -77,12 +77,13 @@ void check_count(const Deck& deck, const std::string& path, const Body& body, Re
   const auto limit = static_cast<Real>(deck.max_cells);
   const Real before = total;
   total += count;
-  if (!(total > limit) || before > limit) return;
+  if (!(total > limit)) return;
+  const std::string key = path + (body.cells ? ".cells" : ".size");
+  if (before > limit) return findings.also_wrong(key);  // and is not built
   const Real enough = std::pow(volume / kEnough, 1.0 / static_cast<Real>(lengths.size()));
   const std::string about = "makes about " + short_text(count) +
                             (body.method == Method::sph ? " particles" : " elements");
   const std::string remedy = "a size of " + length_text(enough) + " makes a hundred thousand";
-  const std::string key = path + (body.cells ? ".cells" : ".size");
   const std::string with = before > 0 ? ", " + short_text(total) + " with the bodies before" : "";
   findings.wrong(key, about + with + ", more than max_cells, " + std::to_string(deck.max_cells) +
                           "; " + remedy + "; where so many are meant, raise max_cells");

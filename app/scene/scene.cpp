@@ -109,8 +109,8 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
       body.mass_position[c].add(m * points.x[i][c]);
       body.momentum[c].add(m * points.v[i][c]);
     }
-    // m v(n-1/2).v(n+1/2)/2, the kinetic energy that velocity Verlet keeps (physics.md D); as a
-    // product it is 0 to the last digit in the first step from rest
+    // m v(n-1/2).v(n+1/2)/2, the kinetic energy that velocity Verlet keeps: docs/theory/ledger.md
+    // (L2); as a product it is 0 to the last digit in the first step from rest
     const Vec<Dim> half = 0.5 * dt * points.a[i];
     body.kinetic.add(0.5 * m * (points.v[i] - half).dot(points.v[i] + half));
     body.integration.add(points.integration[i]);

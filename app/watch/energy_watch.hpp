@@ -55,6 +55,7 @@ struct CreatedShare {
 };
 
 /// Sums the energy that nobody put in: neither physics nor dissipation gives it.
+/// docs/theory/ledger.md (L7)
 ///
 /// Of each body, and never set off against another body or another source:
 ///   artificial_stress, hourglass, stress_work  what they are below zero: they have given more than

@@ -114,7 +114,7 @@ void Reader::check_range(const Node& node, const std::string& path, Real value,
   if (!in_range(value, quantity.range)) {
     problem(node, path,
             "must be " + range_text(quantity.range) + si + ", got " + what_stands(node));
-  } else if (!in_range(value, quantity.plausible)) {
+  } else if (value != 0 && !in_range(value, quantity.plausible)) {  // 0 has no unit to mistake
     report_.warnings.push_back({node.place, path,
                                 what_stands(node) + " is " + shortest_text(value) + si +
                                     "; usual is " + range_text(quantity.plausible) + si +

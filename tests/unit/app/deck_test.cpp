@@ -294,6 +294,13 @@ TEST(Deck, ImplausibleValuesAreWarnings) {
   EXPECT_EQ(loaded.warnings[0].path, "bodies.bar.size");
 }
 
+// 0 s/m is 0 in any unit: friction that does not decay, and nothing that was mistyped.
+TEST(Deck, ZeroIsNoImplausibleValue) {
+  const LoadedDeck loaded = load_deck_text(
+      kTaylor, "deck", {"contact.default.friction={static: 0.3, kinetic: 0.2, decay: 0 s/m}"});
+  EXPECT_TRUE(loaded.warnings.empty());
+}
+
 TEST(Deck, KeysThatComeLaterSaySo) {
   expect_problem(problems_of(kTaylor, {"contact.default.tied=true"}),
                  "--set #1: contact.default.tied: is not in this version of brunt yet");
