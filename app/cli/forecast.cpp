@@ -6,18 +6,18 @@
 namespace brunt {
 
 namespace {
-/// Flow stress [Pa] of slow straining at the temperature of reference.
+/// Flow stress [Pa] of slow straining at room temperature.
 Real flow_stress(const StrengthLaw& law, Real strain) {
-  if (const auto* j2 = std::get_if<J2>(&law)) {
-    if (!j2->hardening) return j2->yield;
-    const Varying& hardening = *j2->hardening;
-    return j2->yield +
-           (hardening.is_constant() ? hardening.constant * strain : hardening.at(strain));
-  }
-  if (const auto* cook = std::get_if<JohnsonCook>(&law)) {
-    return cook->A + cook->B * std::pow(strain, cook->n);
-  }
-  return kInfinity;
+  constexpr Real kRoom = 293.15;
+  return std::visit(
+      [&](const auto& chosen) {
+        if constexpr (FlowLaw<std::decay_t<decltype(chosen)>>) {
+          return Real{chosen.flow_stress(strain, 0.0, kRoom)};
+        } else {
+          return kInfinity;
+        }
+      },
+      law);
 }
 
 constexpr Real kMostStrain = 3;

@@ -2,17 +2,18 @@
 
 namespace brunt {
 
-std::unique_ptr<Strength> make_strength(const NoStrength&, const StrengthInputs& inputs) {
+namespace {
+std::unique_ptr<Strength> make(const NoStrength&, const StrengthInputs& inputs) {
   return std::make_unique<ElasticStrength>(inputs.shear);
 }
-std::unique_ptr<Strength> make_strength(const J2& law, const StrengthInputs& inputs) {
-  return std::make_unique<RadialReturn<J2>>(law, inputs);
+template <FlowLaw Law>
+std::unique_ptr<Strength> make(const Law& law, const StrengthInputs& inputs) {
+  return std::make_unique<RadialReturn<Law>>(law, inputs);
 }
-std::unique_ptr<Strength> make_strength(const JohnsonCook& law, const StrengthInputs& inputs) {
-  return std::make_unique<RadialReturn<JohnsonCook>>(law, inputs);
-}
+}  // namespace
+
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs) {
-  return std::visit([&](const auto& chosen) { return make_strength(chosen, inputs); }, law);
+  return std::visit([&](const auto& chosen) { return make(chosen, inputs); }, law);
 }
 
 std::unique_ptr<EquationOfState> make_eos(const LinearEos&, const EosInputs& inputs) {

@@ -1,6 +1,6 @@
 #pragma once
 /// The list of models. A new one: its file, its name in a list here, and make_* in catalog.cpp if
-/// radial return does not serve it.
+/// radial return does not serve it (docs/adding.md).
 #include <variant>
 
 #include "core/materials/elastic.hpp"
@@ -9,16 +9,14 @@
 #include "core/materials/johnson_cook.hpp"
 #include "core/materials/mie_gruneisen.hpp"
 #include "core/materials/radial_return.hpp"
+#include "core/materials/zerilli_armstrong.hpp"
 
 namespace brunt {
 
 /// The deck's `strength` and `eos`, in the order of the manual; the first is the default.
-using StrengthLaw = std::variant<NoStrength, J2, JohnsonCook>;
+using StrengthLaw = std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong>;
 using EosLaw = std::variant<LinearEos, MieGruneisen>;
 
-std::unique_ptr<Strength> make_strength(const NoStrength& law, const StrengthInputs& inputs);
-std::unique_ptr<Strength> make_strength(const J2& law, const StrengthInputs& inputs);
-std::unique_ptr<Strength> make_strength(const JohnsonCook& law, const StrengthInputs& inputs);
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs);
 
 /// What an equation of state takes from its material.

@@ -1,0 +1,68 @@
+#pragma once
+/// Flow laws that are no more than their printed formula: all that RadialReturn asks of a law
+/// follows from it, slopes by dual numbers. A law that is called often may bring its own instead
+/// (johnson_cook.hpp).
+#include "core/materials/dual.hpp"
+#include "core/materials/law.hpp"
+
+namespace brunt {
+
+/// What a flow stress depends on. N: Real, Pack, or a Dual of one of them.
+template <class N>
+struct FlowState {
+  N eps_p;        ///< [1]
+  N rate;         ///< [1/s] of eps_p
+  N temperature;  ///< [K]
+};
+
+/// A law about a point, by its formula.
+template <class Law, class V>
+class NearPrinted {
+ public:
+  NearPrinted() = default;
+  BRUNT_INLINE NearPrinted(const Law& law, V eps_p, V T) : law_(&law), eps_p_(eps_p), T_(T) {}
+
+  BRUNT_INLINE V static_stress() const {
+    return law_->formula(FlowState<V>{eps_p_, broadcast<V>(0.0), T_});
+  }
+  BRUNT_INLINE V hardening() const { return with_slopes(eps_p_, broadcast<V>(0.0), T_).slope[0]; }
+  BRUNT_INLINE FlowStress<V> at(V increment, V rate, V T) const {
+    const auto flow = with_slopes(eps_p_ + increment, rate, T);
+    return {flow.value, flow.slope[0], flow.slope[1], flow.slope[2]};
+  }
+
+ private:
+  BRUNT_INLINE Dual<V> with_slopes(V eps_p, V rate, V T) const {
+    const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
+    return law_->formula(FlowState<Dual<V>>{
+        {eps_p, {one, zero, zero}}, {rate, {zero, one, zero}}, {T, {zero, zero, one}}});
+  }
+
+  const Law* law_;
+  V eps_p_, T_;
+};
+
+/// Makes a FlowLaw of a struct with
+///   template <class N> N formula(const FlowState<N>& at) const;   // [Pa], as printed
+/// that is finite at no rate and grows with it.
+template <class Law>
+struct PrintedLaw {
+  template <class V>
+  BRUNT_INLINE V flow_stress(V eps_p, V rate, V T) const {
+    return law().formula(FlowState<V>{eps_p, rate, T});
+  }
+  /// The static flow stress itself, less what rounding may lift above it.
+  template <class V>
+  BRUNT_INLINE V static_floor(V eps_p, V T) const {
+    return (1.0 - 1e-12) * flow_stress(eps_p, broadcast<V>(0.0), T);
+  }
+  template <class V>
+  BRUNT_INLINE NearPrinted<Law, V> near(V eps_p, V T) const {
+    return {law(), eps_p, T};
+  }
+
+ private:
+  const Law& law() const { return static_cast<const Law&>(*this); }
+};
+
+}  // namespace brunt
