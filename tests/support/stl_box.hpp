@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/types.hpp"
+#include "tests/support/own_file.hpp"
 
 namespace brunt::test {
 
@@ -17,7 +18,7 @@ inline std::string write_stl_box(const std::string& name, const Vec3& least, con
   };
   const std::array<int, 4> sides[] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  std::string path = testing::TempDir() + name + ".stl";
+  std::string path = own_file(name + ".stl");
   std::ofstream file(path);
   file << "solid " << name << "\n";
   for (const auto& side : sides) {

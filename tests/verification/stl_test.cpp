@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "tests/support/own_file.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
@@ -32,7 +33,7 @@ std::string write_letter(const std::string& name, Fault fault = Fault::none) {
   if (fault == Fault::folded) {
     for (const std::size_t i : {0, 1}) std::swap(triangles[i][1], triangles[i][2]);
   }
-  const std::string path = testing::TempDir() + name;
+  const std::string path = test::own_file(name);
   std::ofstream file(path);
   file << "solid letter\n";
   for (const auto& triangle : triangles) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include "tests/support/own_file.hpp"
 
 namespace brunt {
 namespace {
@@ -17,7 +18,7 @@ const std::vector<std::array<Vec3, 3>> kTetrahedron = {
     {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 0.1)}};
 
 std::string write(const std::string& name, const std::string& bytes) {
-  const std::string path = testing::TempDir() + name;
+  const std::string path = test::own_file(name);
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }
@@ -99,7 +100,7 @@ TEST(Stl, SaysWhereAFileIsWrong) {
     EXPECT_EQ(message.rfind(path, 0), 0u) << message;
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
-  has(testing::TempDir() + "none.stl", "no such file");
+  has(test::own_file("none.stl"), "no such file");
   has(write("d.stl", ""), "no triangle");
   has(write("e.stl", "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0\n"), ":4: a vertex has");
   has(write("f.stl", "solid a\nfacet normal 0 0 0\nvertex 0 0 0\nendfacet\n"), ":4: the triangle");

@@ -8,6 +8,7 @@
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
+#include "tests/support/own_file.hpp"
 
 namespace brunt {
 namespace {
@@ -135,7 +136,7 @@ TEST(Summary, ReadsOlderOnesWithFewerKeys) {
 }
 
 TEST(Summary, GoesThroughAFolder) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "summary_folder";
+  const auto folder = std::filesystem::path(test::own_file("summary_folder"));
   create_folder(folder);
   write_summary(folder, example());
   EXPECT_EQ(read_summary(folder).steps, example().steps);

@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
+#include "tests/support/own_file.hpp"
 
 namespace brunt {
 namespace {
@@ -70,7 +71,7 @@ TEST(Table, QuotesCsvAndAlignsUtf8) {
 }
 
 TEST(Table, ReadsFoldersAndReportsBrokenOnes) {
-  const auto root = std::filesystem::path(testing::TempDir()) / "table_runs";
+  const auto root = std::filesystem::path(test::own_file("table_runs"));
   std::filesystem::remove_all(root);
   for (const char* name : {"good", "empty", "broken"}) create_folder(root / name);
   write_summary(root / "good", *run("", "1 m/s", 0.02).summary);
