@@ -1,5 +1,5 @@
 #pragma once
-/// Errors that reach the user. Each carries what style.md 23 and 24 ask for.
+/// Errors that reach the user. Each says where, what is wrong, and what would be right.
 #include <stdexcept>
 #include <string>
 #include <vector>

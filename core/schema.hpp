@@ -1,5 +1,5 @@
 #pragma once
-/// One description of each deck struct, six uses (architecture.md 7). Beside each struct stands
+/// One description of each deck struct, six uses. Beside each struct stands
 ///   void describe(Schema& s, JohnsonCook& law) {
 ///     s.real({"A", "static yield stress at no plastic strain", Need::required}, law.A, {"Pa",
 ///     at_least(0)});

@@ -123,7 +123,7 @@ BendingModuli bending_moduli(const Material& material, Real coefficient) {
 }
 
 /// Hourglass control of one-point elements: k = kappa mu V sum B B / V^2 of stiffness
-/// (physics.md A4, 2 mu form).
+/// in its form with 2 mu (docs/theory/elements.md (E6)).
 template <int Dim>
 void start_hourglass(const Points<Dim>& points, ElementBlock<Dim>& block) {
   const auto padded = static_cast<std::size_t>(block.n_padded);

@@ -31,7 +31,7 @@ BRUNT_INLINE Pack quadratic_form(const Pack (&arm)[Dim], const Pack* B) {
 }
 
 /// q_i/V_i = sum_j 4 k_i k_j/(k_i + k_j) w_ij g_ij (T_j - T_i), V_j grad_i W = w_ij (x_j - x_i)
-///   Cleary & Monaghan 1999; Jubelgas, Springel & Dolag 2004, eq. 13; physics.md A1 eq 6
+///   Cleary & Monaghan 1999; Jubelgas, Springel & Dolag 2004, eq. 13; docs/theory/heat.md (H7)
 /// g_ij = min(e.B_i e, e.B_j e), e along the pair: 1 inside a lattice whose sums are exact. At free
 /// surfaces, where neighbours are missing, it restores what flows along them. The smaller one is
 /// taken because the larger one counts what is missing behind a surface, and where nothing flows

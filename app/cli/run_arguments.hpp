@@ -21,7 +21,7 @@ struct RunArguments {
   std::string restart;               ///< a checkpoint or a folder of them; empty: none
 };
 
-/// Exit statuses (deck.md).
+/// Exit statuses (docs/guide/running.md).
 enum ExitStatus : int {
   kDone = 0,
   kDeckWrong = 2,

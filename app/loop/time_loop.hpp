@@ -21,8 +21,8 @@ class Observer {
 };
 
 /// Steps the scene to the end of its time: velocity Verlet, all of the physics in one loop
-/// (architecture.md 4). Throws PhysicsError when the step collapses below clock.least_step().
-/// balance  none: points stay with the ranks that have them
+/// (docs/theory/integration.md (I1) to (I7)). Throws PhysicsError when the step collapses below
+/// clock.least_step(). balance  none: points stay with the ranks that have them
 template <int Dim>
 void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
                    Balance<Dim>* balance = nullptr);

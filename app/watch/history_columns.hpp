@@ -8,7 +8,7 @@
 
 namespace brunt {
 
-/// The columns of history.csv (deck.md) and their values at one step.
+/// The columns of history.csv (docs/guide/output.md) and their values at one step.
 template <int Dim>
 class HistoryColumns {
  public:

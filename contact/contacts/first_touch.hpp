@@ -5,12 +5,13 @@
 
 namespace brunt {
 
-/// What two faces or particles, or a particle and a surface, remember of how they met (contact.md
-/// 2.9): from time 0 an overlap of which contact takes no notice, which only shrinks, by as much as
-/// they open, and a bond of cohesion and tension, which breaks for good; and from when a particle
-/// came near an open surface the side from which it came, until it leaves; and while it
-/// touches a thin plate of elements the face that was nearest. Faces whose deepest corner nears the
-/// limit remember that they push: they have not come from behind when it is beyond.
+/// What two faces or particles, or a particle and a surface, remember of how they met
+/// (docs/theory/contact.md (C36), (C37)): from time 0 an overlap of which contact takes no notice,
+/// which only shrinks, by as much as they open, and a bond of cohesion and tension, which breaks
+/// for good; and from when a particle came near an open surface the side from which it came, until
+/// it leaves; and while it touches a thin plate of elements the face that was nearest. Faces whose
+/// deepest corner nears the limit remember that they push: they have not come from behind when it
+/// is beyond.
 struct FirstTouch {
   ContactKey key;       ///< with ordinal 0; of a particle and a surface `second` is the surface
   Real overlap = 0;     ///< [m]

@@ -249,7 +249,8 @@ void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& rec
     limit = std::min(limit, step.material.flow_stress / std::sqrt(3.0) * step.pressed);
   }
   auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
-  if (slid.slips && step.turn) {  // what the forces take from the centres is heat (decisions.md)
+  if (slid.slips &&
+      step.turn) {  // what the forces take from the centres is heat (docs/decisions.md)
     slip = between_centres;
     slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   }

@@ -151,8 +151,9 @@ struct FrictionStep {
 
 /// Finds the friction of a contact at the end of a step. The slip is that of the two points of
 /// contact less what the turn of the plane makes of their distance; forces of each side have the
-/// couple of a force at `point`, shared as f_a = w_a F + (J^-1 (arm x F)) x r_a (contact.md 2.5),
-/// so that the moment of both sides is zero to round-off. friction  out; fresh
+/// couple of a force at `point`, shared as f_a = w_a F + (J^-1 (arm x F)) x r_a
+/// (docs/theory/contact.md (C34)), so that the moment of both sides is zero to round-off. friction
+/// out; fresh
 template <int Dim>
 void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
                    const FrictionStep<Dim>& step, Friction<Dim>& friction);

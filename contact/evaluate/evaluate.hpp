@@ -28,19 +28,19 @@ struct ParticleLoad {
 };
 
 /// Evaluates the candidates and appends a record for each that carries force, in their order.
-/// F = k volume + c area closing speed at the centre of pressure, not below 0 (contact.md 2.5);
-/// friction goes on from its past, or from what both faces carried (2.6). No past: no friction.
-/// What is left of first touches goes to part.face_touches, the bounds of what closes in or is deep
-/// to part.step_limit.
+/// F = k volume + c area closing speed at the centre of pressure, not below 0
+/// (docs/theory/contact.md (C11), (C16)); friction goes on from its past, or from what both faces
+/// carried (2.6). No past: no friction. What is left of first touches goes to part.face_touches,
+/// the bounds of what closes in or is deep to part.step_limit.
 template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
                     const Section& section, const EvaluationStep& step,
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part);
 
 /// The same for the candidates of particles, row by row; F = k(d) + c closing speed,
-/// not below 0 (contact.md 2.8). Takes into part.step_limit the bounds of what touches, 2/sqrt(sum
-/// k/m), and of what closes in: (gap + r/2) over the closing speed, so r/2 over it where there is
-/// contact. Friction as on faces. loads  by particle, out; empty: nobody asks
+/// not below 0 (docs/theory/contact.md (C20), (C24)). Takes into part.step_limit the bounds of what
+/// touches, 2/sqrt(sum k/m), and of what closes in: (gap + r/2) over the closing speed, so r/2 over
+/// it where there is contact. Friction as on faces. loads  by particle, out; empty: nobody asks
 template <int Dim>
 void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                         const Section& section, const EvaluationStep& step,

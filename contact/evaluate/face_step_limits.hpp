@@ -3,10 +3,10 @@
 
 namespace brunt {
 
-/// Takes in the bound of two faces that close in on each other (contact.md 2.3): in one step they
-/// come no deeper than the onset g0 of their barrier, or half of that deeper than they are, each by
-/// its foremost and its fastest corner. What is farther behind than its limit does not bound the
-/// step.
+/// Takes in the bound of two faces that close in on each other, docs/theory/contact.md (C43): in
+/// one step they come no deeper than the onset g0 of their barrier, or half of that deeper than
+/// they are, each by its foremost and its fastest corner. What is farther behind than its limit
+/// does not bound the step.
 template <int Dim>
 void limit_by_approach(const Entities<Dim>& entities, const FaceCandidate& candidate,
                        const EvaluationStep& step, StepLimit& step_limit);

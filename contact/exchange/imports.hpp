@@ -30,7 +30,7 @@ struct ImportBoxes {
 };
 
 /// Faces and particles of other ranks that may touch what this rank evaluates, and the way of
-/// forces back to the owners of their nodes (contact.md 2.7). Faces of rigid bodies
+/// forces back to the owners of their nodes (docs/theory/contact.md (C45)). Faces of rigid bodies
 /// stand on every rank and are never imported.
 template <int Dim>
 class ContactImports {

@@ -38,10 +38,10 @@ struct FacingRamp {
   Real growth(Real facing) const { return facing < whole ? 1 / (facing - none) : 0.0; }
 };
 
-/// One common plane between two faces (Vorobiev, simple common plane; contact.md 2.5).
-/// The pressure of a spring of k [Pa/m], and of its barrier where faces are deep, has the resultant
-/// k volume along normal on the upper face, through `point`; weights share it among the corners,
-/// each set sums to one.
+/// One common plane between two faces (Vorobiev, simple common plane; docs/theory/contact.md (C4)
+/// to (C8)). The pressure of a spring of k [Pa/m], and of its barrier where faces are deep, has the
+/// resultant k volume along normal on the upper face, through `point`; weights share it among the
+/// corners, each set sums to one.
 template <int Dim>
 struct CommonPlane {
   static constexpr int kCorners = Facet<Dim>::kNodes;

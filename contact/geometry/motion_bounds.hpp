@@ -5,8 +5,8 @@
 
 namespace brunt {
 
-/// Bounds that prove lists complete (contact.md 2.3): extremes, by component, of displacement since
-/// they were built and of velocity.
+/// Bounds that prove lists complete (docs/theory/contact.md (C2)): extremes, by component, of
+/// displacement since they were built and of velocity.
 template <int Dim>
 struct MotionBounds {
   Vec<Dim> u_min = Vec<Dim>::Constant(kInfinity), u_max = Vec<Dim>::Constant(-kInfinity);

@@ -57,16 +57,16 @@ struct ParticleHit {
   Real damping = 0;     ///< [N s/m] of a share of 1; the caller's
 };
 
-/// Makes of the faces near a particle at x its contacts (contact.md 2.8): an edge or vertex that
-/// several faces share counts once and only where it is nearest for all of them; the side is that
-/// of the normals about the feature, each by its angle (Baerentzen & Aanaes 2005); a centre behind
-/// the surface is held by the nearest face of its body alone. Faces of a concave edge both push;
-/// those that push the same way, as two bricks side by side do, share:
-/// share_i = d_i / sum_j d_j max(0, n_i . n_j), which is 1 alone or at right angles.
-/// A gap of a millionth of a diameter counts as touching, for heat: it has no share.
-/// In a thin plate that gives way a centre belongs to the side on which it was when it last
-/// touched. An open surface is touched from both sides: a particle belongs to the one from which it
-/// came. hits  in order of face id; `plane`, `node`, `body`, `piece`, `limit`, `nearest`, of open
+/// Makes of the faces near a particle at x its contacts (docs/theory/contact.md (C19)): an edge or
+/// vertex that several faces share counts once and only where it is nearest for all of them; the
+/// side is that of the normals about the feature, each by its angle (Baerentzen & Aanaes 2005); a
+/// centre behind the surface is held by the nearest face of its body alone. Faces of a concave edge
+/// both push; those that push the same way, as two bricks side by side do, share: share_i = d_i /
+/// sum_j d_j max(0, n_i . n_j), which is 1 alone or at right angles. A gap of a millionth of a
+/// diameter counts as touching, for heat: it has no share. In a thin plate that gives way a centre
+/// belongs to the side on which it was when it last touched. An open surface is touched from both
+/// sides: a particle belongs to the one from which it came. hits  in order of face id; `plane`,
+/// `node`, `body`, `piece`, `limit`, `nearest`, of open
 ///       surfaces `open` and `side`, of thin plates `entry` given.
 template <int Dim>
 void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits);

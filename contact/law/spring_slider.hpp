@@ -1,5 +1,6 @@
 #pragma once
-/// The spring-slider of Coulomb friction, and how its plane turns (contact.md 2.6).
+/// The spring-slider of Coulomb friction, and how its plane turns (docs/theory/contact.md (C27),
+/// (C28)).
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The springs and dampers of contact, and the steps that they allow (contact.md 2.5, 2.8).
+/// The springs and dampers of contact, and the steps that they allow (docs/theory/contact.md (C9),
+/// (C16), (C39)).
 #include <algorithm>
 #include <cmath>
 

@@ -76,7 +76,8 @@ class ContactManager {
                  const Partition& partition, const Communicator& ranks);
   ~ContactManager();
 
-  /// Step limits before the step, from each face's own spring and from near pairs (physics.md A5).
+  /// Step limits before the step, from each face's own spring and from near pairs
+  /// (docs/theory/contact.md (C39) to (C44)).
   StepLimit stable_step(Real dt_last) const;
   /// Reads the surfaces anew and rebuilds the lists; what is booked stays with the points' ids.
   void rearrange();

@@ -57,7 +57,8 @@ struct ParticleRows {
 };
 
 /// The lists of what may touch, complete for as long as a bound on all motion holds
-/// (contact.md 2.3); no answer depends on when they are built or how wide their skin is.
+/// (docs/theory/contact.md (C1) to (C3)); no answer depends on when they are built or how wide
+/// their skin is.
 template <int Dim>
 class Candidates {
  public:

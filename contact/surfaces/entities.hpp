@@ -146,7 +146,7 @@ struct Entities {
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
   /// Bound from the springs of faces and particles at the last planes, before anything touches
-  /// (physics.md A5).
+  /// (docs/theory/contact.md (C39)).
   StepLimit stiffness_limit() const;
   /// [m/s] mean over the corners of a face.
   Vec<Dim> face_velocity(std::size_t face) const {

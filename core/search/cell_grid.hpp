@@ -1,5 +1,5 @@
 #pragma once
-/// Hashed cells by size class (contact.md 2.2). Every entity lies in one cell, of the level whose
+/// Hashed cells by size class. Every entity lies in one cell, of the level whose
 /// cells are at least as large as it is; two entities whose anchors are no further apart, by
 /// component, than the larger of their extents lie in cells that touch. No cell array: memory and
 /// time depend on the number of entities alone, wherever they are.

@@ -1,5 +1,5 @@
 #pragma once
-/// The one broad phase, for SPH neighbour lists and for contact (contact.md 2.2, 2.3): hashed cells
+/// The one broad phase, for SPH neighbour lists and for contact: hashed cells
 /// by size class, no cell array, cost independent of the domain; brute force beside it to compare.
 #include <algorithm>
 #include <array>

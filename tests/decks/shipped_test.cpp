@@ -135,7 +135,7 @@ std::vector<std::string> all_decks() {
   return names;
 }
 
-/// Part of the largest energy that changes of contacts may make or lose (physics.md D): 0.1 %.
+/// Part of the largest energy that changes of contacts may make or lose: 0.1 %.
 constexpr Real kBoundOfPairs = 1e-3;
 
 TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {

@@ -1,4 +1,4 @@
-// Extremes of contact (physics.md C): stiff penalties in a corner, moduli a factor of 200,000
+// Extremes of contact: stiff penalties in a corner, moduli a factor of 200,000
 // apart, blocks that stand on each other, and edges that are passed.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Elements and rigid bodies that meet face on face up to five times as fast as their sound
-// (contact.md 2.3): none goes through another. Of two like blocks in a tube the first gives its
+// none goes through another. Of two like blocks in a tube the first gives its
 // momentum to the second, whatever their law: momenta add up, the second leaves faster than the
 // first, and there is a gap between them at the end; a block that passes keeps its speed. Two ends
 // of a rod that meet press by rho c v/2, which the linear spring, phi M/2h, has at a penetration of

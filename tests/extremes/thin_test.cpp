@@ -1,4 +1,4 @@
-// Particles shot at plates one element thick (physics.md C11; contact.md 3, test 23), 0.2 to 5
+// Particles shot at plates one element thick, 0.2 to 5
 // times as fast as their sound, 0 to 89 degrees off the normal: none comes out behind. The plates
 // are a half to two spacings thick, in the plane and in space; held, so that they give way nowhere,
 // or free. A particle whose centre has passed the middle is nearer to the back, and lost: the

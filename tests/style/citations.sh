@@ -1,25 +1,39 @@
 #!/usr/bin/env bash
-# Fails where a source cites an equation of docs/theory that is not there, where a page defines one twice, and where
-# a page of theory names a file that is not in the repository.
+# Fails where a source cites an equation of docs/theory that is not there, or a page that is not in the repository; where
+# a page defines an equation twice; and where a page of theory names a file that is not there.
 #
-# A page defines **(S7)** once; a source cites `docs/theory/sph.md (S7), (S9)` or `(S26) to (S28)` on one line.
+# A page defines **(S7)** once, in bold; a source cites `docs/theory/sph.md (S7), (S9)` or `(S26) to (S28)`.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-status=0
-complain() { printf '%s\n' "$*"; status=1; }
+exec python3 - <<'PYTHON'
+import pathlib, re, sys
 
-twice=$(grep -ohE '^\*\*\([A-Z][0-9]+[a-z]?\)\*\*' docs/theory/*.md | sort | uniq -d)
-[ -z "$twice" ] || complain "docs/theory: defined twice: $twice"
+wrong = []
+pages, owner = {}, {}
+for page in sorted(pathlib.Path("docs/theory").glob("*.md")):
+    text = page.read_text()
+    pages[str(page)] = set()
+    for number in re.findall(r"\*\*\(([A-Z]\d+)\)\*\*", text):
+        if number in owner:
+            wrong.append(f"{page}: ({number}) is defined in {owner[number]} already")
+        owner[number] = page
+        pages[str(page)].add(number)
+    for file in sorted(set(re.findall(r"`((?:core|fe|sph|contact|io|app|tests|decks|docs)/[\w/.-]+)`", text))):
+        if not pathlib.Path(file).exists():
+            wrong.append(f"{page}: there is no {file}")
 
-while IFS=: read -r file line text; do
-  page=$(grep -oE 'docs/theory/[a-z]+\.md' <<< "$text" | head -1)
-  [ -f "$page" ] || { complain "$file:$line: there is no $page"; continue; }
-  for number in $(grep -oE '\([A-Z][0-9]+[a-z]?\)' <<< "${text#*"$page"}" | tr -d '()'); do
-    grep -qE "^\*\*\($number\)\*\*" "$page" || complain "$file:$line: $page has no ($number)"
-  done
-done < <(grep -rnE 'docs/theory/[a-z]+\.md' --include='*.hpp' --include='*.cpp' core fe sph contact io app tests)
+for folder in ("core", "fe", "sph", "contact", "io", "app", "tests"):
+    for file in sorted(pathlib.Path(folder).rglob("*.[hc]pp")):
+        # Comments of several lines are read as one.
+        text = re.sub(r"\n\s*//[/!]?<? ?", " ", file.read_text())
+        for page, numbers in re.findall(r"(docs/theory/\w+\.md)((?:,? ?(?:to |and )?\([A-Z]\d+\))*)", text):
+            for number in re.findall(r"[A-Z]\d+", numbers):
+                if page in pages and number not in pages[page]:
+                    wrong.append(f"{file}: {page} has no ({number})")
+        for page in set(re.findall(r"(?<![\w/*.-])((?:[\w-]+/)*[\w-]+\.md)\b", text)):
+            if not pathlib.Path(page).exists():
+                wrong.append(f"{file}: there is no {page}")
 
-while IFS=: read -r page file; do
-  [ -e "$file" ] || complain "$page: there is no $file"
-done < <(grep -oE '`(core|fe|sph|contact|io|app|tests|decks|docs)/[A-Za-z0-9_/.-]+`' docs/theory/*.md | tr -d '`' | sort -u)
-exit $status
+print("\n".join(wrong), end="\n" if wrong else "")
+sys.exit(1 if wrong else 0)
+PYTHON

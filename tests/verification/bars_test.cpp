@@ -1,7 +1,7 @@
-// Two equal elastic bars meet (physics.md B1.1) and one bar meets a rigid wall (B1.2).
+// Two equal elastic bars meet and one bar meets a rigid wall.
 // de Saint-Venant: with c = sqrt(E/rho) = 5047.5 m/s the contact lasts 2L/c = 39.62 us, the stress
 // in between is rho c v/2 = 198.1 MPa (rho c v = 396 MPa at a wall), and the bars swap velocities.
-// contact.md 3, test 9, for N = 50, phi = 0.5, zeta = 0.1, CFL 0.8, no linear bulk viscosity: the
+// For N = 50, phi = 0.5, zeta = 0.1, CFL 0.8, no linear bulk viscosity: the
 // plateau within 0.1 %, overshoot 4.7 %, contact time 1.03 2L/c, restitution 0.996.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A block of particles and a plate of hexes (contact.md 3, test 24).
+// A block of particles and a plate of hexes.
 // Free flight and impact without supports, with and without friction: total momentum changes by
 // rounding only, and the forces of contact have no moment, with the couple that friction at the
 // centre of a particle gives the corners of a face. Elements, the corrected stress of particles and

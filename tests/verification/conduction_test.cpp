@@ -1,4 +1,4 @@
-// Heat conduction against closed forms (physics.md A1 eq 5, A5, C21; Carslaw & Jaeger 1959), in
+// Heat conduction against closed forms (Carslaw & Jaeger 1959), in
 // finite elements and particles. Steel: k = 44.5 W/m/K, rho = 7850 kg/m^3, cp = 475 J/kg/K,
 // alpha = k/(rho cp) = 11.93 mm^2/s.
 //   Half space whose surface is brought to T0 + 100 K:  T = T0 + 100 erfc(x/(2 sqrt(alpha t)))

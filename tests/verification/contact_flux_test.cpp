@@ -1,8 +1,8 @@
 // Heat that passes a contact, by the pair's column.
-// Slabs (contact.md 3, test 26): L = 10 mm of k = 50 W/m/K each, h = 1e4 W/m^2/K between them and
+// Slabs: L = 10 mm of k = 50 W/m/K each, h = 1e4 W/m^2/K between them and
 // dT = 100 K across: at the steady state q = dT/(L/k + 1/h + L/k) = 100/5e-4 = 2.0e5 W/m^2. The
 // contact is at 60 and 40 degC.
-// Half-spaces (physics.md B1.8): T = (e1 T1 + e2 T2)/(e1 + e2) at the contact, e = sqrt(k rho cp),
+// Half-spaces: T = (e1 T1 + e2 T2)/(e1 + e2) at the contact, e = sqrt(k rho cp),
 // and q = e1 (T1 - T)/sqrt(pi t): 22.70 MW/m^2 at 10 ms, 71.8 at 1 ms.
 #include <gtest/gtest.h>
 
@@ -104,9 +104,9 @@ TEST(HalfSpaces, HexesPassTheFluxBetween) {
   expect_flux({}, 1e-3, 0.01);
 }
 
-// Of particles, rods with few across conduct otherwise than their material (physics.md A1 eq 6,
-// tests/extremes/heat_test.cpp): four across 0.970 of it, which takes up to 1.5 % off the flux; two
-// across would have 1.18, and add up to 8.6 %.
+// Of particles, rods with few across conduct otherwise than their material (docs/theory/heat.md
+// (H7), tests/extremes/heat_test.cpp): four across 0.970 of it, which takes up to 1.5 % off the
+// flux; two across would have 1.18, and add up to 8.6 %.
 TEST(ParticleHeat, ParticlesPassTheFluxBetweenHalfSpaces) {
   expect_flux({"bodies.hot.method=sph", "bodies.cold.method=sph"}, 10e-3, 0.02);
   expect_flux({"bodies.hot.method=sph", "bodies.cold.method=sph"}, 1e-3, 0.02);

@@ -60,8 +60,8 @@ output: {history: 1 us}
   EXPECT_NEAR(run.last("contact.cold-hot.temperature.mean"), 350, 0.1);
 }
 
-// The rod of physics.md B1.10 with its halves 0.1 mm apart: the gap carries what the contact would,
-// q = dT/(L/k1 + 1/h + L/k2), where the opening is within it, and nothing where it is not.
+// The rod of rigid_heat_test.cpp with its halves 0.1 mm apart: the gap carries what the contact
+// would, q = dT/(L/k1 + 1/h + L/k2), where the opening is within it, and nothing where it is not.
 TEST(ContactHeat, PassesUpToItsGap) {
   const Real flux = 100 / (0.05 / 237 + 1e-4 + 0.05 / 44.5);
   const auto with = [](const std::string& gap) {
@@ -136,7 +136,7 @@ TEST(FrictionHeat, GoesWhereThePairSays) {
 }
 
 // Aluminium rubs on steel; both conduct and no heat passes. Without a `split` the heat of friction
-// goes by effusivities (physics.md A11), e1/(e1 + e2), e = sqrt(k rho cp): 23,998 and 12,881
+// goes by effusivities, e1/(e1 + e2), e = sqrt(k rho cp): 23,998 and 12,881
 // J/m^2/K/s^(1/2), 0.651 to aluminium. The block is pulled by 0.1 mm, pressed all the while or
 // thrown so that it bounces off: then every contact ends in a step of its own, whose first half
 // still slips. Of some thousand contacts and a hundred steps rounding leaves some 1e-14.
@@ -217,7 +217,7 @@ TEST(PairColumns, AreOfTheBodyNamedFirst) {
 }
 
 // Half-spaces in perfect contact are at (e1 T1 + e2 T2)/(e1 + e2) = 332.34 degC there from the
-// second step on (physics.md B1.8), on both sides: 0.5 % of 480 K.
+// second step on, on both sides: 0.5 % of 480 K.
 TEST(ContactTemperature, IsThatBetweenHalfSpaces) {
   const auto run = simulate_shipped("half-spaces", {"time.end=2 ms"});
   ASSERT_EQ(run.failure, "");

@@ -1,11 +1,11 @@
-// The patch test of contact (contact.md 3, test 3) on meshes that a deck does not make: 4 elements
+// The patch test of contact on meshes that a deck does not make: 4 elements
 // along a side on 6, inner nodes displaced by up to a fifth of an element, all of it turned by
 // 0.3 rad, and rings. Elements at the contact keep their depth: the spring of a face is that of the
 // element behind it, phi M/h, so that an even push over unequal depths has unequal gaps, which
-// nodes that faces share cannot have (distorted too, stresses differ by 6 %; decisions.md). Two
-// blocks, one on the other, are squeezed by moving the outer face of one along the axis; the faces
-// there slide freely, the sides are free. The exact stress is uniform, a push along the axis and
-// nothing across (but nu of it out of a plane that keeps its width), and the faces' inner nodes
+// nodes that faces share cannot have (distorted too, stresses differ by 6 %; docs/decisions.md).
+// Two blocks, one on the other, are squeezed by moving the outer face of one along the axis; the
+// faces there slide freely, the sides are free. The exact stress is uniform, a push along the axis
+// and nothing across (but nu of it out of a plane that keeps its width), and the faces' inner nodes
 // balance it on any mesh whose forces are exact for linear fields. Gate: 1e-10 of the push, the
 // page's, strains being 4e-5: what a strain leaves that comes and goes while the blocks are
 // squeezed is of third order. Axisymmetric one-point elements are not here: they measure 2 pi r A,

@@ -1,4 +1,4 @@
-// The patch test of contact (contact.md 3, test 3; physics.md B1.20): two blocks with meshes that
+// The patch test of contact: two blocks with meshes that
 // do not match are squeezed between smooth plates, free at their sides. Both stretch sideways
 // alike, so the exact answer is uniform: a stress along the axis and none across. Common planes
 // integrate the overlap of every two faces and share it with weights that are exact for linear

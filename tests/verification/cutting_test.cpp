@@ -1,5 +1,5 @@
 // Orthogonal cutting, the shipped deck at twice its spacing. No force is known; what must hold is
-// what physics.md B3 gates on: F_t/F_c = tan(atan mu - rake) (Merchant), ratio 0.0929 within 0.1;
+// what is asked for: F_t/F_c = tan(atan mu - rake) (Merchant), ratio 0.0929 within 0.1;
 // a specific cutting energy of 600 to 1100 N/mm^2; a steady force, halves of the last third within
 // 10 %. Heat softens: where it may leave the shear zone the force is higher, and without any no
 // shear zone forms, and the tool shoves the workpiece at twice the force.

@@ -1,4 +1,4 @@
-// Coulomb's block on an incline (physics.md B1.6; contact.md 3, test 14), the shipped deck: it
+// Coulomb's block on an incline, the shipped deck: it
 // slides with g (sin a - mu cos a) where tan a > mu = 0.3 and stays where tan a < mu. Its speed of
 // 1 m/s keeps it sliding while its weight comes on to its springs; the way in 0.5 s is then v t +
 // a t^2 / 2 but for the springs' own 10 um, 1e-4 of a t^2 / 2.

@@ -112,7 +112,7 @@ TEST(HeatEvery, WhatItChangesIsOfFirstOrderWithParticles) {
   }
 }
 
-// physics.md B1.8: contact brings both surfaces to T_s in the first step, and conduction learns of
+// Contact brings both surfaces to T_s in the first step, and conduction learns of
 // it a window later, T(t - Delta). With eta = x/(2 sqrt(alpha t)), T = T_0 + (T_s - T_0) erfc(eta),
 //   dT = -Delta dT/dt - (Delta t/2) d2T/dt2
 //      = -(T_s - T_0) Delta/(t sqrt(pi)) (eta/4 + eta^3/2) exp(-eta^2)

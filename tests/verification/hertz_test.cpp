@@ -2,8 +2,8 @@
 // E* = E/(2 (1 - nu^2)), m* = m/2, meet at v:
 //   K = 4/3 E* sqrt(R*), delta = (5 m* v^2/(4 K))^(2/5), F = K delta^1.5, a = sqrt(R* delta),
 //   t = 2.943 delta/v, p = 3 F/(2 pi a^2)
-// physics.md B1.4: 986 N, 20.84 um, 0.3228 mm, 61.35 us. Pressed by F: a = (3 F R*/(4 E*))^(1/3);
-// cylinders by F a length L: b = sqrt(4 F R*/(pi E* L)), p = 2 F/(pi b L) (contact.md, test 25).
+// 986 N, 20.84 um, 0.3228 mm, 61.35 us. Pressed by F: a = (3 F R*/(4 E*))^(1/3);
+// cylinders by F a length L: b = sqrt(4 F R*/(pi E* L)), p = 2 F/(pi b L).
 // Errors are of first order in h: facets of the ball, springs of contact that give way by
 // 4 h p/(M phi), stresses that are means over an element. B1.4 and test 25 ask for 5 % with
 // 10 elements over a; what is reported as area is where springs touch at all, and is wider.

@@ -1,4 +1,4 @@
-// Bodies that overlap at time 0 (physics.md C8; contact.md 3, test 21): a block 10 % of an element,
+// Bodies that overlap at time 0: a block 10 % of an element,
 // or of a spacing, inside a plate, of elements on elements, particles on elements and particles on
 // particles. Pressed at once, the overlap d would hold k A d^2 / 2 = 30 mJ;
 // it is taken out instead: nothing moves, and a block that is thrown on bounces as it would

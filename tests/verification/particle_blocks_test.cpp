@@ -1,4 +1,4 @@
-// Bodies of particles against bodies of particles. Bars of particles (physics.md B1.1): contact of
+// Bodies of particles against bodies of particles. Bars of particles: contact of
 // 2L/c = 39.62 us, stress rho c v/2 between them, 2 %, velocities swapped to 5 %. Two blocks (C10):
 // while they touch, no particle at a corner of the face that meets the other block is accelerated
 // by more than twice the mean over that face: a spring that counts twice there would show at once.

@@ -1,5 +1,5 @@
 // Heat between particles of two bodies, and between particles and hexes: half-spaces in perfect
-// contact (physics.md B1.8), T = (e1 T1 + e2 T2)/(e1 + e2) = 332.34 degC at the contact, inside T +
+// contact, T = (e1 T1 + e2 T2)/(e1 + e2) = 332.34 degC at the contact, inside T +
 // (T_i - T) erfc(|x| / sqrt(4 alpha t)). With particles 2 % of 480 K, at the contact and 1 mm
 // inside. The temperature at the contact is that with which as much heat reaches it over half a
 // spacing as leaves it, or that of the hexes' nodes there.

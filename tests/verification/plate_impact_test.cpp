@@ -1,4 +1,4 @@
-// Symmetric impact of copper plates at 1000 m/s in uniaxial strain (physics.md B1.24, A7). On the
+// Symmetric impact of copper plates at 1000 m/s in uniaxial strain. On the
 // Hugoniot U_s = c0 + S u_p with u_p = 500 m/s, c0 = 3940 m/s, S = 1.489:
 //   U_s = 4684.5 m/s, p = rho0 U_s u_p = 20.92 GPa, rho = rho0 U_s/(U_s - u_p) = 9997 kg/m^3.
 // The strength is next to none (1 kPa), so that the axial stress is the pressure; each point is

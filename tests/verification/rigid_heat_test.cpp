@@ -1,4 +1,4 @@
-// Rigid bodies and heat. The rod of physics.md B1.10, of which one half is rigid: what it conducts
+// Rigid bodies and heat. A rod of which one half is rigid: what it conducts
 // is what the elements of a half that is fixed conduct. A rigid surface without material is held
 // at its temperature: q = dT/(L/k + 1/h), and all of it leaves the scene.
 #include <gtest/gtest.h>

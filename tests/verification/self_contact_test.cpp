@@ -1,4 +1,4 @@
-// A body that folds onto itself (contact.md 3, test 20). A tube of rubber between two rigid plates
+// A body that folds onto itself. A tube of rubber between two rigid plates
 // that come together buckles inward and its walls meet: without contact they pass through each
 // other by more than their thickness of 2 mm, with it by less than half an element (at which faces
 // of one body let go). A plate one element thick, paired with itself, stays as it was: its faces

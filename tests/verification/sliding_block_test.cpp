@@ -1,4 +1,4 @@
-// Coulomb's block on a level and on inclines (contact.md 3, test 14; physics.md B1.6), turned so
+// Coulomb's block on a level and on inclines, turned so
 // that the surface is level and the weight leans: it slips if and only if tan(a) > mu, 16.70 deg of
 // mu = 0.3; slides with g (sin a - mu cos a); stops after v^2/(2 mu g); and all that it loses is
 // heat. Elements and particles, in the plane and in space, on one rigid face and on a plate of

@@ -1,4 +1,4 @@
-// A block pulled through a spring (physics.md B1.7, contact.md 3, test 14). A rigid sled lies on
+// A block pulled through a spring. A rigid sled lies on
 // the block, presses it by its weight and moves on at V; it holds the block by the springs of their
 // contact, which are soft and do not slip (mu = 2). The block sticks to the floor until they carry
 // mu N, N the weight of both; from then on it follows the sled, and they carry mu N: to 1 %, the

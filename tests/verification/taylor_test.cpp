@@ -1,4 +1,4 @@
-// Taylor bar of bilinear copper at 227 m/s (physics.md B2.1): L 32.4 mm, R 3.2 mm, 80 us. The
+// Taylor bar of bilinear copper at 227 m/s: L 32.4 mm, R 3.2 mm, 80 us. The
 // gate is code to code: an independent axisymmetric Q1P0 program gave, at 8 x 80 elements,
 //   t us            10     20     30     40     50     60     70     80
 //   length mm   30.143 28.077 26.209 24.590 23.252 22.244 21.621 21.453
@@ -133,7 +133,7 @@ Real diameter_at(const BodyView& bar, Real height) {
   return 2 * (zz * r - z * zr) / (n * zz - z * z);
 }
 
-// The deck that ships, at 10 particles a radius. W(0.2 L0) = 8.07 mm by physics.md B2.1.
+// The deck that ships, at 10 particles a radius. W(0.2 L0) = 8.07 mm by the same reference.
 TEST(TaylorLong, Particles) {
   const auto run = simulate_shipped("taylor-bar-sph", {"parameters.spacing=0.32 mm"});
   ASSERT_EQ(run.failure, "");

@@ -1,6 +1,6 @@
 // Wedge of side angle th against a flat face, tip at depth d: the common plane of one side bisects
 // face and side, and the penetration grows linearly from 0 where they cross. Both sides together
-// push with F = k d^2 / (2 sin(th/2)) per unit depth (contact.md, finding 4): 5.7369, 1.9319,
+// push with F = k d^2 / (2 sin(th/2)) per unit depth: 5.7369, 1.9319,
 // 1.3066, 1.0000, 0.8213 for 10, 30, 45, 60, 75 degrees.
 //
 // Hinge: two squares of side 1 share an edge and overlap by the angle th. On the bisecting plane

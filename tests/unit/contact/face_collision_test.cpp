@@ -1,4 +1,4 @@
-// Faces on faces of unequal mass and stiffness (physics.md C13): two free faces of 1 m^2 (of 1 m in
+// Faces on faces of unequal mass and stiffness: two free faces of 1 m^2 (of 1 m in
 // the plane) meet flat, m1 and m2 behind them, on the spring k = phi S1 S2 / (S1 + S2) of their
 // area. Nothing acts from outside, so that the centre of mass goes on, and their speed to each
 // other comes back by e: 1 without damping. With zeta of critical of the reduced mass they part

@@ -1,4 +1,4 @@
-// What pairs keep from time 0 (contact.md 2.9; 3, test 21; physics.md A10): overlaps that are taken
+// What pairs keep from time 0: overlaps that are taken
 // out, bonds of cohesion and tension. Two faces whose springs S = M/h are equal have k = phi S / 2
 // per area, along the normal and across it.
 #include "contact/contacts/first_touch.hpp"

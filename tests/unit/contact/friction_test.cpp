@@ -1,4 +1,4 @@
-// Friction of common planes (contact.md 3, tests 6, 7, 15, 16). Two faces whose springs S = M/h are
+// Friction of common planes. Two faces whose springs S = M/h are
 // equal have k = phi S / 2 per area, along the normal and across it.
 #include "contact/contacts/friction.hpp"
 

@@ -110,7 +110,7 @@ void expect_speed_limits() {
     EXPECT_NEAR(step_limit.step, way * kSpacing / 4000, 1e-20);
     EXPECT_STREQ(step_limit.reason, "contact speed");
   }
-  // A face that lets go 0.1 spacings behind itself: half of that (contact.md 2.3).
+  // A face that lets go 0.1 spacings behind itself: half of that.
   const StepLimit step_limit = step_limit_of_one_that_comes<Dim>(0.6 * kSpacing, 0.1 * kSpacing);
   EXPECT_NEAR(step_limit.step, (0.1 + 0.05) * kSpacing / 4000, 1e-20);
   EXPECT_STREQ(step_limit.reason, "contact speed");

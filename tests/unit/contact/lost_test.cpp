@@ -1,4 +1,4 @@
-// Contacts that did not hold are told of (contact.md 2.9). Sheets and particles have a prescribed
+// Contacts that did not hold are told of. Sheets and particles have a prescribed
 // motion, by a known way each step, so that the step that brings them beyond their limit is known:
 // the depth of the elements for faces, three radii for a particle behind a rigid face. Not told is
 // what turns back before, slides off, or was beyond the limit from when it came.

@@ -1,8 +1,8 @@
 // Forces: two sheets that overlap by d over an area A push with k d A, k = phi series(S, S) =
 // phi S / 2 for equal S = M/h.
 // Bounce: a particle on a spring against a rigid face leaves as fast as it came. Mean over the
-// phase at which steps meet the surface: 1.000 at any omega dt (velocity Verlet; contact.md finding
-// 3), never exp(-pi omega dt / 4).
+// phase at which steps meet the surface: 1.000 at any omega dt (velocity Verlet),
+// never exp(-pi omega dt / 4).
 #include "contact/manager/manager.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Particles on faces that move, turn and deform (contact.md 3, tests 7 and 22). A particle of
+// Particles on faces that move, turn and deform. A particle of
 // radius r and modulus M on faces of S = M/h has k = phi M (2 r)^(Dim - 2) in series with phi S (2
 // r)^(Dim - 1); on faces that have a prescribed motion, its own alone. It overlaps a surface by r
 // less its distance, in whatever frame and however the faces are shaped.

@@ -1,4 +1,4 @@
-// An open surface has two sides (physics.md C11): 1e5 particles shot at a sheet of triangles, thin
+// An open surface has two sides: 1e5 particles shot at a sheet of triangles, thin
 // as nothing, at twenty times their speed of sound, from both sides and from 0 to 89 degrees off
 // its normal: none passes (the default test shoots 1,600), nor through a row of edges in the plane.
 // Behind it they belong to the side from which they came, and around its rim they may go to the

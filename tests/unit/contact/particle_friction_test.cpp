@@ -1,4 +1,4 @@
-// Friction of particles on faces (contact.md 3, tests 14, 22; physics.md B1.7, C13, C20). On a
+// Friction of particles on faces. On a
 // rigid surface a particle of radius r and modulus M has k = phi M (2 r)^(Dim - 2) along the normal
 // and across it, here of phi = 1. Pressed by d it carries N = k d, and dragged by s a friction of
 // min(k s, mu N).

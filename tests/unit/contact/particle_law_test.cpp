@@ -1,4 +1,4 @@
-// A particle of radius r and modulus M on a face of stiffness s = M/h (contact.md 2.8): its own
+// A particle of radius r and modulus M on a face of stiffness s = M/h: its own
 // spring is M 2r, that of the face s (2r)^2, both in series; on a rigid face its own alone. It is
 // held three radii behind a rigid face, six behind an open one, and no deeper than the body is.
 #include "contact/evaluate/particle_law.hpp"

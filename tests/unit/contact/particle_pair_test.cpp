@@ -1,4 +1,4 @@
-// Particles on particles of another body (physics.md A1, C18; contact.md 2.8). Two of radius r and
+// Particles on particles of another body. Two of radius r and
 // modulus M have springs M (2 r)^(Dim - 2) in series, so k = phi M (2 r)^(Dim - 2) / 2 where they
 // are alike, of phi = 1 here; nearer than r, 200 phi M (2 r)^(Dim - 2) (d - r)^3 / r^2 besides.
 #include <gtest/gtest.h>
@@ -184,7 +184,7 @@ TEST(ParticlePair, RecordsDieWhereTheyPart) {
   EXPECT_NEAR(across(drag<3>(scene, Vec3(0, 0, -0.03))), 0.6, 0.05);
 }
 
-// contact.md 3, test 7: a gripped pair that turns as one with its material keeps its friction, in
+// A gripped pair that turns as one with its material keeps its friction, in
 // the frame of the bodies, and none appears where there was none.
 template <int Dim>
 void check_turning() {

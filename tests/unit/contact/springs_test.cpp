@@ -1,6 +1,6 @@
 // A chain of elements (h = c = rho = 1: springs 1, masses 1, 1/2 at the ends) whose last node sits
 // on a spring phi: the limit of central differences is 2/omega_max. It equals 0.998, 0.972, 0.910,
-// 0.786, 0.625 h/c for phi = 0.1, 0.5, 1, 2, 4 (contact.md 2, finding 6), and is the same for two
+// 0.786, 0.625 h/c for phi = 0.1, 0.5, 1, 2, 4, and is the same for two
 // equal chains joined by a spring phi/2.
 #include "contact/law/springs.hpp"
 

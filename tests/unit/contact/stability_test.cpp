@@ -1,4 +1,4 @@
-// contact.md 3, test 11: central differences of a bar of hexes (h = 1, c = 1000, rho = 1000) whose
+// Central differences of a bar of hexes (h = 1, c = 1000, rho = 1000) whose
 // end rests on a rigid face by a spring of phi M/h are stable up to 0.998, 0.972, 0.910, 0.786,
 // 0.625 h/c at phi = 0.1, 0.5, 1, 2, 4 (law_test derives them). Here the contact manager itself is
 // at the end: 1e5 steps at 0.98 of the limit keep a small disturbance small; at 1.02 it grows as
