@@ -30,6 +30,10 @@ materials:
     density: 2700
     elastic: {K: 70 GPa, G: 26 GPa}
     strength: {j2: {yield: 300 MPa, hardening: {table: [[0, 0], [1, 1 MPa]], over: eps_p}}}
+  za:
+    density: 7870
+    elastic: {E: 207 GPa, nu: 0.29}
+    strength: {zerilli-armstrong: {C0: 65 MPa, C1: 1 GPa, C2: 1 MPa, C3: 0.007, C4: 4e-4, C5: 266 MPa, n: 0.289}}
 bodies:
   a:
     material: jc
@@ -81,7 +85,7 @@ bodies:
     rotate: {axis: y, angle: 10 deg, about: [0, 0, 0]}
     translate: [30, 0, 0]
   i:
-    material: j2
+    material: za
     shape:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
