@@ -34,7 +34,7 @@ materials:
     density: 7870
     elastic: {E: 207 GPa, nu: 0.29}
     strength:
-      zerilli-armstrong: {C0: 65 MPa, C1: 1 GPa, C2: 1 MPa, C3: 0.007, C4: 4e-4, C5: 266 MPa, n: 0.3}
+      zerilli-armstrong: {C0: 9 MPa, C1: 1 GPa, C2: 1 MPa, C3: 0.007, C4: 4e-4, C5: 266 MPa, n: 0.3}
 bodies:
   a:
     material: jc
