@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "contact/evaluate/edges.hpp"
+#include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
 #include "contact/geometry/crossing.hpp"
 
@@ -130,6 +131,18 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
   return false;
 }
 
+/// [N] of the dampers, without what may not pull. That of a soft layer acts in the layer alone, so
+/// that impacts go through it with next to no loss.
+template <int Dim>
+Real damping_of(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, bool bonded,
+                Real closing) {
+  if (!candidate.layer.acts() || bonded)
+    return candidate.damping * plane.ramp * plane.area * closing;
+  const Real most = candidate.stiffness * plane.damped_volume;
+  const Real of_layer = candidate.layer_damping * plane.ramp * plane.area * closing;
+  return std::clamp(of_layer, -most, most) + candidate.damping * plane.firm_area * closing;
+}
+
 template <int Dim>
 ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
                              const CommonPlane<Dim>& plane, const FirstTouch& touch,
@@ -150,7 +163,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   record.spring = candidate.stiffness * plane.volume;
   record.stored = candidate.stiffness * plane.energy;
   limit_by_barrier<Dim>(entities, candidate, plane, closing, step, part.step_limit);
-  record.damping = candidate.damping * plane.ramp * plane.area * closing;
+  record.damping = damping_of(candidate, plane, touch.bonded, closing);
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
   if (!touch.bonded) record.damping = std::max(record.damping, -record.spring);
@@ -238,39 +251,6 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   warm_faces(entities, candidate, step, part);
 }
 
-template <int Dim>
-using Planes = std::array<CommonPlane<Dim>, 4>;
-
-/// What two faces keep from time 0, if anything.
-template <int Dim>
-FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
-                       const Section& section, const FaceCandidate& candidate) {
-  FirstTouch touch;
-  Planes<Dim> planes;
-  const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
-  const Real meets = meeting_distance(lower, upper);
-  for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
-    if (plane.deepest > candidate.limit) return FirstTouch{};  // seen from behind
-    if (!candidate.presses && plane.deepest > meets) {
-      touch.overlap = std::max(touch.overlap, plane.deepest);
-    }
-    const bool bonds = candidate.friction != nullptr && candidate.friction->bonds();
-    touch.bonded = touch.bonded || (bonds && plane.penetration >= -meets);
-  }
-  return touch;
-}
-
-/// Largest penetration of planes 0 .. n - 1 [m], 0 at least.
-template <int Dim>
-Real deepest_of(const Planes<Dim>& planes, int n) {
-  Real deepest = 0;
-  for (int i = 0; i < n; ++i) {
-    deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
-  }
-  return deepest;
-}
-
 /// The first of planes 0 .. n - 1 that comes from behind; nullptr where none does.
 template <int Dim>
 const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
@@ -284,46 +264,6 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
   return nullptr;
 }
 
-/// True where a bond opens beyond its strength.
-template <int Dim>
-bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
-  constexpr Real kWidest = 0.25;  // of the depth: farther, the lists may not see both faces
-  for (int i = 0; i < n; ++i) {
-    const Real opening = std::max(-planes[static_cast<std::size_t>(i)].penetration, 0.0);
-    if (candidate.stiffness * opening > candidate.friction->tension) return true;
-    if (opening > kWidest * candidate.limit) return true;
-  }
-  return false;
-}
-
-/// The planes that carry force, with what is left of the first touch of their faces.
-template <int Dim>
-int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-              const FaceCandidate& candidate, const TouchStep& step, FirstTouch& touch,
-              Planes<Dim>& planes) {
-  const bool has_friction = candidate.friction != nullptr;
-  if (!touch.matters()) {
-    return common_planes<Dim>(lower, upper, section, planes,
-                              {.middle = has_friction, .barrier = candidate.barrier()});
-  }
-  if (!step.again) {
-    touch.bonded = touch.bonded && !touch.slips;
-    touch.slips = false;
-  }
-  int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
-  touch.overlap = std::min(touch.overlap, deepest_of<Dim>(planes, n));
-  touch.bonded = touch.bonded && n > 0;
-  if (touch.bonded) {
-    n = common_planes<Dim>(
-        lower, upper, section, planes,
-        {.middle = true, .opening = -touch.overlap, .whole = true, .barrier = candidate.barrier()});
-    if (!tears(planes, n, candidate)) return n;
-    touch.bonded = false;
-  }
-  return common_planes<Dim>(
-      lower, upper, section, planes,
-      {.middle = has_friction, .opening = -touch.overlap, .barrier = candidate.barrier()});
-}
 }  // namespace
 
 template <int Dim>

@@ -14,6 +14,8 @@ struct ParticleLaw {
   Real own = 0;        ///< [N/m] phi times the particle's own spring, per breadth
   Real zeta = 0;
   const PairOptions* friction = nullptr;  ///< the pair's options where it has friction
+  SoftLayer layer{};                      ///< over the spring, where one body rests on the other
+  Real layer_zeta = 0;
 };
 
 /// (2 r)^(Dim - 1): the section of a particle per breadth.
@@ -25,11 +27,17 @@ Real section_of(const ContactParticle& particle) {
 
 template <int Dim>
 ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face,
-                   const PairOptions& options) {
+                   const PairOptions& options, const RestingLayer& rests) {
   const Real own = particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
   const Real of_face = face.stiffness * section_of<Dim>(particle);
-  return {options.stiffness * contact_spring(own, true, of_face, face.deforms()),
-          options.stiffness * own, options.damping, options.has_friction() ? &options : nullptr};
+  ParticleLaw law{options.stiffness * contact_spring(own, true, of_face, face.deforms()),
+                  options.stiffness * own, options.damping,
+                  options.has_friction() ? &options : nullptr};
+  if (rests.acts()) {
+    law.layer = {rests.softness(law.stiffness / section_of<Dim>(particle)), rests.depth};
+    law.layer_zeta = RestingLayer::damping_beside(options.damping);
+  }
+  return law;
 }
 
 /// How far behind the face the particle is held [m]. In front of a thin rigid body it no longer

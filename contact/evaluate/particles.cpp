@@ -155,6 +155,17 @@ Real stiffness_of(const ParticleSpring& spring, Real overlap, const Present<Dim>
   return spring.linear + (tangent - spring.linear) * mass / shared;
 }
 
+/// [N] of the dampers: that of a soft layer acts in the layer alone.
+template <int Dim>
+Real damping_of(const ParticleLaw& law, const ParticleSpring& spring, const ParticleHit<Dim>& hit,
+                Real mass, Real closing) {
+  if (!law.layer.acts()) return hit.damping * closing;
+  const Real most = spring.linear * law.layer.most_damped(hit.overlap);
+  const Real of_layer = damping_coefficient(law.layer_zeta, spring.linear, mass) * closing;
+  return std::clamp(of_layer, -most, most) +
+         (hit.overlap > law.layer.depth ? hit.damping * closing : 0.0);
+}
+
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
 void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
@@ -188,11 +199,12 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
   const ParticleSpring spring{law.stiffness * now.breadth,
                               barrier_of(law, now.particle, face) * now.breadth,
-                              now.particle.radius};
+                              now.particle.radius, law.layer};
   hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
   record.stored = hit.share * spring.energy(hit.overlap);
-  record.damping = std::max(hit.share * hit.damping * closing, -record.spring);
+  record.damping =
+      std::max(hit.share * damping_of(law, spring, hit, mass, closing), -record.spring);
   if (mass > 0) {
     const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
     squared_frequency += hit.share * stiffness_of(spring, coming, now, face, mass) / mass;
@@ -260,15 +272,16 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
-    const auto law = law_of(now.particle, entities.faces[static_cast<std::size_t>(hit.face)],
-                            pairs.of(now.particle.body, hit.body));
+    const auto law =
+        law_of(now.particle, entities.faces[static_cast<std::size_t>(hit.face)],
+               pairs.of(now.particle.body, hit.body), pairs.resting(now.particle.body, hit.body));
     fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
     if (hit.inside) note_deep(entities, hit, step.longest, part);
     if (law.friction != nullptr && history != nullptr) {
       add_friction(entities, now, law, hit, section, dt, *history, part);
     }
-    load.zeta = std::max(load.zeta, law.zeta);
+    load.zeta = std::max(load.zeta, law.zeta + law.layer_zeta);
   }
   const Real lag = lag_factor(load.zeta), least = part.step_limit.step;
   // Most steps are longer than one that is known, which spares a root and a division.

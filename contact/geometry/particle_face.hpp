@@ -1,7 +1,10 @@
 #pragma once
 #include <vector>
 
+#include <algorithm>
+
 #include "contact/geometry/face_plane.hpp"
+#include "contact/geometry/soft_layer.hpp"
 
 namespace brunt {
 
@@ -72,18 +75,26 @@ template <int Dim>
 void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits);
 
 /// The spring of a particle, a function of its overlap d: k d, and b (d - r)^3 / r^2 more where the
-/// centre is behind the surface, so that it turns back before a thin face lets it through.
+/// centre is behind the surface, so that it turns back before a thin face lets it through. In a
+/// soft layer s k d, beyond it s k d + (1 - s) k (d - d_s).
 struct ParticleSpring {
   Real linear = 0;   ///< [N/m] k
   Real barrier = 0;  ///< [N/m] b
   Real radius = 0;   ///< [m] r
+  SoftLayer layer{};
+  /// What the whole spring has and the softer one lacks, of a force and of an energy, per k.
+  Real lacking(Real d) const { return (1 - layer.softness) * std::min(d, layer.depth); }
+  Real lacking_energy(Real d) const {
+    const Real in = std::min(d, layer.depth);
+    return (1 - layer.softness) * in * (d - 0.5 * in);
+  }
   Real force(Real d) const {
     const Real deep = d > radius ? d - radius : 0.0;
-    return linear * d + barrier * deep * (deep / radius) * (deep / radius);
+    return linear * (d - lacking(d)) + barrier * deep * (deep / radius) * (deep / radius);
   }
   Real energy(Real d) const {
     const Real deep = d > radius ? d - radius : 0.0;
-    return 0.5 * linear * d * d +
+    return linear * (0.5 * d * d - lacking_energy(d)) +
            0.25 * barrier * (deep * deep) * (deep / radius) * (deep / radius);
   }
   Real tangent(Real d) const {

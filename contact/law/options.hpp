@@ -57,6 +57,9 @@ struct PairOptions {
   Real cohesion = 0;  ///< [Pa] shear strength without pressure of faces that touch at time 0
   Real tension = 0;   ///< [Pa] tensile strength of faces that touch at time 0
   InitialOverlap initial_overlap = InitialOverlap::track;
+  /// Pressure, in weights of the body that rests, as far as which a soft layer lets it come to
+  /// rest.
+  Real resting_layer = 3;
 
   ContactHeat heat{};
   FrictionHeat friction_heat{};
@@ -125,6 +128,10 @@ inline void describe(Schema& s, PairOptions& pair) {
             "bodies that overlap at time 0 feel it once they have opened (track) or at once "
             "(press)"},
            pair.initial_overlap, kInitialOverlap);
+  s.real({"resting_layer",
+          "pressure, in weights of the body that rests, up to which contact under gravity is soft "
+          "and damped, so that bodies come to rest; none where it is 0, or damping is"},
+         pair.resting_layer, {"1", at_least(0), between(0, 1000)});
   s.one_of({"heat", "whether heat passes between them where they touch"}, pair.heat);
   s.object({"friction_heat", "what becomes of the heat of friction"}, pair.friction_heat);
   s.later(kLater);
@@ -137,6 +144,7 @@ inline constexpr std::size_t kMostReportedPairs = 1000;
 
 /// Contact as the scene hands it to the manager: options resolved for each pair of body labels.
 struct ContactOptions {
+  std::vector<Real> gravity;                             ///< [m/s^2] as of the deck; empty: none
   PairOptions fallback;                                  ///< `default`
   std::map<std::pair<Label, Label>, PairOptions> pairs;  ///< keys with first <= second
   std::map<std::pair<Label, Label>, std::string> pair_names;

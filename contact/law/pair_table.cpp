@@ -107,6 +107,31 @@ const PairOptions& PairTable::of(Label a, Label b) const {
   return it == given_.end() ? fallback_ : it->second;
 }
 
+void PairTable::lay(const std::map<Label, RestingBody>& bodies, Real gravity) {
+  const auto body = [&](Label label) {
+    const auto it = bodies.find(label);
+    return it == bodies.end() ? RestingBody{} : it->second;
+  };
+  for (const auto& [a, b] : pairs_) {
+    const PairOptions& pair = of(a, b);
+    // What is to have no damping has none here either.
+    const Real weights = pair.damping > 0 ? pair.resting_layer : 0.0;
+    const RestingLayer layer = resting_layer(body(a), body(b), gravity, weights);
+    if (!layer.acts()) continue;
+    resting_[{a, b}] = layer;
+    for (const Label label : {a, b}) {
+      auto& most = strongest_[label].damping;
+      most = std::max(most, pair.damping + RestingLayer::damping_beside(pair.damping));
+    }
+  }
+}
+
+const RestingLayer& PairTable::resting(Label a, Label b) const {
+  static const RestingLayer kNone;
+  const auto it = resting_.find({std::min(a, b), std::max(a, b)});
+  return it == resting_.end() ? kNone : it->second;
+}
+
 PairOptions PairTable::strongest(Label body) const {
   const auto it = strongest_.find(body);
   return it == strongest_.end() ? PairOptions{true, 0, 0, {}} : it->second;

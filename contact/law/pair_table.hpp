@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/law/options.hpp"
+#include "contact/law/resting_layer.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
@@ -21,6 +22,10 @@ class PairTable {
             std::vector<std::string> body_names);
 
   const PairOptions& of(Label a, Label b) const;
+  /// Lets bodies rest on soft layers, as of their weights under gravity [m/s^2].
+  void lay(const std::map<Label, RestingBody>& bodies, Real gravity);
+  /// The layer between two bodies; none where `acts()` is false.
+  const RestingLayer& resting(Label a, Label b) const;
   /// True where the faces of each piece of a body may touch each other too.
   bool touches_itself(Label body) const { return selves_.count(body) != 0; }
   /// Options by which particles of two bodies touch each other; none where they do not.
@@ -59,6 +64,7 @@ class PairTable {
   PairOptions fallback_;
   std::map<std::pair<Label, Label>, PairOptions> given_;
   std::map<Label, PairOptions> strongest_;
+  std::map<std::pair<Label, Label>, RestingLayer> resting_;    // first <= second
   std::map<std::pair<Label, Label>, std::string> pair_names_;  // those of the deck
   std::set<std::pair<Label, Label>> turned_;                   // as of ContactOptions
   std::vector<std::string> body_names_;
@@ -78,17 +84,26 @@ class PairFinder {
  public:
   explicit PairFinder(const PairTable& pairs) : pairs_(pairs) {}
   const PairOptions& of(Label a, Label b) {
-    if (options_ == nullptr || a != a_ || b != b_) {
-      options_ = &pairs_.of(a, b);
-      a_ = a, b_ = b;
-    }
+    find(a, b);
     return *options_;
+  }
+  const RestingLayer& resting(Label a, Label b) {
+    find(a, b);
+    return *resting_;
   }
 
  private:
+  void find(Label a, Label b) {
+    if (options_ != nullptr && a == a_ && b == b_) return;
+    options_ = &pairs_.of(a, b);
+    resting_ = &pairs_.resting(a, b);
+    a_ = a, b_ = b;
+  }
+
   const PairTable& pairs_;
   Label a_ = 0, b_ = 0;
   const PairOptions* options_ = nullptr;
+  const RestingLayer* resting_ = nullptr;
 };
 
 }  // namespace brunt

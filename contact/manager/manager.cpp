@@ -108,6 +108,10 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
                                     std::vector<Surface<Dim>*> surfaces,
                                     std::vector<std::string> body_names, Real depth) {
   PairTable pairs(options, surfaces, body_names);
+  if (!options.gravity.empty()) {
+    const Vec<Dim> gravity = Eigen::Map<const Vec<Dim>>(options.gravity.data());
+    pairs.lay(resting_bodies<Dim>(surfaces, {geometry, depth}, gravity), gravity.norm());
+  }
   set_needs(surfaces, pairs);
   implementation_ = std::make_unique<Implementation>(
       options, Section{geometry, depth}, std::move(pairs), std::move(surfaces), ContactRanks{});

@@ -167,9 +167,9 @@ TEST(SlidingBlock, SlidesAsCoulombSays) {
 
 // From rest, damped until 0.2 s, and looked at from 0.22 s on, the row of that number. At 16.6 deg
 // it then stays to rounding. At 16.8 deg it slides: mu g cos a is 157 times the difference that
-// moves it, and faces that lean take or add up to 4e-5 of that; 1 %. (With the springs' default
-// damping an elastic block flutters at slips this slow; where its corners stick and lift, it is
-// held back by 2 % less, with a fifth of the time step too.)
+// moves it, and faces that lean take or add 4e-5 of that on springs as stiff as elements, 0.6 %. On
+// its layer, d = 2.5 rho g H^2/M deep, friction shifts the pressure by e = mu H/2, so that the face
+// leans by 12 e d/w^2 = 2e-5 and the common plane by half of it: 0.5 % more. In all 1.3 %.
 TEST(SlidingBlock, SlipsIfAndOnlyIfItsInclineIsSteeper) {
   for (const int dim : {2, 3}) {
     for (const bool meshed : {false, true}) {
@@ -190,7 +190,7 @@ TEST(SlidingBlock, SlipsIfAndOnlyIfItsInclineIsSteeper) {
                    time = slipping.run.column("time");
         const Real a = slipping.angle(), wanted = kGravity * (std::sin(a) - kMu * std::cos(a));
         const Real taken = (v.back() - v[220]) / (time.back() - time[220]);
-        EXPECT_NEAR(taken, wanted, 1e-2 * wanted);
+        EXPECT_NEAR(taken, wanted, 1.3e-2 * wanted);
       }
     }
   }

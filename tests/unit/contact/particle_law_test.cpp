@@ -25,14 +25,14 @@ ContactFace<3> face() {
 TEST(ParticleLaw, SpringsOfBothSidesAreInSeries) {
   PairOptions options;
   options.stiffness = 0.25, options.damping = 0.1;
-  const ParticleLaw law = law_of(particle(), face(), options);
+  const ParticleLaw law = law_of(particle(), face(), options, {});
   EXPECT_DOUBLE_EQ(law.stiffness, 0.25 * (2e9 * 3e9) / (2e9 + 3e9));
   EXPECT_DOUBLE_EQ(law.own, 0.25 * 2e9);
   EXPECT_EQ(law.zeta, 0.1);
   EXPECT_EQ(law.friction, nullptr);
   ContactFace<3> rigid = face();
   rigid.stiffness = 0;
-  EXPECT_DOUBLE_EQ(law_of(particle(), rigid, options).stiffness, 0.25 * 2e9);
+  EXPECT_DOUBLE_EQ(law_of(particle(), rigid, options, {}).stiffness, 0.25 * 2e9);
 }
 
 TEST(ParticleLaw, SectionIsASquareOrAnEdge) {
@@ -64,7 +64,7 @@ TEST(ParticleLaw, BarrierStopsFiveSpeedsOfSoundBeforeTheMiddle) {
   PairOptions options;
   options.stiffness = 0.5;
   const ContactParticle one = particle();
-  const ParticleLaw law = law_of(one, face(), options);
+  const ParticleLaw law = law_of(one, face(), options, {});
   const Real energy = 12.5 * 2e9;
   for (const Real radii : {0.1, 0.5, 1.0, std::sqrt(5.0), 3.0, kInfinity}) {
     ContactFace<3> plate = face();

@@ -1,0 +1,97 @@
+#include "contact/evaluate/face_planes.hpp"
+
+#include <algorithm>
+
+#include "contact/evaluate/evaluate.hpp"
+
+namespace brunt {
+
+namespace {
+/// Planes that push, with the layer on which bodies rest.
+template <int Dim>
+int pressing_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
+                    const Section& section, const FaceCandidate& candidate, Real opening,
+                    Planes<Dim>& planes) {
+  const PlaneNeeds needs{
+      .middle = candidate.friction != nullptr, .opening = opening, .barrier = candidate.barrier()};
+  if (!candidate.layer.acts()) return common_planes<Dim>(lower, upper, section, planes, needs);
+  return layered_planes<Dim>(lower, upper, section, candidate.layer, planes, needs);
+}
+
+/// True where a bond opens beyond its strength.
+template <int Dim>
+bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
+  constexpr Real kWidest = 0.25;  // of the depth: farther, the lists may not see both faces
+  for (int i = 0; i < n; ++i) {
+    const Real opening = std::max(-planes[static_cast<std::size_t>(i)].penetration, 0.0);
+    if (candidate.stiffness * opening > candidate.friction->tension) return true;
+    if (opening > kWidest * candidate.limit) return true;
+  }
+  return false;
+}
+}  // namespace
+
+template <int Dim>
+FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
+                       const Section& section, const FaceCandidate& candidate) {
+  FirstTouch touch;
+  Planes<Dim> planes;
+  const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
+  const Real meets = meeting_distance(lower, upper);
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    if (plane.deepest > candidate.limit) return FirstTouch{};  // seen from behind
+    if (!candidate.presses && plane.deepest > meets) {
+      touch.overlap = std::max(touch.overlap, plane.deepest);
+    }
+    const bool bonds = candidate.friction != nullptr && candidate.friction->bonds();
+    touch.bonded = touch.bonded || (bonds && plane.penetration >= -meets);
+  }
+  return touch;
+}
+
+template <int Dim>
+Real deepest_of(const Planes<Dim>& planes, int n) {
+  Real deepest = 0;
+  for (int i = 0; i < n; ++i) {
+    deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
+  }
+  return deepest;
+}
+
+template <int Dim>
+int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
+              const FaceCandidate& candidate, const TouchStep& step, FirstTouch& touch,
+              Planes<Dim>& planes) {
+  if (!touch.matters()) {
+    return pressing_planes<Dim>(lower, upper, section, candidate, 0, planes);
+  }
+  if (!step.again) {
+    touch.bonded = touch.bonded && !touch.slips;
+    touch.slips = false;
+  }
+  int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
+  touch.overlap = std::min(touch.overlap, deepest_of<Dim>(planes, n));
+  touch.bonded = touch.bonded && n > 0;
+  if (touch.bonded) {
+    n = common_planes<Dim>(
+        lower, upper, section, planes,
+        {.middle = true, .opening = -touch.overlap, .whole = true, .barrier = candidate.barrier()});
+    if (!tears(planes, n, candidate)) return n;
+    touch.bonded = false;
+  }
+  return pressing_planes<Dim>(lower, upper, section, candidate, -touch.overlap, planes);
+}
+
+template FirstTouch first_touch<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
+                                   const FaceCandidate&);
+template Real deepest_of<2>(const Planes<2>&, int);
+template int planes_of<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
+                          const FaceCandidate&, const TouchStep&, FirstTouch&, Planes<2>&);
+template FirstTouch first_touch<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
+                                   const FaceCandidate&);
+template Real deepest_of<3>(const Planes<3>&, int);
+template int planes_of<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
+                          const FaceCandidate&, const TouchStep&, FirstTouch&, Planes<3>&);
+
+}  // namespace brunt

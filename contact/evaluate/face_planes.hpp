@@ -1,0 +1,27 @@
+#pragma once
+#include "contact/contacts/first_touch.hpp"
+#include "contact/search/candidates.hpp"
+
+namespace brunt {
+
+/// The common planes of two faces: up to four where both are split.
+template <int Dim>
+using Planes = std::array<CommonPlane<Dim>, 4>;
+
+/// What two faces keep from time 0, if anything.
+template <int Dim>
+FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
+                       const Section& section, const FaceCandidate& candidate);
+
+/// Largest penetration of planes 0 .. n - 1 [m], 0 at least.
+template <int Dim>
+Real deepest_of(const Planes<Dim>& planes, int n);
+
+/// Sets the planes that carry force and returns how many: with the layer on which bodies rest, and
+/// as what is left of the first touch of their faces says.
+template <int Dim>
+int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
+              const FaceCandidate& candidate, const TouchStep& step, FirstTouch& touch,
+              Planes<Dim>& planes);
+
+}  // namespace brunt
