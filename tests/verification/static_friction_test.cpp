@@ -33,7 +33,8 @@ const char* const kInSpace = R"(
 geometry: 3d
 gravity: [= $g * sin($angle), 0, = -$g * cos($angle)]
 bodies:
-  block: {material: rubber, shape: {box: {min: [-50 mm, -50 mm, 0], max: [50 mm, 50 mm, 40 mm]}}, size: $size}
+  block: {material: rubber, shape: {box: {min: [-50 mm, -50 mm, 0], max: [50 mm, 50 mm, 40 mm]}},
+          size: $size}
 )";
 const char* const kRigid[2] = {
     "  slope: {rigid: true, shape: {plane: {origin: [0, 0], normal: y, extent: 2 m}}}\n",
