@@ -134,13 +134,14 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
 /// [N] of the dampers, without what may not pull. That of a soft layer acts in the layer alone, so
 /// that impacts go through it with next to no loss.
 template <int Dim>
-Real damping_of(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, bool bonded,
-                Real closing) {
-  if (!candidate.layer.acts() || bonded)
-    return candidate.damping * plane.ramp * plane.area * closing;
-  const Real most = candidate.stiffness * plane.damped_volume;
-  const Real of_layer = candidate.layer_damping * plane.ramp * plane.area * closing;
-  return std::clamp(of_layer, -most, most) + candidate.damping * plane.firm_area * closing;
+Real damping_of(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, Real closing) {
+  const Real area = plane.ramp * plane.area;
+  if (plane.layered == 0) return candidate.damping * area * closing;
+  const auto& layer = candidate.layer;
+  const Real part = layer.damped(plane.layered);
+  const Real most = candidate.stiffness * area * layer.most_damped(plane.layered);
+  return std::clamp(part * candidate.layer_damping * area * closing, -most, most) +
+         (1 - part) * candidate.damping * area * closing;
 }
 
 template <int Dim>
@@ -163,7 +164,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   record.spring = candidate.stiffness * plane.volume;
   record.stored = candidate.stiffness * plane.energy;
   limit_by_barrier<Dim>(entities, candidate, plane, closing, step, part.step_limit);
-  record.damping = damping_of(candidate, plane, touch.bonded, closing);
+  record.damping = damping_of(candidate, plane, closing);
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
   if (!touch.bonded) record.damping = std::max(record.damping, -record.spring);

@@ -35,7 +35,7 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
                   options.has_friction() ? &options : nullptr};
   if (rests.acts()) {
     law.layer = {rests.softness(law.stiffness / section_of<Dim>(particle)), rests.depth};
-    law.layer_zeta = RestingLayer::damping_beside(options.damping);
+    law.layer_zeta = RestingLayer::damping_of(options.damping);
   }
   return law;
 }

@@ -160,10 +160,10 @@ template <int Dim>
 Real damping_of(const ParticleLaw& law, const ParticleSpring& spring, const ParticleHit<Dim>& hit,
                 Real mass, Real closing) {
   if (!law.layer.acts()) return hit.damping * closing;
+  const Real part = law.layer.damped(hit.overlap);
   const Real most = spring.linear * law.layer.most_damped(hit.overlap);
   const Real of_layer = damping_coefficient(law.layer_zeta, spring.linear, mass) * closing;
-  return std::clamp(of_layer, -most, most) +
-         (hit.overlap > law.layer.depth ? hit.damping * closing : 0.0);
+  return std::clamp(part * of_layer, -most, most) + (1 - part) * hit.damping * closing;
 }
 
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
@@ -281,7 +281,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
     if (law.friction != nullptr && history != nullptr) {
       add_friction(entities, now, law, hit, section, dt, *history, part);
     }
-    load.zeta = std::max(load.zeta, law.zeta + law.layer_zeta);
+    load.zeta = std::max({load.zeta, law.zeta, law.layer_zeta});
   }
   const Real lag = lag_factor(load.zeta), least = part.step_limit.step;
   // Most steps are longer than one that is known, which spares a root and a division.

@@ -21,7 +21,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Face
   if (!(facing > ramp.none)) return false;
   plane.facing = facing;
   plane.share = 0;
-  plane.damped_volume = plane.firm_area = 0;
+  plane.layered = 0;
   plane.fade = 1;
   plane.barrier = barrier.at(facing);
   plane.ramp = ramp.at(facing);

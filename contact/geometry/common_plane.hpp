@@ -61,9 +61,7 @@ struct CommonPlane {
   Real energy_by_facing = 0;  ///< [m^4] by `facing`, of what fades in with it
   Real penetration = 0;       ///< [m] at `point`
   Real deepest = 0;           ///< [m] largest penetration
-  /// Where a soft layer lies over the spring (contact/geometry/soft_layer.hpp): the most that its
-  /// damper pushes, per k [m^3], and the area [m^2], times ramp, where it is used up.
-  Real damped_volume = 0, firm_area = 0;
+  Real layered = 0;           ///< [m] mean penetration, where a soft layer lies over the spring
   Real mean_slope = 1;        ///< of the pressure, over k: its mean over the area; 1: no barrier
   std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};

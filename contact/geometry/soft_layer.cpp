@@ -16,8 +16,7 @@ void mix(Value& of_layer, Real part, const Value& of_firm, Real rest) {
 template <int Dim>
 void soften(const SoftLayer& layer, CommonPlane<Dim>& plane) {
   const Real s = layer.softness;
-  const Real area = plane.ramp * plane.area;
-  plane.damped_volume = area * layer.most_damped(plane.volume / area);
+  plane.layered = plane.volume / (plane.ramp * plane.area);
   plane.volume *= s;
   plane.energy *= s;
   plane.mean_slope = 1 + s * (plane.mean_slope - 1);
@@ -37,7 +36,6 @@ void add_firm(Real rest, const CommonPlane<Dim>& firm, CommonPlane<Dim>& plane) 
   plane.point += share * (firm.point - plane.point);
   plane.volume = all;
   plane.energy += rest * firm.energy;
-  plane.firm_area = firm.ramp * firm.area;
   if (!(firm.share > 0)) return;
   if (!(plane.share > 0)) {
     plane.lower_push.fill(Vec<Dim>::Zero());

@@ -121,7 +121,7 @@ void PairTable::lay(const std::map<Label, RestingBody>& bodies, Real gravity) {
     resting_[{a, b}] = layer;
     for (const Label label : {a, b}) {
       auto& most = strongest_[label].damping;
-      most = std::max(most, pair.damping + RestingLayer::damping_beside(pair.damping));
+      most = std::max(most, RestingLayer::damping_of(pair.damping));
     }
   }
 }

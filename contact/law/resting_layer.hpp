@@ -24,7 +24,7 @@ struct RestingLayer {
   static constexpr Real kStiffness = 0.4;  ///< of the spring M/H of the body that rests
   static constexpr Real kDamping = 0.2;    ///< its least fraction of critical, of the whole spring
   /// That of the layer between a pair with its own.
-  static Real damping_beside(Real zeta) { return std::max(zeta, kDamping); }
+  static Real damping_of(Real zeta) { return std::max(zeta, kDamping); }
 };
 
 /// What a body's weight says of the layer that it rests on.

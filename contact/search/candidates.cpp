@@ -174,7 +174,7 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     if (const auto& rests = pairs.resting(a.body, b.body); rests.acts()) {
       candidate.layer = {rests.softness(candidate.stiffness), rests.depth};
       candidate.layer_damping =
-          damping_coefficient(RestingLayer::damping_beside(options.damping), candidate.stiffness,
+          damping_coefficient(RestingLayer::damping_of(options.damping), candidate.stiffness,
                               in_series(a.areal_mass, b.areal_mass));
     }
     candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);

@@ -48,12 +48,7 @@ TEST(SoftLayer, FlatFacesHaveItsPressureAndItsEnergy) {
     ASSERT_EQ(layered_planes<3>(square(0, true), square(-g, false), {}, kLayer, space, {}), 1);
     EXPECT_NEAR(space[0].volume, pressure(g), 1e-14);
     EXPECT_NEAR(space[0].energy, energy(g), 1e-14);
-    EXPECT_NEAR(space[0].firm_area, g > kLayer.depth ? 1 : 0, 1e-14);
-    EXPECT_NEAR(space[0].damped_volume,
-                g < 0.02   ? 0.1 * g
-                : g < 0.04 ? 0.1 * (0.04 - g)
-                           : 0,
-                1e-14);
+    EXPECT_NEAR(space[0].layered, g, 1e-14);
     std::array<CommonPlane<2>, 4> plane;
     const Section section{Geometry::plane_strain, 1};
     ASSERT_EQ(
@@ -163,13 +158,16 @@ TEST(SoftLayer, ParticlesHaveItToo) {
   }
 }
 
-// Pressed through the layer by a damper at its most, and back, faces lose s k d^2: the area of the
-// triangle below it, twice.
+// Pressed through the layer by a damper at its most, and back, faces lose 2 s k d^2: the triangle
+// below it, twice. From 2 d on the damper is that of the spring below.
 TEST(SoftLayer, TakesNoMoreThanTheEnergyOfItsDamper) {
   Real sum = 0;
   const int n = 1000;
   for (int i = 0; i < n; ++i) sum += kLayer.most_damped((i + 0.5) * 3 * 0.02 / n) * 3 * 0.02 / n;
   EXPECT_NEAR(2 * sum, 2 * 0.1 * 0.02 * 0.02, 1e-8);
+  EXPECT_EQ(kLayer.damped(0.02), 1);
+  EXPECT_DOUBLE_EQ(kLayer.damped(0.03), 0.5);
+  EXPECT_EQ(kLayer.damped(0.04), 0);
 }
 
 }  // namespace
