@@ -102,14 +102,8 @@ contact:
       heat: {conductance: 2e4 W/m^2/K}
     ac: {between: [a, c], friction: {static: 0.4, kinetic: 0.4, decay: 0}}
     ag: {between: [a, g], friction: "= 0.3 - v/1000 - T/1e5", shear_limit: true}
-    ad:
-      between: [a, d]
-      friction: 0.3
-      cohesion: 1 MPa
-      tension: 0.5 MPa
-      initial_overlap: press
-      resting_layer: 5
-    dd: {between: [d, d], bonded: true}
+    ad: {between: [a, d], friction: 0.3, cohesion: 1 MPa, tension: 0.5 MPa, initial_overlap: press}
+    dd: {between: [d, d], bonded: true, resting_layer: 5}
 boundaries:
   all: {body: a, where: all, fix: [x]}
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}
