@@ -34,7 +34,7 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
                   options.stiffness * own, options.damping,
                   options.has_friction() ? &options : nullptr};
   if (rests.acts()) {
-    law.layer = {rests.softness(law.stiffness / section_of<Dim>(particle)), rests.depth};
+    law.layer = rests.over(law.stiffness / section_of<Dim>(particle), 2 * particle.radius);
     law.layer_zeta = RestingLayer::damping_of(options.damping);
   }
   return law;

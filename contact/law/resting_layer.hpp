@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "contact/geometry/common_plane.hpp"
+#include "contact/geometry/soft_layer.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
@@ -18,9 +18,14 @@ struct RestingLayer {
   Real stiffness = 0;  ///< [Pa/m]; 0: there is none
   Real depth = 0;      ///< [m] of penetration that the soft spring is alone
 
-  /// Part of a spring k [Pa/m] that acts in it, 0 .. 1; 1: all of it.
-  Real softness(Real k) const { return stiffness > 0 && stiffness < k ? stiffness / k : 1.0; }
+  /// The layer over a spring k [Pa/m] of faces or particles that let go, or are as large as, `size`
+  /// [m]. No deeper than a part of that: what is so soft that its weight alone would bring it
+  /// farther, or so high, is to sink no deeper than others.
+  SoftLayer over(Real k, Real size) const {
+    return {stiffness > 0 && stiffness < k ? stiffness / k : 1.0, std::min(depth, kMost * size)};
+  }
   bool acts() const { return stiffness > 0; }
+  static constexpr Real kMost = 0.02;      ///< of the size of what touches
   static constexpr Real kStiffness = 0.4;  ///< of the spring M/H of the body that rests
   static constexpr Real kDamping = 0.2;    ///< its least fraction of critical, of the whole spring
   /// That of the layer between a pair with its own.

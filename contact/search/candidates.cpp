@@ -171,14 +171,14 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
         options.stiffness * contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
     candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
                                             in_series(a.areal_mass, b.areal_mass));
+    candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
+    if (same_piece(a, b)) candidate.limit *= kDeepestInside;
     if (const auto& rests = pairs.resting(a.body, b.body); rests.acts()) {
-      candidate.layer = {rests.softness(candidate.stiffness), rests.depth};
+      candidate.layer = rests.over(candidate.stiffness, candidate.limit);
       candidate.layer_damping =
           damping_coefficient(RestingLayer::damping_of(options.damping), candidate.stiffness,
                               in_series(a.areal_mass, b.areal_mass));
     }
-    candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
-    if (same_piece(a, b)) candidate.limit *= kDeepestInside;
     if (options.has_friction()) candidate.friction = &options;
     if (a.capacity > 0 && b.capacity > 0 && options.passes_heat()) candidate.heat = &options.heat;
     candidate.presses = options.initial_overlap == InitialOverlap::press;

@@ -20,8 +20,19 @@ TEST(RestingLayer, IsSoftAsTheBodyAndAsDeepAsItsWeights) {
   const RestingLayer layer = resting_layer(block, rigid, kG, 3);
   EXPECT_DOUBLE_EQ(layer.stiffness, 0.4 * 1e7 / 0.04);
   EXPECT_NEAR(layer.depth, 3 * 1000 * kG * 0.04 / layer.stiffness, 1e-18);
-  EXPECT_DOUBLE_EQ(layer.softness(10 * layer.stiffness), 0.1);
-  EXPECT_EQ(layer.softness(0.5 * layer.stiffness), 1);  // never stiffer than the contact
+  EXPECT_DOUBLE_EQ(layer.over(10 * layer.stiffness, 1).softness, 0.1);
+  EXPECT_EQ(layer.over(0.5 * layer.stiffness, 1).softness, 1);  // never stiffer than the contact
+  EXPECT_EQ(layer.over(10 * layer.stiffness, 1).depth, layer.depth);
+}
+
+// A metre of jelly would sink in by 0.4 m, 1,000 m of rock by 6 m: not deeper than 2 % of what
+// touches.
+TEST(RestingLayer, IsNoDeeperThanAPartOfWhatTouches) {
+  for (const auto& soft : {body(1, 1e5, 1000), body(1000, 1e10, 2600)}) {
+    const RestingLayer layer = resting_layer(soft, {}, kG, 3);
+    EXPECT_GT(layer.depth, 0.4);
+    EXPECT_DOUBLE_EQ(layer.over(1e12, 0.05).depth, 1e-3);
+  }
 }
 
 TEST(RestingLayer, IsThatOfTheLowerBody) {
