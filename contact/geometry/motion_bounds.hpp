@@ -14,8 +14,9 @@ struct MotionBounds {
 
   void take(const Vec<Dim>& u, const Vec<Dim>& v) {
     u_min = u_min.cwiseMin(u), u_max = u_max.cwiseMax(u);
-    v_min = v_min.cwiseMin(v), v_max = v_max.cwiseMax(v);
+    take_velocity(v);
   }
+  void take_velocity(const Vec<Dim>& v) { v_min = v_min.cwiseMin(v), v_max = v_max.cwiseMax(v); }
   void take(const MotionBounds& other) {
     u_min = u_min.cwiseMin(other.u_min), u_max = u_max.cwiseMax(other.u_max);
     v_min = v_min.cwiseMin(other.v_min), v_max = v_max.cwiseMax(other.v_max);

@@ -183,6 +183,7 @@ void ContactManager<Dim>::Implementation::end_friction() {
   auto& nodes = entities.nodes;
   if (!nodes.has_friction) return;
   wrong_friction.reset();
+  if (!near.any()) return;
   // One pass for all: of a million faces, reading records takes longer than what is done with them.
   TractionSum<Dim> tractions(entities, imports.send_tractions(records, entities));
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {

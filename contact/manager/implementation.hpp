@@ -2,6 +2,7 @@
 #include "contact/contacts/lost.hpp"
 #include "contact/evaluate/evaluate.hpp"
 #include "contact/manager/manager.hpp"
+#include "contact/search/near_bodies.hpp"
 #include "core/errors.hpp"
 
 namespace brunt {
@@ -27,6 +28,9 @@ struct ContactManager<Dim>::Implementation {
   StepLimit longest_after(Real dt) const;
   /// How far ahead [s] speed limits look after a step of dt: the same on all ranks.
   Real look_ahead(Real dt, const StepLimit& longest) const;
+  /// Finds the bodies that may touch others; true where they are not the same as before.
+  /// Collective.
+  bool find_near_bodies(Real ahead);
   /// Tables and lists anew at the present positions; what is booked stays with the points' ids.
   /// with_motion: velocities are those of the step under way, else of the last evaluation.
   void renew(Real ahead, bool with_motion);
@@ -78,6 +82,7 @@ struct ContactManager<Dim>::Implementation {
   RigidSprings rigid;  // of all ranks
   Entities<Dim> entities;
   ContactImports<Dim> imports;
+  NearBodies<Dim> near;
   Candidates<Dim> candidates;
   Records<Dim> records;
   std::vector<ParticleLoad> loads;  // by particle; empty where no row of pairs is there

@@ -46,7 +46,13 @@ StepLimit ContactManager<Dim>::Implementation::longest_after(Real dt) const {
 template <int Dim>
 Real ContactManager<Dim>::Implementation::look_ahead(Real dt, const StepLimit& longest) const {
   if (dt > 0) return step_growth(options.safety) * dt;
-  return -ranks.all->max(-longest.step);
+  // Where nothing is near no face bounds the step: the elements behind them do.
+  return -ranks.all->max(-std::min(longest.step, entities.longest_step));
+}
+
+template <int Dim>
+bool ContactManager<Dim>::Implementation::find_near_bodies(Real ahead) {
+  return near.look(surfaces, entities, pairs, candidates.speed() * ahead, *ranks.all);
 }
 
 template <int Dim>
@@ -55,6 +61,7 @@ void ContactManager<Dim>::Implementation::renew(Real ahead, bool with_motion) {
   if (started) fresh.nodes.inherit(entities.nodes);
   std::swap(entities, fresh);
   entities.longest_step = std::min(entities.longest_step, rigid.step_limit.step);
+  entities.choose(near.near());
   if (with_motion) entities.nodes.read_motion(surfaces);
   entities.refresh_planes();
   candidates.build(entities, pairs, ahead, imports);
@@ -149,10 +156,10 @@ void ContactManager<Dim>::rearrange() {
     return;
   }
   own.entities.refresh_planes();
-  const StepLimit longest = own.longest_after(0);
-  const Real ahead = own.look_ahead(0, longest);
+  const Real ahead = own.look_ahead(0, own.longest_after(0));
   own.renew(ahead, false);
-  own.evaluate(0, longest, ahead, nullptr);
+  if (own.find_near_bodies(ahead)) own.renew(ahead, false);
+  own.evaluate(0, own.longest_after(0), ahead, nullptr);
   own.records.clear();
 }
 
@@ -175,13 +182,17 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
   };
   read_motion();
   own.begin_friction(dt);
-  const StepLimit longest = own.longest_after(dt);
+  StepLimit longest = own.longest_after(dt);
   const Real ahead = own.look_ahead(dt, longest);
   {
     const WallTimer timer(own.list_time, *own.ranks.all);
-    if (!own.candidates.complete(own.entities, ahead, *own.ranks.all)) {
+    const bool complete = own.candidates.complete(own.entities, ahead, *own.ranks.all);
+    const Real speed = own.candidates.speed();
+    const bool others = own.near.due(speed * dt, speed * ahead) && own.find_near_bodies(ahead);
+    if (others || !complete) {
       own.renew(ahead, true);
       read_motion();
+      longest = own.longest_after(dt);
     }
   }
   own.imports.refresh_tractions(own.entities);
@@ -205,7 +216,7 @@ template <int Dim>
 void ContactManager<Dim>::add_heat(Real dt) {
   auto& own = *implementation_;
   auto& nodes = own.entities.nodes;
-  if (!nodes.conduct) return;
+  if (!nodes.conduct || !own.near.any()) return;
   nodes.predict_temperatures(own.surfaces, dt);
   own.imports.refresh_temperatures(nodes.temperature);
   own.complete_pair_heat();
@@ -271,7 +282,7 @@ ContactWork ContactManager<Dim>::work() const {
   return {
       own.candidates.builds(),
       own.candidates.faces().size() + own.candidates.n_particles() + own.candidates.pairs().size(),
-      own.records.size(), own.candidates.skin()};
+      own.records.size(), own.candidates.skin(), own.entities.near_faces.size()};
 }
 
 template <int Dim>

@@ -58,6 +58,7 @@ struct ContactWork {
   std::size_t candidates = 0;  ///< in the present lists
   std::size_t contacts = 0;    ///< that carry force now
   Real skin = 0;               ///< [m]
+  std::size_t near_faces = 0;  ///< of bodies that may touch others soon
 };
 
 /// The one contact manager: automatic pairing of all surfaces, common planes for face on face, the

@@ -63,6 +63,7 @@ void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
   if (nodes.has_friction) own.save_friction(tables);
+  own.near.save_state(tables);
   own.save_touches(tables);
   own.save_lost(tables);
 }
@@ -84,6 +85,7 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   own.dt_last = common.dt_last;
   own.started = common.started != 0;
   if (!own.started) return rearrange();
+  own.near.load_state(tables);
   own.load_touches(tables);
   own.load_lost(tables);
   rearrange();

@@ -30,6 +30,7 @@ void find_nearby(const Entities<Dim>& entities, const PairTable& pairs, SearchMo
   std::vector<std::size_t> piece_of(particles.size());
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto& one = particles[p];
+    if (!entities.is_near(one.body)) continue;
     const auto [it, is_new] = known.try_emplace({one.body, one.piece}, pieces.size());
     if (is_new) pieces.push_back({one.body, boxes[p], {}});
     piece_of[p] = it->second;
@@ -47,6 +48,7 @@ void find_nearby(const Entities<Dim>& entities, const PairTable& pairs, SearchMo
     pieces[static_cast<std::size_t>(j)].beside.push_back(static_cast<std::size_t>(i));
   }
   for (std::size_t p = 0; p < particles.size(); ++p) {
+    if (!entities.is_near(particles[p].body)) continue;
     const auto& beside = pieces[piece_of[p]].beside;
     const bool near = std::any_of(beside.begin(), beside.end(), [&](std::size_t piece) {
       return boxes[p].meets(pieces[piece].bounds);
@@ -83,6 +85,7 @@ template <int Dim>
 SearchBox<Dim> Candidates<Dim>::box_beside_particles(const Entities<Dim>& entities,
                                                      std::size_t particle) const {
   const auto& one = entities.particles[particle];
+  if (!entities.is_near(one.body)) return SearchBox<Dim>::empty();
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
   return finite_box<Dim>(SearchBox<Dim>::about(
       x,

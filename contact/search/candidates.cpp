@@ -131,6 +131,7 @@ Real Candidates<Dim>::way_of_faces(const Entities<Dim>& entities) const {
 
 template <int Dim>
 SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::size_t face) const {
+  if (!entities.is_near(entities.faces[face].body)) return SearchBox<Dim>::empty();
   const auto& plane = entities.planes[face];
   const Real depth = entities.faces[face].rigid() ? entities.deepest : entities.faces[face].depth;
   const Real gap = entities.gap(entities.faces[face].body);
@@ -142,6 +143,7 @@ template <int Dim>
 SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
                                                 std::size_t particle) const {
   const auto& one = entities.particles[particle];
+  if (!entities.is_near(one.body)) return SearchBox<Dim>::empty();
   const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
   const Real ahead = std::max(speed_reach_, entities.gap(one.body));
   const Real deepest = entities.any_open ? kOpenDepthRadii : kDepthRadii;
@@ -151,22 +153,25 @@ SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
 
 template <int Dim>
 void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable& pairs) {
-  const auto& faces = entities.faces;
+  const auto& near = entities.near_faces;
   faces_.clear();
-  std::vector<SearchBox<Dim>> boxes(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) boxes[f] = box_of_face(entities, f);
+  std::vector<SearchBox<Dim>> boxes(near.size());
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    boxes[k] = box_of_face(entities, static_cast<std::size_t>(near[k]));
+  }
+  const auto face = [&](LocalIndex k) -> const ContactFace<Dim>& {
+    return entities.faces[static_cast<std::size_t>(near[static_cast<std::size_t>(k)])];
+  };
   const auto admits = [&](LocalIndex i, LocalIndex j) {
-    const auto& a = faces[static_cast<std::size_t>(i)];
-    const auto& b = faces[static_cast<std::size_t>(j)];
+    const auto &a = face(i), &b = face(j);
     if (!a.owned || (a.rigid() && b.rigid())) return false;
     if (same_piece(a, b) && !(a.deforms() && pairs.touches_itself(a.body))) return false;
     return !share_a_node(a, b) && !pairs.of(a.body, b.body).ignore;
   };
   for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
-    const auto& a = faces[static_cast<std::size_t>(i)];
-    const auto& b = faces[static_cast<std::size_t>(j)];
+    const auto &a = face(i), &b = face(j);
     const PairOptions& options = pairs.of(a.body, b.body);
-    FaceCandidate candidate{i, j};
+    FaceCandidate candidate{near[static_cast<std::size_t>(i)], near[static_cast<std::size_t>(j)]};
     candidate.stiffness =
         options.stiffness * contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
     candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
@@ -191,19 +196,18 @@ template <int Dim>
 void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTable& pairs,
                                      std::vector<LocalIndex>& row_particles,
                                      std::vector<LocalIndex>& row_faces) {
-  const auto& faces = entities.faces;
+  const auto& near_faces = entities.near_faces;
   const auto& particles = entities.particles;
   starts_.clear();
-  if (particles.empty() || faces.empty()) return;
-  std::vector<SearchBox<Dim>> face_boxes(faces.size()), boxes;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    face_boxes[f] = finite_box<Dim>(
-        box_of(entities.planes[f], kReachPerWarp * entities.planes[f].warp + 0.5 * skin_));
+  if (particles.empty() || near_faces.empty()) return;
+  std::vector<SearchBox<Dim>> face_boxes(near_faces.size()), boxes;
+  for (std::size_t k = 0; k < near_faces.size(); ++k) {
+    const auto& plane = entities.planes[static_cast<std::size_t>(near_faces[k])];
+    face_boxes[k] = finite_box<Dim>(box_of(plane, kReachPerWarp * plane.warp + 0.5 * skin_));
   }
   const auto particle_box = [&](std::size_t p) {
-    auto box = box_of_particle(entities, p);
-    if (!particles[p].owned) box.lo.fill(kInfinity);  // its owner looks at faces: it meets none
-    return box;
+    // Its owner looks at faces: it meets none.
+    return particles[p].owned ? box_of_particle(entities, p) : SearchBox<Dim>::empty();
   };
   const auto near = particles_near<Dim>(particles.size(), particle_box, face_boxes, boxes);
   const std::size_t n = near.size();
@@ -211,7 +215,7 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto p = static_cast<std::size_t>(i), f = static_cast<std::size_t>(j);
     if (p >= n || f < n) return false;
-    const auto& face = faces[f - n];
+    const auto& face = entities.faces[static_cast<std::size_t>(near_faces[f - n])];
     const auto& particle = particles[static_cast<std::size_t>(near[p])];
     return !same_piece(particle, face) && !pairs.of(particle.body, face.body).ignore;
   };
@@ -221,7 +225,7 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
       starts_.push_back(row_faces.size());
       row_particles.push_back(i);
     }
-    row_faces.push_back(static_cast<LocalIndex>(static_cast<std::size_t>(j) - n));
+    row_faces.push_back(near_faces[static_cast<std::size_t>(j) - n]);
   }
   starts_.push_back(row_faces.size());
 }
@@ -284,7 +288,7 @@ void Candidates<Dim>::choose_skin(const Entities<Dim>& entities) {
   }
   const auto listed = static_cast<Real>(faces_.size() + n_particles() + pairs_.size());
   if (steps_ == 0) return;
-  const auto boxes = static_cast<Real>(entities.faces.size() + entities.particles.size());
+  const auto boxes = static_cast<Real>(entities.near_faces.size() + entities.particles.size());
   const Real build = kWorkPerEntity * boxes + kWorkPerListed * listed;
   const Real motion = std::max(moved_, 0.0) / static_cast<Real>(steps_);
   // Boxes of four sizes: their number grows by Dim / (4 sizes) a metre.

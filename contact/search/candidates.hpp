@@ -87,6 +87,8 @@ class Candidates {
   /// Where each row begins in pairs(), and their end; empty where there are none.
   std::span<const std::size_t> pair_starts() const { return pair_starts_; }
   Real skin() const { return skin_; }
+  /// Largest relative speed [m/s] of any two nodes, when last looked at.
+  Real speed() const { return speed_; }
   /// How far faces may come in the longest step at the present speeds [m]; 0: no faces are fast
   /// enough to bound the step by their speed (contact/evaluate/face_step_limits.hpp).
   Real way_of_faces(const Entities<Dim>& entities) const;

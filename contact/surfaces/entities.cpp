@@ -221,12 +221,38 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   reaches.resize(faces.size());
   if (nodes.has_friction) tractions.assign(faces.size(), {});
   if (nodes.needs_material) materials.assign(faces.size(), {});
+  find_near();
 }
 
 template <int Dim>
 void Entities<Dim>::add_particles(const std::vector<ContactParticle>& imported) {
   particles.insert(particles.end(), imported.begin(), imported.end());
   if (!imported.empty()) sort_by_id(particles);
+  find_near();
+}
+
+template <int Dim>
+void Entities<Dim>::choose(const std::vector<char>& of_bodies) {
+  near = of_bodies;
+  find_near();
+}
+
+template <int Dim>
+void Entities<Dim>::find_near() {
+  near_faces.clear();
+  std::vector<char> of_node(nodes.size(), near.empty() ? 1 : 0);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& face = faces[f];
+    if (!is_near(face.body)) continue;
+    near_faces.push_back(static_cast<LocalIndex>(f));
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      of_node[static_cast<std::size_t>(face.node[c])] = 1;
+    }
+  }
+  for (const auto& particle : particles) {
+    if (is_near(particle.body)) of_node[static_cast<std::size_t>(particle.node)] = 1;
+  }
+  nodes.choose(of_node);
 }
 
 namespace {
@@ -317,7 +343,8 @@ void Entities<Dim>::refresh_planes() {
   // A few at a time: the roots of a face wait for nothing of its neighbours, and what is looked at
   // is still in the cache.
   constexpr std::size_t kBlock = 64;
-  const std::size_t n = faces.size();
+  const std::size_t n = near_faces.size();
+  const LocalIndex* const face = near_faces.data();
   Seen all;
 #pragma omp parallel if (n > kWorthThreads)
   {
@@ -325,8 +352,8 @@ void Entities<Dim>::refresh_planes() {
 #pragma omp for schedule(static) nowait
     for (std::size_t first = 0; first < n; first += kBlock) {
       const std::size_t last = std::min(first + kBlock, n);
-      for (std::size_t f = first; f < last; ++f) refresh_plane(f);
-      for (std::size_t f = first; f < last; ++f) look_at(f, part);
+      for (std::size_t k = first; k < last; ++k) refresh_plane(static_cast<std::size_t>(face[k]));
+      for (std::size_t k = first; k < last; ++k) look_at(static_cast<std::size_t>(face[k]), part);
     }
 #pragma omp critical(brunt_contact_step_limit)
     all.take(part);
@@ -345,8 +372,9 @@ void Entities<Dim>::mark_planes() {
 
 template <int Dim>
 void Entities<Dim>::refresh_reaches() {
-#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
-  for (std::size_t f = 0; f < faces.size(); ++f) {
+#pragma omp parallel for schedule(static) if (near_faces.size() > kWorthThreads)
+  for (std::size_t k = 0; k < near_faces.size(); ++k) {
+    const auto f = static_cast<std::size_t>(near_faces[k]);
     const auto& face = faces[f];
     const Real depth = face.rigid() ? deepest : face.depth;
     reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);

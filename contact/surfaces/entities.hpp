@@ -101,7 +101,9 @@ struct Entities {
   ContactNodes<Dim> nodes;
   std::vector<ContactFace<Dim>> faces;
   std::vector<ContactParticle> particles;
-  std::vector<FacePlane<Dim>> planes;        ///< of each face, at nodes.x
+  std::vector<char> near;                    ///< by body; empty: all are (search/near_bodies.hpp)
+  std::vector<LocalIndex> near_faces;        ///< faces of near bodies, ascending
+  std::vector<FacePlane<Dim>> planes;        ///< of each near face, at nodes.x
   std::vector<FaceShape<Dim>> shapes;        ///< of each face when its lists were built
   Real warped = 0;                           ///< [m] largest growth of a warp since then
   Real turned = 0;                           ///< largest change of a normal since then
@@ -137,11 +139,14 @@ struct Entities {
   void read_materials(const std::vector<Surface<Dim>*>& surfaces);
   /// Takes over what the same faces remember in an older table.
   void inherit_tractions(const Entities& old);
-  /// Planes and boxes of all faces at nodes.x, and what they say of steps and of motion.
+  /// Leaves bodies that touch nothing alone: those with a 0; with no entry there are none.
+  void choose(const std::vector<char>& near);
+  bool is_near(Label body) const { return near.empty() || (body < near.size() && near[body] != 0); }
+  /// Planes and boxes of near faces at nodes.x, and what they say of steps and of motion.
   void refresh_planes();
   /// Lists are built now: `shapes` of the planes.
   void mark_planes();
-  /// `reaches` of all faces, once their planes are there.
+  /// `reaches` of near faces, once their planes are there.
   void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
@@ -165,6 +170,7 @@ struct Entities {
     Real warped = 0, turned_square = 0;
     void take(const Seen& other);
   };
+  void find_near();
   void refresh_plane(std::size_t face);
   void look_at(std::size_t face, Seen& seen) const;
 };

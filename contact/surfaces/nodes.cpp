@@ -48,6 +48,14 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
 }
 
 template <int Dim>
+void ContactNodes<Dim>::choose(const std::vector<char>& is_near) {
+  near.clear(), far.clear();
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (point[i] >= 0) (is_near[i] != 0 ? near : far).push_back(static_cast<LocalIndex>(i));
+  }
+}
+
+template <int Dim>
 void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) {
   struct Motion {
     const Vec<Dim>*x, *v;
@@ -58,22 +66,27 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
   const LocalIndex *const place = point.data(), *const whose = surface.data();
   Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
   const Vec<Dim>* const from_x = x_made.data();
-  motion = bounds_of<Dim>(size(), [&](std::size_t i, MotionBounds<Dim>& part) {
-    if (place[i] < 0) return;
+  motion = bounds_of<Dim>(near.size(), [&](std::size_t k, MotionBounds<Dim>& part) {
+    const auto i = static_cast<std::size_t>(near[k]);
     const Motion& from = of[static_cast<std::size_t>(whose[i])];
     const Vec<Dim> now = from.x[place[i]], velocity = from.v[place[i]];
     to_x[i] = now;
     to_v[i] = velocity;
     part.take(now - from_x[i], velocity);
   });
+  motion.take(bounds_of<Dim>(far.size(), [&](std::size_t k, MotionBounds<Dim>& part) {
+    const auto i = static_cast<std::size_t>(far[k]);
+    to_v[i] = of[static_cast<std::size_t>(whose[i])].v[place[i]];
+    part.take_velocity(to_v[i]);
+  }));
   if (turns || needs_material || conduct) read_matter(surfaces);
 }
 
 template <int Dim>
 void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) {
-#pragma omp parallel for schedule(static) if (size() > kWorthThreads)
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (point[i] < 0) continue;
+#pragma omp parallel for schedule(static) if (near.size() > kWorthThreads)
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const auto i = static_cast<std::size_t>(near[k]);
     const auto& from = *surfaces[static_cast<std::size_t>(surface[i])];
     const auto p = static_cast<std::size_t>(point[i]);
     if (turns && p < from.spin.size()) spin[i] = from.spin[p];

@@ -57,12 +57,18 @@ struct ContactNodes {
   std::vector<Real> friction_heat, friction_stored, friction_damped,
       pair_energy;  ///< [J] booked since time 0
 
+  /// Those that are here: of bodies that may touch something, and of others.
+  std::vector<LocalIndex> near, far;
+
   std::size_t size() const { return point.size(); }
   LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
   /// A point of another rank; [kg], [m], [m/s].
   LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
                         const Vec<Dim>& velocity);
-  /// Takes x, v and spin of the points that are here from the groups, and how they moved.
+  /// Leaves nodes that touch nothing alone: those with a 0.
+  void choose(const std::vector<char>& near);
+  /// Takes x, v and spin of the points that are here from the groups, and how they moved; of those
+  /// that touch nothing v alone.
   void read_motion(const std::vector<Surface<Dim>*>& surfaces);
   /// `temperature` of owned points now, before heat of this step is known.
   void read_temperatures(const std::vector<Surface<Dim>*>& surfaces);

@@ -26,6 +26,12 @@ struct SearchBox {
     }
     return box;
   }
+  /// Holds nothing, meets nothing; what it encloses is what it becomes.
+  static SearchBox empty() {
+    SearchBox box;
+    box.lo.fill(kInfinity), box.hi.fill(-kInfinity);
+    return box;
+  }
   /// Closed boxes that touch meet; one that is not a number meets nothing.
   bool meets(const SearchBox& other) const {
     for (std::size_t c = 0; c < Dim; ++c) {
