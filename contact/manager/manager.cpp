@@ -188,7 +188,9 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
     const WallTimer timer(own.list_time, *own.ranks.all);
     const bool complete = own.candidates.complete(own.entities, ahead, *own.ranks.all);
     const Real speed = own.candidates.speed();
-    const bool others = own.near.due(speed * dt, speed * ahead) && own.find_near_bodies(ahead);
+    // Without a step nobody knows how points have come to where they are.
+    const bool look = own.near.due(speed * dt, speed * ahead) || dt == 0;
+    const bool others = look && own.find_near_bodies(ahead);
     if (others || !complete) {
       own.renew(ahead, true);
       read_motion();

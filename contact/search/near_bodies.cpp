@@ -43,19 +43,29 @@ std::vector<typename NearBodies<Dim>::Reach> NearBodies<Dim>::reaches(
     const Communicator& ranks) {
   std::vector<Reach> of(n_bodies, {SearchBox<Dim>::empty(), 0});
   const auto& nodes = entities.nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes.point[i] < 0) continue;
+  // Those of other ranks are told there.
+  const auto enclose = [&](Label body, LocalIndex node) {
+    const auto i = static_cast<std::size_t>(node);
+    if (nodes.point[i] < 0) return;
     const auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
-    const auto p = static_cast<std::size_t>(nodes.point[i]);
-    if (points.body[p] >= n_bodies) continue;  // it may touch nothing
-    of[points.body[p]].box.enclose(SearchBox<Dim>::about(points.x[p], 0));
-  }
+    const Vec<Dim>& x = points.x[static_cast<std::size_t>(nodes.point[i])];
+    of[body].box.enclose(SearchBox<Dim>::about(x, 0));
+  };
   const auto widen = [&](Label body, Real by) {
-    if (body >= n_bodies) return;
     of[body].reach = std::max(of[body].reach, by + 0.5 * entities.gap(body));
   };
-  for (const auto& face : entities.faces) widen(face.body, face.rigid() ? 0.0 : face.depth);
-  for (const auto& one : entities.particles) widen(one.body, kOpenDepthRadii * one.radius);
+  for (const auto& face : entities.faces) {
+    if (face.body >= n_bodies) continue;  // it may touch nothing
+    for (int c = 0; c < face.n_nodes; ++c) {
+      enclose(face.body, face.node[static_cast<std::size_t>(c)]);
+    }
+    widen(face.body, face.rigid() ? 0.0 : face.depth);
+  }
+  for (const auto& one : entities.particles) {
+    if (one.body >= n_bodies) continue;
+    enclose(one.body, one.node);
+    widen(one.body, kOpenDepthRadii * one.radius);
+  }
   ranks.reduce_all(std::span(of), [](Reach& into, const Reach& from) { into.take(from); });
   return of;
 }

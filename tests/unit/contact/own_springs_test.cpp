@@ -60,8 +60,8 @@ ContactScene<3> beside_a_plate(Real compliance) {
   scene.options.fallback.damping = 0;
   scene.add_face(scene.add_group(), square(0, 1, true), kPlate, 0.5, 0);
   auto& body = scene.add_group();
-  for (const Real z : {3.0, 5.0}) {
-    scene.add_face(body, square(z, 1, z > 4), kStiffness, 0.5, 0).compliance = compliance;
+  for (const Real z : {1.0, 3.0}) {
+    scene.add_face(body, square(z, 1, z > 2), kStiffness, 0.5, 0).compliance = compliance;
   }
   return scene;
 }
