@@ -59,7 +59,7 @@ cases=(
   "decks/sheet 15_us"
   "decks/solids 0.5_ms"
   "decks/fast 30_us"
-  "decks/flight 0.1_ms"
+  "decks/flight 0.2_ms"
   "decks/thin 4_us"
   "decks/lost 0.14_ms"
 )
