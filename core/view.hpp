@@ -12,7 +12,7 @@ namespace brunt {
 
 /// A named array with 1 (scalar), 3 (vector; 2D has z = 0) or 6 (SymmetricIndex) components.
 struct Field {
-  std::string name;  ///< as in docs/guide/output.md: "displacement", "stress", "eps_p", ...
+  std::string name;  ///< as in core/fields.hpp: "displacement", "stress", "eps_p", ...
   int components = 1;
   std::vector<Real> values;
 };

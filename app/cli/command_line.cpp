@@ -164,8 +164,9 @@ int command_line(int argc, char** argv) {
                    "such as materials.strength.johnson-cook.C, or library; none: the first level")
       ->option_text(" ");
   auto* schema = app.add_subcommand("schema", "prints the JSON schema of decks");
-  bool markdown = false;
-  schema->add_flag("--markdown", markdown, "prints the reference manual instead");
+  bool keys = false, columns = false;
+  schema->add_flag("--markdown", keys, "prints the reference manual of keys instead");
+  schema->add_flag("--columns", columns, "prints what the columns and fields of a run are");
 
   app.footer(kFooter);  // commands made after it would show it too
   if (argc == 1) {
@@ -198,7 +199,9 @@ int command_line(int argc, char** argv) {
     if (*verify) return verify_command(checkpoint);
     if (*render) return render_command(picture);
     if (*explain) return explain_command(key);
-    return schema_command(markdown);
+    return schema_command(columns ? SchemaPage::columns
+                          : keys  ? SchemaPage::keys
+                                  : SchemaPage::json);
   });
 }
 
