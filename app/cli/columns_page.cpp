@@ -11,20 +11,21 @@ namespace {
 
 constexpr const char* kIntroduction = R"(# Columns and fields
 
-Printed by `brunt schema --columns`, from the tables that the program itself reads. All in SI units; 1 is a pure number.
-Plane strain is per `depth`, axisymmetric scenes are the whole ring.
+Printed by `brunt schema --columns`, from the tables that the program itself reads. All in SI units;
+1 is a pure number. Plane strain is per `depth`, axisymmetric scenes are the whole ring.
 
 ## Columns of `history.csv`
 
-NAME is the deck's name, of a pair of bodies that the deck names nothing `a-b`. AXIS is x, y or z: in two dimensions x and
-y of vectors, z of torques, moments, rotations and spins. A row is written at the end of a step.
+NAME is the deck's name, of a pair of bodies that the deck does not name `a-b`. AXIS is x, y or z:
+in two dimensions x and y of vectors, z of torques, moments, rotations and spins. A row is written
+at the end of a step.
 )";
 
 constexpr const char* kFrames = R"(
 ## Fields of frames
 
-A vector has components x, y, z; a tensor xx, yy, zz, xy, yz, zx. Measures and probes take `velocity.z`, `stress.xx` and
-`velocity.magnitude`.
+A vector has components x, y, z; a tensor xx, yy, zz, xy, yz, zx. Measures and probes take
+`velocity.z`, `stress.xx` and `velocity.magnitude`.
 )";
 
 struct Subject {

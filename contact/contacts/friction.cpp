@@ -249,8 +249,9 @@ void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& rec
     limit = std::min(limit, step.material.flow_stress / std::sqrt(3.0) * step.pressed);
   }
   auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
-  if (slid.slips &&
-      step.turn) {  // what the forces take from the centres is heat (docs/decisions.md)
+  // What the forces take from the centres is heat:
+  // docs/decisions/096-friction-between-particles.md.
+  if (slid.slips && step.turn) {
     slip = between_centres;
     slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   }
