@@ -266,6 +266,32 @@ void ask_for_pictures(const LoadedDeck& loaded) {
   }
 }
 
+/// The folder of a run that is done already.
+void tell_finished(const RunArguments& arguments, const fs::path& folder) {
+  if (arguments.json) std::printf("%s\n", to_json(read_summary(folder)).c_str());
+  if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
+}
+
+/// What runs, on what, and what was noticed while the scene was built.
+template <int Dim>
+void log_start(const RunArguments& arguments, const Scene<Dim>& scene, const Communicator& ranks,
+               const std::vector<DeckProblem>& warnings, spdlog::logger& log) {
+  log.info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA, ranks.size(),
+           omp_get_max_threads(), arguments.deck);
+  for (const auto& note : scene.notes) log.info("{}", note);
+  for (const auto& warning : warnings) log.warn("{}", warning.text());
+  for (const auto& probe : scene.probes) log.info("{}", place_text(probe));
+}
+
+template <int Dim>
+void take_balance(const Balance<Dim>& balance, RunSummary& summary, spdlog::logger& log) {
+  summary.balance = balance.ratio();
+  summary.repartitions = balance.repartitions();
+  if (balance.steps_alone() == 0) return;
+  log.info("{} steps on one thread instead of {}: other programs used the processors",
+           balance.steps_alone(), summary.threads);
+}
+
 template <int Dim>
 int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
   const auto wall_start = std::chrono::steady_clock::now();
@@ -285,10 +311,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   if (root) output.emplace(folder, arguments);
   ranks.barrier();  // the root alone holds the folder
   if (arguments.resume && ranks.any(root && is_finished(folder, loaded.hash))) {
-    if (!root) return kDone;
-    summary = read_summary(folder);
-    if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
-    if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
+    if (root) tell_finished(arguments, folder);
     return kDone;
   }
   std::vector<std::string> refused;
@@ -304,15 +327,10 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   }
   ranks.barrier();  // the folder is there for all
   auto log = open_log(folder, goes_on, root);
-  log->info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA,
-            ranks.size(), omp_get_max_threads(), arguments.deck);
-  for (const auto& note : scene->notes) log->info("{}", note);
+  log_start(arguments, *scene, ranks, warnings, *log);
   for (const auto& warning : warnings) {
-    log->warn("{}", warning.text());
     summary.warnings.push_back({warning.path, warning.message});
   }
-
-  for (const auto& probe : scene->probes) log->info("{}", place_text(probe));
 
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
@@ -346,12 +364,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
   fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
-  summary.balance = balance.ratio();
-  summary.repartitions = balance.repartitions();
-  if (balance.steps_alone() > 0) {
-    log->info("{} steps on one thread instead of {}: other programs used the processors",
-              balance.steps_alone(), summary.threads);
-  }
+  take_balance(balance, summary, *log);
   if (root) report_end(loaded, arguments, folder, ended, clock, monitor, summary, *log);
   return ended.status;
 }

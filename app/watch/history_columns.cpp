@@ -75,6 +75,60 @@ void HistoryColumns<Dim>::add_watched(const Scene<Dim>& scene, std::vector<Real>
   }
 }
 
+/// Sums of each body, and how much of its tension artificial stress carries.
+template <int Dim>
+void HistoryColumns<Dim>::add_bodies(const Scene<Dim>& scene, const Totals<Dim>& totals, Real time,
+                                     Row& row) {
+  const auto rigid = rigid_reports(scene, time);
+  auto& values = row.values;
+  Label label = 0;
+  for (const auto& body : totals.bodies) {
+    const Real mass = body.mass.value();
+    values.push_back(mass);
+    for (int c = 0; c < Dim; ++c) {
+      values.push_back(mass > 0 ? body.mass_position[c].value() / mass + scene.origin[c] : 0.0);
+    }
+    for (int c = 0; c < Dim; ++c)
+      values.push_back(mass > 0 ? body.momentum[c].value() / mass : 0.0);
+    for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
+      values.push_back(sum->value());
+    }
+    const Real tension = body.tension.value();
+    row.artificial_share.push_back(
+        tension > 0 ? std::fabs(body.artificial_tension.value()) / tension : 0.0);
+    const auto found = rigid.find(label++);
+    if (found == rigid.end()) continue;
+    const auto add = [&](const Vec3& vector, int first, int last) {
+      for (int c = first; c < last; ++c) values.push_back(vector[c]);
+    };
+    const auto& report = found->second;
+    const int turning = report.one_piece ? first_torque(scene) : 3;
+    add(report.rotation, turning, 3), add(report.spin, turning, 3);
+    add(report.force, 0, Dim), add(report.torque, first_torque(scene), 3);
+  }
+}
+
+/// Pairs of bodies in contact; of them the deepest, and contacts that did not hold.
+template <int Dim>
+void HistoryColumns<Dim>::add_pairs(const Scene<Dim>& scene, Row& row) {
+  auto& values = row.values;
+  row.lost = scene.contact->lost_pairs(scene.origin);
+  Real deepest = 0;
+  for (const auto& pair : scene.contact->reports(scene.origin)) {
+    if (pair.max_penetration > deepest) {
+      deepest = pair.max_penetration, row.deepest_pair = pair.name;
+    }
+    for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
+    for (int c = first_torque(scene); c < 3; ++c) {
+      values.push_back(pair.torque[static_cast<std::size_t>(c)]);
+    }
+    values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
+                                 pair.max_penetration, static_cast<Real>(pair.planes)});
+    if (!scene.conducts()) continue;
+    values.insert(values.end(), {pair.temperature_max, pair.temperature_mean});
+  }
+}
+
 /// The balance of heat.
 template <int Dim>
 void HistoryColumns<Dim>::add_heat(const Totals<Dim>& totals, std::vector<Real>& values) {
@@ -123,49 +177,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     for (const auto& body : totals.bodies) momentum.add(body.momentum[c]);
     values.push_back(momentum.value());
   }
-  const auto rigid = rigid_reports(scene, clock.time());
-  Label label = 0;
-  for (const auto& body : totals.bodies) {
-    const Real mass = body.mass.value();
-    values.push_back(mass);
-    for (int c = 0; c < Dim; ++c) {
-      values.push_back(mass > 0 ? body.mass_position[c].value() / mass + scene.origin[c] : 0.0);
-    }
-    for (int c = 0; c < Dim; ++c)
-      values.push_back(mass > 0 ? body.momentum[c].value() / mass : 0.0);
-    for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
-      values.push_back(sum->value());
-    }
-    const Real tension = body.tension.value();
-    row.artificial_share.push_back(
-        tension > 0 ? std::fabs(body.artificial_tension.value()) / tension : 0.0);
-    const auto found = rigid.find(label++);
-    if (found == rigid.end()) continue;
-    const auto add = [&](const Vec3& vector, int first, int last) {
-      for (int c = first; c < last; ++c) values.push_back(vector[c]);
-    };
-    const auto& report = found->second;
-    const int turning = report.one_piece ? first_torque(scene) : 3;
-    add(report.rotation, turning, 3), add(report.spin, turning, 3);
-    add(report.force, 0, Dim), add(report.torque, first_torque(scene), 3);
-  }
-  if (scene.contact) {
-    row.lost = scene.contact->lost_pairs(scene.origin);
-    Real deepest = 0;
-    for (const auto& pair : scene.contact->reports(scene.origin)) {
-      if (pair.max_penetration > deepest) {
-        deepest = pair.max_penetration, row.deepest_pair = pair.name;
-      }
-      for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
-      for (int c = first_torque(scene); c < 3; ++c) {
-        values.push_back(pair.torque[static_cast<std::size_t>(c)]);
-      }
-      values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
-                                   pair.max_penetration, static_cast<Real>(pair.planes)});
-      if (!scene.conducts()) continue;
-      values.insert(values.end(), {pair.temperature_max, pair.temperature_mean});
-    }
-  }
+  add_bodies(scene, totals, clock.time(), row);
+  if (scene.contact) add_pairs(scene, row);
   add_boundaries(scene, values);
   add_watched(scene, values);
   if (scene.conducts()) add_heat(totals, values);
