@@ -60,3 +60,4 @@ constexpr const FieldInfo* field_info(std::string_view name) {
 }
 
 }  // namespace brunt
+// Tested by tests/cli/columns.sh.

@@ -55,3 +55,4 @@ struct ContactView {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/merge_views_test.cpp.

@@ -225,3 +225,4 @@ template bool SphParticles<2>::sums_hold(bool) const;
 template bool SphParticles<3>::sums_hold(bool) const;
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

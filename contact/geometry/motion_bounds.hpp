@@ -34,3 +34,4 @@ struct MotionBounds {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/rebuild_test.cpp.

@@ -128,3 +128,4 @@ class Candidates {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/rebuild_test.cpp.

@@ -374,3 +374,4 @@ template struct Entities<2>;
 template struct Entities<3>;
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

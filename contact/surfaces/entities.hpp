@@ -170,3 +170,4 @@ struct Entities {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

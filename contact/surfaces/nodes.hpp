@@ -78,3 +78,4 @@ struct ContactNodes {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

@@ -371,3 +371,4 @@ std::string json_schema_text(const KeyInfo& root, const std::string& title) {
 }
 
 }  // namespace brunt
+// Tested by tests/cli/schema.sh.

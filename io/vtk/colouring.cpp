@@ -126,3 +126,4 @@ std::vector<Real> ticks(const Range& range, int count) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

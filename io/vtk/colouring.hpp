@@ -64,3 +64,4 @@ DisplayUnit display_unit(Real largest, const std::string& unit);
 std::vector<Real> ticks(const Range& range, int count);
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.
