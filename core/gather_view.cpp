@@ -50,3 +50,4 @@ BodyView gather_view(const BodyView& mine, const Communicator& ranks) {
 }
 
 }  // namespace brunt
+// Tested by tests/verification/storage_order_test.cpp.

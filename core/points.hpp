@@ -188,3 +188,4 @@ struct Points {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/state_test.cpp.

@@ -80,3 +80,4 @@ void load_chosen(const std::string& name, const Points<Dim>& points,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/state_test.cpp.

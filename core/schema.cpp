@@ -17,3 +17,4 @@ Real Varying::at(Real s) const {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_keys_test.cpp.

@@ -269,3 +269,4 @@ class Schema {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_keys_test.cpp.

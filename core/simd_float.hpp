@@ -40,3 +40,4 @@ constexpr Compression compression() {
 inline constexpr Compression kCompression = compression();
 
 }  // namespace brunt
+// Tested by tests/unit/core/simd_test.cpp.

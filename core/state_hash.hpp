@@ -31,3 +31,4 @@ class EntityHash {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/state_test.cpp.

@@ -29,3 +29,4 @@ struct StepLimit {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/app/clock_test.cpp.

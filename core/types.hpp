@@ -39,3 +39,4 @@ inline constexpr const char* kAxes[] = {"x", "y", "z"};
 enum SymmetricIndex : int { xx = 0, yy = 1, zz = 2, xy = 3, yz = 4, zx = 5 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

@@ -12,7 +12,7 @@ namespace brunt {
 
 /// A named array with 1 (scalar), 3 (vector; 2D has z = 0) or 6 (SymmetricIndex) components.
 struct Field {
-  std::string name;  ///< as in docs/guide/output.md: "displacement", "stress", "eps_p", ...
+  std::string name;  ///< as in core/fields.hpp: "displacement", "stress", "eps_p", ...
   int components = 1;
   std::vector<Real> values;
 };
@@ -55,3 +55,4 @@ struct ContactView {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/merge_views_test.cpp.

@@ -45,3 +45,4 @@ class WallTimer {
 };
 
 }  // namespace brunt
+// Tested by tests/parallel/scaling.sh.

@@ -60,3 +60,4 @@ template CornerGather make_corner_gather(const std::vector<ElementBlock<2>>&, Lo
 template CornerGather make_corner_gather(const std::vector<ElementBlock<3>>&, LocalIndex);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/finite_elements_test.cpp.

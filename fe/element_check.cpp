@@ -84,3 +84,4 @@ template std::optional<PhysicsFailure> element_failure(const ElementBlock<3>&, L
                                                        const Points<3>&, const Thickness&);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/finite_elements_test.cpp.

@@ -177,3 +177,4 @@ template BodyView FiniteElements<2>::view(Label) const;
 template BodyView FiniteElements<3>::view(Label) const;
 
 }  // namespace brunt
+// Tested by tests/unit/fe/finite_elements_test.cpp.

@@ -189,3 +189,4 @@ template void FiniteElements<2>::add_conduction(Real, std::int64_t);
 template void FiniteElements<3>::add_conduction(Real, std::int64_t);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/conduction_test.cpp.

@@ -65,3 +65,4 @@ template void FiniteElements<2>::load_state(const StateTables&);
 template void FiniteElements<3>::load_state(const StateTables&);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/state_test.cpp.

@@ -344,3 +344,4 @@ template void refresh_stable_steps(ElementBlock<2>&, int, const ElementStep<2>&)
 template void refresh_stable_steps(ElementBlock<3>&, int, const ElementStep<3>&);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

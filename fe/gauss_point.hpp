@@ -98,3 +98,4 @@ BRUNT_INLINE void evaluate(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

@@ -48,3 +48,4 @@ BRUNT_INLINE void stress_matrix(const V (&s)[6], V p, V (&m)[2][2]) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

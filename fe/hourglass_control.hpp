@@ -232,3 +232,4 @@ BRUNT_INLINE void resist_hourglasses(const OnePointLane<Dim>& lane,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/assumed_strain_test.cpp.

@@ -157,3 +157,4 @@ template void advance_one_point(ElementBlock<2>&, int, const ElementStep<2>&);
 template void advance_one_point(ElementBlock<3>&, int, const ElementStep<3>&);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

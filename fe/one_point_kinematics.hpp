@@ -73,3 +73,4 @@ struct OnePointLane {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

@@ -159,3 +159,4 @@ template std::vector<Facet<3>> outer_facets(const std::vector<ElementBlock<3>>&,
                                             const std::vector<LocalIndex>&);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/surface_materials_test.cpp.

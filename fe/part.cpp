@@ -147,3 +147,4 @@ template FiniteElements<3>::FiniteElements(const FiniteElements&, const Partitio
                                            const Communicator&);
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -199,3 +199,4 @@ BRUNT_INLINE void volume_times_gradient(const Modal<Dim, V>& u,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

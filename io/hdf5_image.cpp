@@ -266,3 +266,4 @@ CheckpointContent from_hdf5(std::string_view image) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/checkpoint_test.cpp.

@@ -214,3 +214,4 @@ FolderLock::~FolderLock() {
 }
 
 }  // namespace brunt
+// Tested by tests/cli/folder.sh.

@@ -151,3 +151,4 @@ BRUNT_INLINE MidStep<Dim, V> mid_step(const V (&at_end)[Dim][Dim]) {
 }
 
 }  // namespace brunt
+// Tested by tests/extremes/particle_density_test.cpp.

@@ -72,3 +72,4 @@ template class NeighbourRows<2>;
 template class NeighbourRows<3>;
 
 }  // namespace brunt
+// Tested by tests/unit/sph/particles_lists_test.cpp.

@@ -41,3 +41,4 @@ class NeighbourRows {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/sph/particles_lists_test.cpp.

@@ -322,3 +322,4 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim>& records, LocalIn
 }
 
 }  // namespace brunt
+// Tested by tests/unit/sph/particles_test.cpp.

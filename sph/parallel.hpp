@@ -12,3 +12,4 @@ void for_each(std::size_t n, F f) {
 }
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -149,3 +149,4 @@ template void SphParticles<2>::add_conduction(Real, std::int64_t);
 template void SphParticles<3>::add_conduction(Real, std::int64_t);
 
 }  // namespace brunt
+// Tested by tests/unit/sph/conduction_test.cpp.

@@ -59,6 +59,31 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
   if (points_.conducts) start_conduction();
 }
 
+namespace {
+template <int Dim>
+struct Arrived {
+  Visitor<Dim> one;
+  std::size_t rank, index;  ///< where it came from, and its place in that message
+};
+
+/// What other ranks sent, by id. counts out: how many came from each rank
+template <int Dim>
+std::vector<Arrived<Dim>> sorted_arrivals(const std::vector<Bytes>& from, int own_rank,
+                                          std::vector<std::size_t>& counts) {
+  std::vector<Arrived<Dim>> arrived;
+  for (std::size_t r = 0; r < from.size(); ++r) {
+    if (static_cast<int>(r) == own_rank) continue;
+    std::vector<Visitor<Dim>> visitors;
+    Unpacker(from[r]) >> visitors;
+    counts[r] = visitors.size();
+    for (std::size_t k = 0; k < visitors.size(); ++k) arrived.push_back({visitors[k], r, k});
+  }
+  std::sort(arrived.begin(), arrived.end(),
+            [](const auto& a, const auto& b) { return a.one.id < b.one.id; });
+  return arrived;
+}
+}  // namespace
+
 /// Copies of all particles of other ranks that may come within reach of an own one before the
 /// lists are renewed.
 template <int Dim>
@@ -87,22 +112,9 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
     }
     to.push_back((Packer() << visitors).take());
   }
-  struct Arrived {
-    Visitor<Dim> one;
-    std::size_t rank, index;
-  };
-  std::vector<Arrived> arrived;
   const auto from = ranks_->exchange(to);
   std::vector<std::size_t> counts(from.size(), 0);
-  for (std::size_t r = 0; r < from.size(); ++r) {
-    if (static_cast<int>(r) == ranks_->rank()) continue;
-    std::vector<Visitor<Dim>> visitors;
-    Unpacker(from[r]) >> visitors;
-    counts[r] = visitors.size();
-    for (std::size_t k = 0; k < visitors.size(); ++k) arrived.push_back({visitors[k], r, k});
-  }
-  std::sort(arrived.begin(), arrived.end(),
-            [](const Arrived& a, const Arrived& b) { return a.one.id < b.one.id; });
+  const auto arrived = sorted_arrivals<Dim>(from, ranks_->rank(), counts);
   ghosts_ = {};
   std::vector<std::vector<LocalIndex>> fill(from.size());
   for (std::size_t r = 0; r < fill.size(); ++r) fill[r].resize(counts[r]);
@@ -213,3 +225,4 @@ template bool SphParticles<2>::sums_hold(bool) const;
 template bool SphParticles<3>::sums_hold(bool) const;
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -187,3 +187,4 @@ template BodyView SphParticles<2>::view(Label) const;
 template BodyView SphParticles<3>::view(Label) const;
 
 }  // namespace brunt
+// Tested by tests/unit/sph/particles_test.cpp.

@@ -78,3 +78,4 @@ template void SphParticles<2>::load_state(const StateTables&);
 template void SphParticles<3>::load_state(const StateTables&);
 
 }  // namespace brunt
+// Tested by tests/unit/sph/state_test.cpp.

@@ -199,3 +199,4 @@ template void SphParticles<2>::move_with_neighbours(Real);
 template void SphParticles<3>::move_with_neighbours(Real);
 
 }  // namespace brunt
+// Tested by tests/unit/sph/particles_test.cpp.

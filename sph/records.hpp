@@ -148,3 +148,4 @@ BRUNT_INLINE Pack kernel_weight(const FourPairs<Dim>& pairs) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/sph/particles_lists_test.cpp.

@@ -79,3 +79,4 @@ InverseSpread inverse_spread(const MotionRecord<Dim>* motion, LocalIndex i,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/sph/step_bound_test.cpp.

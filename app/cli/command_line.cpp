@@ -81,6 +81,51 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
          (deck ? "; to run a deck, write brunt run " + word : suggestion(word, names));
 }
 
+CLI::App* add_table(CLI::App& app, std::vector<std::string>& folders, TableOptions& options) {
+  auto* table = app.add_subcommand("table", "one row a run: what a sweep ends with");
+  table->add_option("DIR", folders, "output folders")->required()->option_text(" ");
+  table->add_option("--show", options.show, "columns instead of the default ones")
+      ->option_text("KEY,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  table->add_flag("--csv", options.csv, "all digits, commas");
+  return table;
+}
+
+CLI::App* add_render(CLI::App& app, PictureArguments& picture) {
+  auto* render = app.add_subcommand("render", "writes PNG pictures of an output folder");
+  render->add_option("DIR", picture.folder, "output folder")->required()->option_text(" ");
+  render->add_option("--field", picture.field, "colours: von_mises, velocity.magnitude, ...")
+      ->option_text("FIELD");
+  render->add_option("--out", picture.out, "folder of the pictures; default: the output folder")
+      ->option_text("DIR");
+  render->add_option("--frames", picture.frames, "all, last, or numbers such as 0,5,10")
+      ->option_text("WHICH");
+  render->add_option("--view", picture.view, "auto, oblique, front, side or top")
+      ->option_text("VIEW");
+  render->add_option("--title", picture.title, "text at the top")->option_text("TEXT");
+  return render;
+}
+
+/// Reads the call; the exit status where there is nothing more to do.
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  if (argc == 1) {
+    std::fputs(app.help().c_str(), stderr);
+    return kDeckWrong;
+  }
+  if (const std::string problem = unknown_command(app, argc, argv); !problem.empty()) {
+    std::fprintf(stderr, "%s\n", problem.c_str());
+    return kDeckWrong;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int status = app.exit(error);
+    return status == 0 ? kDone : kDeckWrong;
+  }
+  return std::nullopt;
+}
+
 /// A message on stderr. Where all ranks fail alike the root speaks and ends them all; another rank
 /// that is still there after a while is alone with its failure.
 void say(const ParallelSession& session, const std::string& text) {
@@ -132,26 +177,9 @@ int command_line(int argc, char** argv) {
 
   std::vector<std::string> folders;
   TableOptions table_options;
-  auto* table = app.add_subcommand("table", "one row a run: what a sweep ends with");
-  table->add_option("DIR", folders, "output folders")->required()->option_text(" ");
-  table->add_option("--show", table_options.show, "columns instead of the default ones")
-      ->option_text("KEY,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  table->add_flag("--csv", table_options.csv, "all digits, commas");
-
+  auto* table = add_table(app, folders, table_options);
   PictureArguments picture;
-  auto* render = app.add_subcommand("render", "writes PNG pictures of an output folder");
-  render->add_option("DIR", picture.folder, "output folder")->required()->option_text(" ");
-  render->add_option("--field", picture.field, "colours: von_mises, velocity.magnitude, ...")
-      ->option_text("FIELD");
-  render->add_option("--out", picture.out, "folder of the pictures; default: the output folder")
-      ->option_text("DIR");
-  render->add_option("--frames", picture.frames, "all, last, or numbers such as 0,5,10")
-      ->option_text("WHICH");
-  render->add_option("--view", picture.view, "auto, oblique, front, side or top")
-      ->option_text("VIEW");
-  render->add_option("--title", picture.title, "text at the top")->option_text("TEXT");
+  auto* render = add_render(app, picture);
 
   std::string checkpoint;
   auto* verify = app.add_subcommand("verify", "says whether checkpoints are whole");
@@ -164,24 +192,12 @@ int command_line(int argc, char** argv) {
                    "such as materials.strength.johnson-cook.C, or library; none: the first level")
       ->option_text(" ");
   auto* schema = app.add_subcommand("schema", "prints the JSON schema of decks");
-  bool markdown = false;
-  schema->add_flag("--markdown", markdown, "prints the reference manual instead");
+  bool keys = false, columns = false;
+  schema->add_flag("--markdown", keys, "prints the reference manual of keys instead");
+  schema->add_flag("--columns", columns, "prints what the columns and fields of a run are");
 
   app.footer(kFooter);  // commands made after it would show it too
-  if (argc == 1) {
-    std::fputs(app.help().c_str(), stderr);
-    return kDeckWrong;
-  }
-  if (const std::string problem = unknown_command(app, argc, argv); !problem.empty()) {
-    std::fprintf(stderr, "%s\n", problem.c_str());
-    return kDeckWrong;
-  }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int status = app.exit(error);
-    return status == 0 ? kDone : kDeckWrong;
-  }
+  if (const auto status = parse(app, argc, argv)) return *status;
   if (*run && arguments.ranks > 1 && !launched_by_mpirun()) {
     return launch_ranks(arguments, argc, argv);
   }
@@ -198,7 +214,9 @@ int command_line(int argc, char** argv) {
     if (*verify) return verify_command(checkpoint);
     if (*render) return render_command(picture);
     if (*explain) return explain_command(key);
-    return schema_command(markdown);
+    return schema_command(columns ? SchemaPage::columns
+                          : keys  ? SchemaPage::keys
+                                  : SchemaPage::json);
   });
 }
 

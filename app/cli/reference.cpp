@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/cli/columns_page.hpp"
 #include "app/cli/run_arguments.hpp"
 #include "app/deck/deck.hpp"
 #include "app/deck/library.hpp"
@@ -67,10 +68,21 @@ int explain_command(const std::string& key) {
   return kDeckWrong;
 }
 
-int schema_command(bool markdown) {
-  const std::string text = markdown ? manual_text(deck::deck_keys(), "The keys of a deck")
-                                    : json_schema_text(deck::schema_keys(), "A deck of brunt");
-  std::fputs(text.c_str(), stdout);
+namespace {
+std::string page_text(SchemaPage page) {
+  switch (page) {
+    case SchemaPage::keys:
+      return manual_text(deck::deck_keys(), "The keys of a deck");
+    case SchemaPage::columns:
+      return columns_page();
+    default:
+      return json_schema_text(deck::schema_keys(), "A deck of brunt");
+  }
+}
+}  // namespace
+
+int schema_command(SchemaPage page) {
+  std::fputs(page_text(page).c_str(), stdout);
   return kDone;
 }
 

@@ -266,6 +266,57 @@ void ask_for_pictures(const LoadedDeck& loaded) {
   }
 }
 
+/// The folder of a run that is done already.
+void tell_finished(const RunArguments& arguments, const fs::path& folder) {
+  if (arguments.json) std::printf("%s\n", to_json(read_summary(folder)).c_str());
+  if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
+}
+
+/// What runs, on what, and what was noticed while the scene was built.
+template <int Dim>
+void log_start(const RunArguments& arguments, const Scene<Dim>& scene, const Communicator& ranks,
+               const std::vector<DeckProblem>& warnings, RunSummary& summary, spdlog::logger& log) {
+  log.info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA, ranks.size(),
+           omp_get_max_threads(), arguments.deck);
+  for (const auto& note : scene.notes) log.info("{}", note);
+  for (const auto& warning : warnings) {
+    log.warn("{}", warning.text());
+    summary.warnings.push_back({warning.path, warning.message});
+  }
+  for (const auto& probe : scene.probes) log.info("{}", place_text(probe));
+}
+
+void log_restart(const Restart& restart, spdlog::logger& log) {
+  log.info("goes on from {}, t = {} s", restart.point().manifest.string(),
+           restart.point().header.time);
+}
+
+/// A warning of the run: into the log, of the root on stderr too.
+void tell(const RunWarning& warning, bool root, spdlog::logger& log) {
+  log.warn("{}: {}", warning.id, warning.text);
+  log.flush();
+  if (!root) return;
+  std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
+}
+
+/// Checkpoints that the run could not go on from.
+void log_refused(const std::vector<std::string>& reasons, RunSummary& summary,
+                 spdlog::logger& log) {
+  for (const auto& reason : reasons) {
+    log.warn("{}", reason);
+    summary.warnings.push_back({"checkpoint", reason});
+  }
+}
+
+template <int Dim>
+void take_balance(const Balance<Dim>& balance, RunSummary& summary, spdlog::logger& log) {
+  summary.balance = balance.ratio();
+  summary.repartitions = balance.repartitions();
+  if (balance.steps_alone() == 0) return;
+  log.info("{} steps on one thread instead of {}: other programs used the processors",
+           balance.steps_alone(), summary.threads);
+}
+
 template <int Dim>
 int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
   const auto wall_start = std::chrono::steady_clock::now();
@@ -285,10 +336,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   if (root) output.emplace(folder, arguments);
   ranks.barrier();  // the root alone holds the folder
   if (arguments.resume && ranks.any(root && is_finished(folder, loaded.hash))) {
-    if (!root) return kDone;
-    summary = read_summary(folder);
-    if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
-    if (!arguments.quiet) std::fprintf(stderr, "%s is done already\n", folder.c_str());
+    if (root) tell_finished(arguments, folder);
     return kDone;
   }
   std::vector<std::string> refused;
@@ -304,16 +352,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   }
   ranks.barrier();  // the folder is there for all
   auto log = open_log(folder, goes_on, root);
-  log->info("brunt {} ({}), {} ranks of {} threads, deck {}", BRUNT_VERSION, BRUNT_ISA,
-            ranks.size(), omp_get_max_threads(), arguments.deck);
-  for (const auto& note : scene->notes) log->info("{}", note);
-  for (const auto& warning : warnings) {
-    log->warn("{}", warning.text());
-    summary.warnings.push_back({warning.path, warning.message});
-  }
-
-  for (const auto& probe : scene->probes) log->info("{}", place_text(probe));
-
+  log_start(arguments, *scene, ranks, warnings, summary, *log);
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
               deck.time.min_step);
@@ -321,37 +360,19 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   std::optional<HistoryWriter> history;
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);
-  const auto warn = [&](const RunWarning& warning) {
-    log->warn("{}: {}", warning.id, warning.text);
-    log->flush();
-    if (!root) return;
-    std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
-  };
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
-                       warn);
-  if (restart) {
-    log->info("goes on from {}, t = {} s", restart->point().manifest.string(),
-              restart->point().header.time);
-  }
+                       [&](const RunWarning& warning) { tell(warning, root, *log); });
+  if (restart) log_restart(*restart, *log);
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
   const Ended ended = step_to_end(*scene, clock, monitor, checkpointing, balance);
-  for (const auto& reason : refused) {
-    log->warn("{}", reason);
-    summary.warnings.push_back({"checkpoint", reason});
-  }
-
+  log_refused(refused, summary, *log);
   log_windows(*scene, clock, deck.time.heat_every, *log);
   fill_summary(loaded, ended, clock, monitor, summary);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
   fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
-  summary.balance = balance.ratio();
-  summary.repartitions = balance.repartitions();
-  if (balance.steps_alone() > 0) {
-    log->info("{} steps on one thread instead of {}: other programs used the processors",
-              balance.steps_alone(), summary.threads);
-  }
+  take_balance(balance, summary, *log);
   if (root) report_end(loaded, arguments, folder, ended, clock, monitor, summary, *log);
   return ended.status;
 }

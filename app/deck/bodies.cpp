@@ -73,6 +73,37 @@ void describe(Schema& s, Motion& motion) {
             "needs a velocity, a spin or a temperature");
 }
 
+namespace {
+/// Keys of a body that contradict each other.
+void require_consistent(Schema& s, const Body& body) {
+  const bool is_sph = body.method == Method::sph;
+  const bool is_stl = body.file.size() > 4 && body.file.substr(body.file.size() - 4) == ".stl";
+  s.require(body.file.empty() || is_stl, "file",
+            "only .stl is read in this version: write the surface as triangles");
+  s.require(body.file.empty() || body.rigid || is_sph, "file",
+            "triangles are the surface of a body with rigid: true, or what particles fill with "
+            "method: sph; elements need a shape");
+  s.require(body.file.empty() || s.geometry() == Geometry::three_d, "file",
+            "only for geometry: 3d");
+  s.require(!body.rigid || !is_sph, "rigid",
+            "a rigid body of particles is not in this version; take method: sph out");
+  s.require(!follows_forces(body) || !body.material.empty(), "motion",
+            "a component that is free follows its forces, and that takes a mass: name a material");
+  s.require(!follows_forces(body) || !std::holds_alternative<Plane>(body.shape.kind), "shape",
+            "a plane has no volume and no mass to move by: take the material out, and it is held");
+  s.require(body.rigid || is_sph || body.size.has_value() != body.cells.has_value(),
+            body.cells ? "cells" : "",
+            body.cells ? "stands beside size: keep one of them"
+                       : "needs size, the length of an element, or cells, their numbers");
+  s.require(body.rigid || !std::holds_alternative<Plane>(body.shape.kind), "shape",
+            "a plane is rigid: true");
+  s.require(!is_sph || !body.size ||
+                std::all_of(body.size->begin(), body.size->end(),
+                            [&](Real size) { return size == body.size->front(); }),
+            "size", "particles have one spacing along all axes");
+}
+}  // namespace
+
 void describe(Schema& s, Body& body) {
   static constexpr const char* kMethods[] = {"fe", "sph"};
   static constexpr const char* kLater[] = {"erode"};
@@ -111,30 +142,7 @@ void describe(Schema& s, Body& body) {
             [&](Schema& fe) { describe_finite_elements(fe, body); });
   s.section(is_sph, "only for method: sph", [&](Schema& sph) { describe_particles(sph, body); });
   s.later(kLater);
-  const bool is_stl = body.file.size() > 4 && body.file.substr(body.file.size() - 4) == ".stl";
-  s.require(body.file.empty() || is_stl, "file",
-            "only .stl is read in this version: write the surface as triangles");
-  s.require(body.file.empty() || body.rigid || is_sph, "file",
-            "triangles are the surface of a body with rigid: true, or what particles fill with "
-            "method: sph; elements need a shape");
-  s.require(body.file.empty() || s.geometry() == Geometry::three_d, "file",
-            "only for geometry: 3d");
-  s.require(!body.rigid || !is_sph, "rigid",
-            "a rigid body of particles is not in this version; take method: sph out");
-  s.require(!follows_forces(body) || !body.material.empty(), "motion",
-            "a component that is free follows its forces, and that takes a mass: name a material");
-  s.require(!follows_forces(body) || !std::holds_alternative<Plane>(body.shape.kind), "shape",
-            "a plane has no volume and no mass to move by: take the material out, and it is held");
-  s.require(body.rigid || is_sph || body.size.has_value() != body.cells.has_value(),
-            body.cells ? "cells" : "",
-            body.cells ? "stands beside size: keep one of them"
-                       : "needs size, the length of an element, or cells, their numbers");
-  s.require(body.rigid || !std::holds_alternative<Plane>(body.shape.kind), "shape",
-            "a plane is rigid: true");
-  s.require(!is_sph || !body.size ||
-                std::all_of(body.size->begin(), body.size->end(),
-                            [&](Real size) { return size == body.size->front(); }),
-            "size", "particles have one spacing along all axes");
+  require_consistent(s, body);
 }
 
 }  // namespace brunt::deck

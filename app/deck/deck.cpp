@@ -1,6 +1,9 @@
 #include "app/deck/deck.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "core/fields.hpp"
 
 namespace brunt {
 
@@ -81,9 +84,12 @@ void describe(Schema& s, Stop& stop) {
 }
 
 void describe(Schema& s, Output& output) {
-  static constexpr const char* kFields[] = {
-      "displacement", "velocity", "acceleration", "force",   "temperature", "stress", "pressure",
-      "von_mises",    "eps_p",    "strain_rate",  "density", "piece",       "id"};
+  static constexpr auto kNames = [] {
+    std::array<const char*, kFields.size()> names{};
+    std::transform(kFields.begin(), kFields.end(), names.begin(),
+                   [](const FieldInfo& field) { return field.name; });
+    return names;
+  }();
   s.real({"every", "time between frames; default: a hundredth of the end"}, output.every,
          {"s", positive()});
   s.real({"history", "time between rows of history.csv; default: the end over 2000"},
@@ -94,7 +100,7 @@ void describe(Schema& s, Output& output) {
          {"s", at_least(0)});
   s.words(
       {"fields", "fields in frames; default: all. Several ranks add id, which joins their pieces"},
-      output.fields, kFields);
+      output.fields, kNames);
   s.names({"bodies", "bodies in frames; default: all"}, output.bodies, 0);
   s.flag({"pictures", "writes pictures at the end"}, output.pictures);
   s.real_or_word(

@@ -4,28 +4,12 @@
 #include <array>
 #include <string_view>
 
+#include "app/deck/columns.hpp"
+#include "core/fields.hpp"
+
 namespace brunt::deck {
 
 namespace {
-
-struct FieldInfo {
-  const char* name;
-  const char* unit;
-  int components;  ///< 1, 3 or 6
-};
-constexpr std::array kFields{FieldInfo{"displacement", "m", 3},
-                             FieldInfo{"velocity", "m/s", 3},
-                             FieldInfo{"acceleration", "m/s^2", 3},
-                             FieldInfo{"force", "N", 3},
-                             FieldInfo{"temperature", "K", 1},
-                             FieldInfo{"stress", "Pa", 6},
-                             FieldInfo{"pressure", "Pa", 1},
-                             FieldInfo{"von_mises", "Pa", 1},
-                             FieldInfo{"eps_p", "1", 1},
-                             FieldInfo{"strain_rate", "1/s", 1},
-                             FieldInfo{"density", "kg/m^3", 1},
-                             FieldInfo{"piece", "1", 1},
-                             FieldInfo{"id", "1", 1}};
 
 bool is_component(std::string_view text, int components) {
   static constexpr std::array<std::string_view, 4> kVector{"x", "y", "z", "magnitude"};
@@ -40,34 +24,6 @@ void describe_field(Schema& s, std::string& body, std::string& field) {
           Need::required},
          field);
   s.require(unit_of_field(field) != nullptr, "field", field_problem(field));
-}
-
-/// The unit of a history column by the end of its name.
-const char* unit_of_column(std::string_view column) {
-  struct Ending {
-    std::string_view part;
-    const char* unit;
-  };
-  static constexpr std::array kParts{
-      Ending{".heat_rate", "W"},    Ending{".friction_heat", "W"},   Ending{"heat.drift", "1"},
-      Ending{"energy.drift", "1"},  Ending{"energy.", "J"},          Ending{"momentum.", "kg m/s"},
-      Ending{".position.", "m"},    Ending{".velocity.", "m/s"},     Ending{".kinetic", "J"},
-      Ending{".internal", "J"},     Ending{".hourglass", "J"},       Ending{".heat", "J"},
-      Ending{".mass", "kg"},        Ending{".force.", "N"},          Ending{".reaction.", "N"},
-      Ending{".area", "m^2"},       Ending{".max_penetration", "m"}, Ending{".planes", "1"},
-      Ending{".temperature.", "K"}, Ending{".moment.", "N m"},       Ending{".torque.", "N m"}};
-  if (column == "time" || column == "dt") return "s";
-  if (column.starts_with("probe.")) {
-    const std::size_t field = column.find('.', std::string_view("probe.").size());
-    const char* unit = field == std::string_view::npos
-                           ? nullptr
-                           : unit_of_field(std::string(column.substr(field + 1)));
-    return unit != nullptr ? unit : "any";
-  }
-  for (const Ending& ending : kParts) {
-    if (column.find(ending.part) != std::string_view::npos) return ending.unit;
-  }
-  return "any";
 }
 
 struct UnitOfKind {

@@ -35,18 +35,24 @@ template <int Dim>
 Phase phase_of(const Solid<Dim>& solid) {
   return solid.n_particles() > 0 ? Phase::particles : Phase::elements;
 }
-}  // namespace
 
+/// What stands before the first step: boundaries of time 0, lists, contacts.
 template <int Dim>
-void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
-                   Balance<Dim>* balance) {
-  Phases& phases = scene.phases;
+void start(Scene<Dim>& scene) {
   scene.supports.start();
   if (scene.rigid) scene.rigid->start();
   scene.heat.start();
   scene.refresh_motion();
   scene.rearrange();
   if (scene.contact) scene.contact->start();
+}
+}  // namespace
+
+template <int Dim>
+void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
+                   Balance<Dim>* balance) {
+  Phases& phases = scene.phases;
+  start(scene);
   observer.begin(scene, clock);
   while (!clock.finished()) {
     if (balance != nullptr) {

@@ -106,6 +106,22 @@ bool anything_can_touch(const Deck& deck, const ContactOptions& options) {
   return std::any_of(options.pairs.begin(), options.pairs.end(),
                      [](const auto& pair) { return !pair.second.ignore; });
 }
+
+/// Contact between all that can touch; none where nothing can.
+template <int Dim>
+void add_contact(const Deck& deck, Scene<Dim>& scene) {
+  const ContactOptions options = contact_options(deck);
+  if (!anything_can_touch(deck, options)) return;
+  find_half_thicknesses(scene);
+  std::vector<Surface<Dim>*> surfaces;
+  for (auto& solid : scene.solids) surfaces.push_back(&solid->surface());
+  scene.contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
+                                                        scene.body_names, deck.depth);
+  if (scene.contact->n_pairs() <= kMostReportedPairs) return;
+  scene.notes.push_back(std::to_string(scene.contact->n_pairs()) +
+                        " pairs of bodies may touch: history.csv has columns of those that "
+                        "`contact: {pairs: ...}` names");
+}
 }  // namespace
 
 template <int Dim>
@@ -158,19 +174,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   add_boundaries(loaded, *scene, problems);
   check_constraints(loaded, *scene, problems);
   check_overlaps(loaded, *scene, problems);
-  const ContactOptions options = contact_options(deck);
-  if (anything_can_touch(deck, options)) {
-    find_half_thicknesses(*scene);
-    std::vector<Surface<Dim>*> surfaces;
-    for (auto& solid : scene->solids) surfaces.push_back(&solid->surface());
-    scene->contact = std::make_unique<ContactManager<Dim>>(options, deck.geometry, surfaces,
-                                                           scene->body_names, deck.depth);
-    if (scene->contact->n_pairs() > kMostReportedPairs) {
-      scene->notes.push_back(std::to_string(scene->contact->n_pairs()) +
-                             " pairs of bodies may touch: history.csv has columns of those that "
-                             "`contact: {pairs: ...}` names");
-    }
-  }
+  add_contact(deck, *scene);
   add_watches(loaded, *scene, problems);
   check_measures(loaded, *scene, problems);
   if (!problems.empty()) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
+#include "app/watch/column_names.hpp"
 #include "app/watch/rigid_reports.hpp"
 
 namespace brunt {
@@ -27,83 +29,15 @@ Real energy_of_rounding(const Scene<Dim>& scene) {
   }
   return 1e-24 * stiffest * mass.value();
 }
-
-/// Torques of contact have three components, or z alone in 2D, or none of a whole ring.
-template <int Dim>
-int first_torque(const Scene<Dim>& scene) {
-  if (scene.geometry == Geometry::axisymmetric) return 3;
-  return Dim == 3 ? 0 : 2;
-}
 }  // namespace
 
 template <int Dim>
 HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
-  names_ = {"time", "step", "dt", "dt_body"};
-  for (int c = 0; c < kColumns; ++c) {
-    names_.push_back("energy." + std::string(column_name(static_cast<Column>(c))));
-  }
-  names_.insert(names_.end(), {"energy.total", "energy.drift", "energy.created"});
-  for (int c = 0; c < Dim; ++c) names_.push_back(std::string("momentum.") + kAxes[c]);
-  const auto rigid = rigid_reports(scene, 0);
-  Label label = 0;
-  for (const auto& body : scene.body_names) {
-    const std::string head = "body." + body + ".";
-    names_.push_back(head + "mass");
-    for (const char* vector : {"position.", "velocity."}) {
-      for (int c = 0; c < Dim; ++c) names_.push_back(head + vector + kAxes[c]);
-    }
-    for (const char* name : {"kinetic", "internal", "hourglass", "heat"})
-      names_.push_back(head + name);
-    const auto found = rigid.find(label++);
-    if (found == rigid.end()) continue;
-    const auto add = [&](const char* name, int first, int last) {
-      for (int c = first; c < last; ++c) names_.push_back(head + name + kAxes[c]);
-    };
-    const int turning = found->second.one_piece ? first_torque(scene) : 3;
-    add("rotation.", turning, 3), add("spin.", turning, 3);
-    add("force.", 0, Dim), add("torque.", first_torque(scene), 3);
-  }
-  if (scene.contact) {
-    for (const auto& pair : scene.contact->reports()) {
-      const std::string head = "contact." + pair.name + ".";
-      for (int c = 0; c < Dim; ++c) names_.push_back(head + "force." + kAxes[c]);
-      for (int c = first_torque(scene); c < 3; ++c) names_.push_back(head + "torque." + kAxes[c]);
-      for (const char* name : {"area", "heat_rate", "friction_heat", "max_penetration", "planes"})
-        names_.push_back(head + name);
-      if (!scene.conducts()) continue;
-      for (const char* name : {"temperature.max", "temperature.mean"})
-        names_.push_back(head + name);
-    }
-  }
-  for (const auto& constraint : scene.supports.constraints()) {
-    for (int c = 0; c < Dim; ++c) {
-      names_.push_back("boundary." + constraint.name + ".reaction." + kAxes[c]);
-    }
-  }
-  for (const auto& boundary : scene.heat.all()) {
-    names_.push_back("boundary." + boundary.name + ".heat_rate");
-  }
-  for (const auto& probe : scene.probes) {
-    for (std::size_t f = 0; f < probe.fields.size(); ++f) names_.push_back(column_of(probe, f));
-  }
-  for (const auto& section : scene.sections.all()) {
-    const std::string head = "section." + section.name + ".";
-    for (int c = 0; c < Dim; ++c) names_.push_back(head + "force." + kAxes[c]);
-    for (int c = first_torque(scene); c < 3; ++c) names_.push_back(head + "moment." + kAxes[c]);
-  }
-  if (scene.conducts()) {
-    for (const char* name : {"stored", "plastic", "compression", "friction", "boundary", "drift"}) {
-      names_.push_back(std::string("heat.") + name);
-    }
-  }
-  names_.push_back("state_hash");
+  ColumnNames columns = column_names(scene);
+  names_ = std::move(columns.names), whole_ = std::move(columns.whole);
   largest_ = energy_of_rounding(scene);
   energies_ = EnergyWatch(scene.body_names.size());
   energies_.start(1e6 * largest_);  // strains of 1e-9, speeds of 1e-9 c: no run stops for less
-  for (std::size_t c = 0; c < names_.size(); ++c) {
-    const auto& name = names_[c];
-    if (name == "step" || name == "dt_body" || name.ends_with(".planes")) whole_.push_back(c);
-  }
 }
 
 /// Reactions of constraints and heat rates of boundaries, all in one reduction.
@@ -138,6 +72,60 @@ void HistoryColumns<Dim>::add_watched(const Scene<Dim>& scene, std::vector<Real>
     for (int c = first_torque(scene); c < 3; ++c) {
       values.push_back(total.moment[static_cast<std::size_t>(c)]);
     }
+  }
+}
+
+/// Sums of each body, and how much of its tension artificial stress carries.
+template <int Dim>
+void HistoryColumns<Dim>::add_bodies(const Scene<Dim>& scene, const Totals<Dim>& totals, Real time,
+                                     Row& row) {
+  const auto rigid = rigid_reports(scene, time);
+  auto& values = row.values;
+  Label label = 0;
+  for (const auto& body : totals.bodies) {
+    const Real mass = body.mass.value();
+    values.push_back(mass);
+    for (int c = 0; c < Dim; ++c) {
+      values.push_back(mass > 0 ? body.mass_position[c].value() / mass + scene.origin[c] : 0.0);
+    }
+    for (int c = 0; c < Dim; ++c)
+      values.push_back(mass > 0 ? body.momentum[c].value() / mass : 0.0);
+    for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
+      values.push_back(sum->value());
+    }
+    const Real tension = body.tension.value();
+    row.artificial_share.push_back(
+        tension > 0 ? std::fabs(body.artificial_tension.value()) / tension : 0.0);
+    const auto found = rigid.find(label++);
+    if (found == rigid.end()) continue;
+    const auto add = [&](const Vec3& vector, int first, int last) {
+      for (int c = first; c < last; ++c) values.push_back(vector[c]);
+    };
+    const auto& report = found->second;
+    const int turning = report.one_piece ? first_torque(scene) : 3;
+    add(report.rotation, turning, 3), add(report.spin, turning, 3);
+    add(report.force, 0, Dim), add(report.torque, first_torque(scene), 3);
+  }
+}
+
+/// Pairs of bodies in contact; of them the deepest, and contacts that did not hold.
+template <int Dim>
+void HistoryColumns<Dim>::add_pairs(const Scene<Dim>& scene, Row& row) {
+  auto& values = row.values;
+  row.lost = scene.contact->lost_pairs(scene.origin);
+  Real deepest = 0;
+  for (const auto& pair : scene.contact->reports(scene.origin)) {
+    if (pair.max_penetration > deepest) {
+      deepest = pair.max_penetration, row.deepest_pair = pair.name;
+    }
+    for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
+    for (int c = first_torque(scene); c < 3; ++c) {
+      values.push_back(pair.torque[static_cast<std::size_t>(c)]);
+    }
+    values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
+                                 pair.max_penetration, static_cast<Real>(pair.planes)});
+    if (!scene.conducts()) continue;
+    values.insert(values.end(), {pair.temperature_max, pair.temperature_mean});
   }
 }
 
@@ -189,49 +177,8 @@ typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>&
     for (const auto& body : totals.bodies) momentum.add(body.momentum[c]);
     values.push_back(momentum.value());
   }
-  const auto rigid = rigid_reports(scene, clock.time());
-  Label label = 0;
-  for (const auto& body : totals.bodies) {
-    const Real mass = body.mass.value();
-    values.push_back(mass);
-    for (int c = 0; c < Dim; ++c) {
-      values.push_back(mass > 0 ? body.mass_position[c].value() / mass + scene.origin[c] : 0.0);
-    }
-    for (int c = 0; c < Dim; ++c)
-      values.push_back(mass > 0 ? body.momentum[c].value() / mass : 0.0);
-    for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
-      values.push_back(sum->value());
-    }
-    const Real tension = body.tension.value();
-    row.artificial_share.push_back(
-        tension > 0 ? std::fabs(body.artificial_tension.value()) / tension : 0.0);
-    const auto found = rigid.find(label++);
-    if (found == rigid.end()) continue;
-    const auto add = [&](const Vec3& vector, int first, int last) {
-      for (int c = first; c < last; ++c) values.push_back(vector[c]);
-    };
-    const auto& report = found->second;
-    const int turning = report.one_piece ? first_torque(scene) : 3;
-    add(report.rotation, turning, 3), add(report.spin, turning, 3);
-    add(report.force, 0, Dim), add(report.torque, first_torque(scene), 3);
-  }
-  if (scene.contact) {
-    row.lost = scene.contact->lost_pairs(scene.origin);
-    Real deepest = 0;
-    for (const auto& pair : scene.contact->reports(scene.origin)) {
-      if (pair.max_penetration > deepest) {
-        deepest = pair.max_penetration, row.deepest_pair = pair.name;
-      }
-      for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
-      for (int c = first_torque(scene); c < 3; ++c) {
-        values.push_back(pair.torque[static_cast<std::size_t>(c)]);
-      }
-      values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
-                                   pair.max_penetration, static_cast<Real>(pair.planes)});
-      if (!scene.conducts()) continue;
-      values.insert(values.end(), {pair.temperature_max, pair.temperature_mean});
-    }
-  }
+  add_bodies(scene, totals, clock.time(), row);
+  if (scene.contact) add_pairs(scene, row);
   add_boundaries(scene, values);
   add_watched(scene, values);
   if (scene.conducts()) add_heat(totals, values);

@@ -40,6 +40,8 @@ class HistoryColumns {
   void load_state(const StateTables& tables);  ///< throws StateError
 
  private:
+  static void add_bodies(const Scene<Dim>& scene, const Totals<Dim>& totals, Real time, Row& row);
+  static void add_pairs(const Scene<Dim>& scene, Row& row);
   static void add_boundaries(const Scene<Dim>& scene, std::vector<Real>& values);
   static void add_watched(const Scene<Dim>& scene, std::vector<Real>& values);
   void add_heat(const Totals<Dim>& totals, std::vector<Real>& values);

@@ -190,21 +190,66 @@ const FrictionMemory<Dim>* FrictionHistory<Dim>::of_particle(const ContactKey& k
   return &past_[found];
 }
 
+namespace {
+/// What a contact is and what its tangential spring acts on, as the record and the step say.
 template <int Dim>
-void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
-                   const FrictionStep<Dim>& step, Friction<Dim>& friction) {
+void begin(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
+           Friction<Dim>& friction) {
   friction.key = key_of(record);
   friction.normal = record.normal;
   friction.n_nodes = record.n_nodes;
   friction.node = record.node;
   friction.area = step.area;
   friction.stiffness = step.stiffness;
+}
+
+/// The force [N] at which the contact slips: of the coefficient at its pressure and speed, with
+/// cohesion where it is bonded, and no more than the shear limit. friction: state and coefficient
+/// out. speed [m/s]
+template <int Dim>
+Real sliding_limit(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step, Real speed,
+                   Friction<Dim>& friction) {
+  const Real push = record.spring + record.damping;
+  const Real normal_force = step.bonded ? push : std::max(push, 0.0);
+  const Real pressure = std::max(push, 0.0) / step.pressed;
+  friction.state = {step.material.temperature, step.material.flow_stress, pressure, speed};
+  // A coefficient may be infinite at no pressure: c/p, a friction that does not depend on it.
+  if (pressure > 0 || step.bonded) {
+    friction.coefficient = step.options->coefficient(friction.state);
+  }
+  Real limit = friction.coefficient * normal_force;
+  if (step.bonded) limit = std::max(limit + step.options->cohesion * step.pressed, 0.0);
+  if (step.options->shear_limit) {
+    limit = std::min(limit, step.material.flow_stress / std::sqrt(3.0) * step.pressed);
+  }
+  return limit;
+}
+
+/// The traction [Pa] of the damper where friction sticks; with the spring's no more than the limit
+/// [Pa]. slip [m]
+template <int Dim>
+Vec<Dim> sticking_drag(const FrictionStep<Dim>& step, const Vec<Dim>& traction,
+                       const Vec<Dim>& slip, Real limit) {
+  return within_limit<Dim>(traction, -step.damping / step.dt * slip, limit);
+}
+
+/// The place [m] where friction acts. The common plane of large tilted faces lies off both: it acts
+/// where they are.
+template <int Dim>
+Vec<Dim> place_of(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
+                  const Corners<Dim>& lower, const Corners<Dim>& upper) {
+  return record.of_particle ? step.point : Vec<Dim>(0.5 * (lower.point + upper.point));
+}
+}  // namespace
+
+template <int Dim>
+void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                   const FrictionStep<Dim>& step, Friction<Dim>& friction) {
+  begin(record, step, friction);
   const Corners<Dim> lower(nodes, record, step.weight, step.lower);
   const Corners<Dim> upper(nodes, record, step.weight, step.upper);
   const Vec<Dim>& n = record.normal;
-  // The common plane of large tilted faces lies off both: friction acts where they are.
-  const Vec<Dim> point =
-      record.of_particle ? step.point : Vec<Dim>(0.5 * (lower.point + upper.point));
+  const Vec<Dim> point = place_of(record, step, lower, upper);
   friction.point = point;
 
   const Vec<Dim> velocity = upper.velocity - lower.velocity;
@@ -235,30 +280,18 @@ void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& rec
   slip = in_plane<Dim>(slip, n);
   const bool told = step.turn && step.dt > 0;
   const Real speed = told ? slip.norm() / step.dt : in_plane<Dim>(velocity, n).norm();
-  const Real push = record.spring + record.damping;
-  const Real normal_force = step.bonded ? push : std::max(push, 0.0);
-  const Real pressure = std::max(push, 0.0) / step.pressed;
-  friction.state = {step.material.temperature, step.material.flow_stress, pressure, speed};
-  // A coefficient may be infinite at no pressure: c/p, a friction that does not depend on it.
-  if (pressure > 0 || step.bonded) {
-    friction.coefficient = step.options->coefficient(friction.state);
-  }
-  Real limit = friction.coefficient * normal_force;
-  if (step.bonded) limit = std::max(limit + step.options->cohesion * step.pressed, 0.0);
-  if (step.options->shear_limit) {
-    limit = std::min(limit, step.material.flow_stress / std::sqrt(3.0) * step.pressed);
-  }
+  const Real limit = sliding_limit(record, step, speed, friction);
   auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
-  if (slid.slips &&
-      step.turn) {  // what the forces take from the centres is heat (docs/decisions.md)
+  // What the forces take from the centres is heat:
+  // docs/decisions/096-friction-between-particles.md.
+  if (slid.slips && step.turn) {
     slip = between_centres;
     slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   }
   friction.traction = slid.traction;
   friction.slips = slid.slips;
   if (!slid.slips && step.dt > 0) {
-    const Vec<Dim> drag = -step.damping / step.dt * slip;
-    friction.drag = within_limit<Dim>(slid.traction, drag, limit / step.area);
+    friction.drag = sticking_drag(step, slid.traction, slip, limit / step.area);
   }
   share(upper, step.upper, point, friction.resultant(), friction);
   share<Dim>(lower, step.lower, point, -friction.resultant(), friction);

@@ -77,3 +77,4 @@ void load_keyed(const std::string& name, const Entities<Dim>& entities, const St
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/first_touch_test.cpp.

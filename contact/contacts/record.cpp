@@ -180,3 +180,4 @@ template void apply<3>(const Records<3>&, std::span<const Contribution<3>>, Real
                        const std::vector<Surface<3>*>&, ContactNodes<3>&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

@@ -237,3 +237,4 @@ void Records<Dim>::for_parts(std::size_t n, std::size_t worth_threads, const Wor
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

@@ -97,3 +97,4 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, con
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/edge_contact_test.cpp.

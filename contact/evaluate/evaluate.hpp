@@ -118,3 +118,4 @@ void warm_pair(const ContactParticle& first, const ContactParticle& second,
                const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

@@ -95,3 +95,4 @@ template int planes_of<3>(const FacePlane<3>&, const FacePlane<3>&, const Sectio
                           const FaceCandidate&, const TouchStep&, FirstTouch&, Planes<3>&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

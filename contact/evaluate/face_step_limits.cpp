@@ -117,3 +117,4 @@ template void limit_by_barrier<3>(const Entities<3>&, const FaceCandidate&, cons
                                   Real, const EvaluationStep&, StepLimit&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/stability_test.cpp.

@@ -334,3 +334,4 @@ template void evaluate_faces<3>(const Entities<3>&, std::span<const FaceCandidat
                                 const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

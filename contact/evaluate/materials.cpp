@@ -79,3 +79,4 @@ template void ask_pair<3>(const Entities<3>&, const ContactParticle&, const Cont
                           const ContactRecord<3>&, FrictionStep<3>&);
 
 }  // namespace brunt
+// Tested by tests/verification/friction_law_test.cpp.

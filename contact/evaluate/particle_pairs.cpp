@@ -245,3 +245,4 @@ template void evaluate_pairs<3>(const Entities<3>&, const PairRows&, const Secti
                                 const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/particle_pair_test.cpp.

@@ -258,3 +258,4 @@ template class ContactImports<2>;
 template class ContactImports<3>;
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -122,3 +122,4 @@ void ContactImports<Dim>::deliver(std::vector<Packer>& to, const Take& take) con
 }
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -89,3 +89,4 @@ template void ContactImports<3>::send_sides(
     const std::function<void(GlobalId, GlobalId, const PairSide&)>&) const;
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -191,3 +191,4 @@ template std::vector<TractionShare<3>> ContactImports<3>::send_tractions(const R
                                                                          const Entities<3>&) const;
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -109,3 +109,4 @@ std::array<std::array<Real, 4>, 4> bilinear_weights(const std::array<const Polyg
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/common_plane_test.cpp.

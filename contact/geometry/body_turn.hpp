@@ -44,3 +44,4 @@ class BodyTurn<3> {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/particle_friction_test.cpp.

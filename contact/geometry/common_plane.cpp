@@ -194,22 +194,77 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   return true;
 }
 
+/// An edge along the common line: places s of its corners there, and their heights above it.
+struct Span {
+  Real s0, s1, h0, h1;
+  Real share(Real s) const { return (s - s0) / (s1 - s0); }
+  Real height(Real s) const { return h0 + share(s) * (h1 - h0); }
+};
+
+/// t  unit vector of the line
+Span span_of(const FacePlane<2>& face, const CommonPlane<2>& plane, const Vec<2>& t) {
+  const Vec<2> a = face.corner[0] - plane.origin, b = face.corner[1] - plane.origin;
+  return Span{a.dot(t), b.dot(t), a.dot(plane.normal), b.dot(plane.normal)};
+}
+
+/// Ends a line that penetrates at one end alone where the depth [m] passes 0.
+void leave_out_gap(Real& from, Real& to, std::array<Real, 2>& depth) {
+  const Real crossing = from + (to - from) * depth[0] / (depth[0] - depth[1]);
+  if (depth[0] < 0) from = crossing, depth[0] = 0;
+  if (depth[1] < 0) to = crossing, depth[1] = 0;
+}
+
+/// Integrals over a line by Simpson's rule: of 1, s - middle, g and g (s - middle).
+struct LineIntegrals {
+  Real area = 0, first = 0, total = 0, moment = 0;
+};
+
+/// depth  [m] g at both ends, linear between;  breadth  [m] at a place of the line
+template <class Breadth>
+LineIntegrals integrate(Real from, Real to, const std::array<Real, 2>& depth,
+                        const Breadth& breadth) {
+  const Real middle = 0.5 * (from + to);
+  const std::array<Real, 3> s = {from, middle, to}, share = {1.0 / 6, 4.0 / 6, 1.0 / 6};
+  const std::array<Real, 3> g = {depth[0], 0.5 * (depth[0] + depth[1]), depth[1]};
+  LineIntegrals sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real strip = (to - from) * share[i] * breadth(s[i]);
+    sum.area += strip;
+    sum.first += strip * (s[i] - middle);
+    sum.total += strip * g[i];
+    sum.moment += strip * g[i] * (s[i] - middle);
+  }
+  return sum;
+}
+
+/// Sets the line itself, and the place p where its force acts with the weights of both edges there.
+void place_line(const Span& below, const Span& above, const std::array<Real, 2>& end, Real p,
+                const Vec<2>& t, CommonPlane<2>& plane) {
+  plane.point = plane.origin + p * t;
+  plane.axis_1 = t;
+  plane.axis_2.setZero();
+  plane.polygon.size = 0;
+  plane.polygon.push(Vec<2>(end[0], 0));
+  plane.polygon.push(Vec<2>(end[1], 0));
+  plane.lower_weight = {1 - below.share(p), below.share(p)};
+  plane.upper_weight = {1 - above.share(p), above.share(p)};
+}
+
+/// The same of the middle m of the area.
+void place_middle(const Span& below, const Span& above, Real m, const Vec<2>& t,
+                  CommonPlane<2>& plane) {
+  plane.middle = plane.origin + m * t;
+  plane.lower_at_middle = {1 - below.share(m), below.share(m)};
+  plane.upper_at_middle = {1 - above.share(m), above.share(m)};
+}
+
 /// The line between two edges in 2D; the integrands are cubic at most, so Simpson is exact.
 bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
                const PlaneNeeds& needs, CommonPlane<2>& plane) {
   if (!orient(lower, upper, needs.barrier, plane)) return false;
   if (!needs.whole && apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   const Vec<2> t(-plane.normal[1], plane.normal[0]);
-  struct Span {
-    Real s0, s1, h0, h1;
-    Real share(Real s) const { return (s - s0) / (s1 - s0); }
-    Real height(Real s) const { return h0 + share(s) * (h1 - h0); }
-  };
-  const auto span_of = [&](const FacePlane<2>& face) {
-    const Vec<2> a = face.corner[0] - plane.origin, b = face.corner[1] - plane.origin;
-    return Span{a.dot(t), b.dot(t), a.dot(plane.normal), b.dot(plane.normal)};
-  };
-  const Span below = span_of(lower), above = span_of(upper);
+  const Span below = span_of(lower, plane, t), above = span_of(upper, plane, t);
   Real from = std::max(std::min(below.s0, below.s1), std::min(above.s0, above.s1));
   Real to = std::min(std::max(below.s0, below.s1), std::max(above.s0, above.s1));
   const Real smaller = std::min(lower.area, upper.area);
@@ -222,23 +277,12 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   plane.deepest = std::max(depth[0], depth[1]);
   if (!needs.whole) {
     if (plane.deepest <= 0) return false;
-    const Real crossing = from + (to - from) * depth[0] / (depth[0] - depth[1]);
-    if (depth[0] < 0) from = crossing, depth[0] = 0;
-    if (depth[1] < 0) to = crossing, depth[1] = 0;
+    leave_out_gap(from, to, depth);
   }
 
   const Real middle = 0.5 * (from + to);
   const auto breadth = [&](Real s) { return section.breadth(plane.origin[0] + s * t[0]); };
-  const std::array<Real, 3> s = {from, middle, to}, share = {1.0 / 6, 4.0 / 6, 1.0 / 6};
-  const std::array<Real, 3> g = {depth[0], 0.5 * (depth[0] + depth[1]), depth[1]};
-  Real total = 0, moment = 0, area = 0, first = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Real strip = (to - from) * share[i] * breadth(s[i]);
-    area += strip;
-    first += strip * (s[i] - middle);
-    total += strip * g[i];
-    moment += strip * g[i] * (s[i] - middle);
-  }
+  const auto [area, first, total, moment] = integrate(from, to, depth, breadth);
   if (!needs.whole && !(total > kTouching * smaller * area)) return false;
 
   DeepLine deep;
@@ -260,8 +304,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
                          needs.opening,
                          section};
   const bool pushes = needs.pushes && !needs.whole;
-  BorderFade<2> fade;
-  if (pushes) fade = fade_of(lower, upper, line, plane);
+  const auto fade = pushes ? fade_of(lower, upper, line, plane) : BorderFade<2>();
   if (fade.factor == 0) return false;
   set_fade(fade.factor, plane);
   plane.area = area;
@@ -269,20 +312,8 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   const Real of_barrier = set_spring(total, penetration(p), deep, needs.whole, plane);
   if (of_barrier > 0) p += of_barrier * (deep.moment / deep.squared - p);
   plane.penetration = penetration(p);
-  plane.point = plane.origin + p * t;
-  plane.axis_1 = t;
-  plane.axis_2.setZero();
-  plane.polygon.size = 0;
-  plane.polygon.push(Vec<2>(from, 0));
-  plane.polygon.push(Vec<2>(to, 0));
-  plane.lower_weight = {1 - below.share(p), below.share(p)};
-  plane.upper_weight = {1 - above.share(p), above.share(p)};
-  if (needs.middle) {
-    const Real m = middle + first / area;
-    plane.middle = plane.origin + m * t;
-    plane.lower_at_middle = {1 - below.share(m), below.share(m)};
-    plane.upper_at_middle = {1 - above.share(m), above.share(m)};
-  }
+  place_line(below, above, {from, to}, p, t, plane);
+  if (needs.middle) place_middle(below, above, middle + first / area, t, plane);
   if (!pushes) return true;
   const PotentialShare follows = potential_share(plane.facing, line.change(), fade);
   if (follows.value > 0) add_potential(lower, upper, line, fade, follows, plane);

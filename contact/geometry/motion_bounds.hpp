@@ -35,3 +35,4 @@ struct MotionBounds {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/rebuild_test.cpp.

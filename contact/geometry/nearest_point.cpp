@@ -174,3 +174,4 @@ template NearestPoint<2> nearest_point<2>(const FacePlane<2>&, const Vec<2>&);
 template NearestPoint<3> nearest_point<3>(const FacePlane<3>&, const Vec<3>&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/particle_face_test.cpp.

@@ -245,3 +245,4 @@ void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const O
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/overlap_push_test.cpp.

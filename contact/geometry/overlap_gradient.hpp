@@ -45,3 +45,4 @@ void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real openi
             const OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/overlap_push_test.cpp.

@@ -166,3 +166,4 @@ void add_potential(const FacePlane<2>& lower, const FacePlane<2>& upper, const O
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/overlap_push_test.cpp.

@@ -64,3 +64,4 @@ inline void describe(Schema& s, FrictionHeat& heat) {
 }
 
 }  // namespace brunt
+// Tested by tests/verification/contact_heat_options_test.cpp.

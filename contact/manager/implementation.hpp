@@ -112,3 +112,4 @@ std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

@@ -62,3 +62,4 @@ template ContactReaches<2> ContactManager<2>::reaches() const;
 template ContactReaches<3> ContactManager<3>::reaches() const;
 
 }  // namespace brunt
+// Tested by tests/unit/contact/rebuild_test.cpp.

@@ -143,6 +143,27 @@ void append_polygon(const Entities<Dim>& entities, const Section& section,
   append<Dim>(view.position, record.point);
   view.polygon_size.push_back(1);
 }
+
+PairReport report_of(const PairSums& sums, const std::string& name) {
+  PairReport report;
+  report.name = name;
+  for (std::size_t c = 0; c < 3; ++c) {
+    report.force[c] = sums.force[c].value();
+    report.torque[c] = sums.torque[c].value();
+  }
+  report.area = sums.area.value();
+  report.heat_rate = sums.through.value();
+  report.friction_heat = sums.heat.value();
+  const bool passes = sums.passing.area.value() > 0;
+  const Warmth& warmth = passes ? sums.passing : sums.touching;
+  report.temperature_max = warmth.hottest;
+  if (const Real area = warmth.area.value(); area > 0) {
+    report.temperature_mean = warmth.area_temperature.value() / area;
+  }
+  report.max_penetration = sums.max_penetration;
+  report.planes = sums.planes;
+  return report;
+}
 }  // namespace
 
 template <int Dim>
@@ -198,23 +219,7 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
                             [](PairSums& into, const PairSums& from) { merge(into, from); });
   std::vector<PairReport> reports;
   for (std::size_t p = 0; p < sums.size(); ++p) {
-    auto& report = reports.emplace_back();
-    report.name = own.pairs.name(reported[p]);
-    for (std::size_t c = 0; c < 3; ++c) {
-      report.force[c] = sums[p].force[c].value();
-      report.torque[c] = sums[p].torque[c].value();
-    }
-    report.area = sums[p].area.value();
-    report.heat_rate = sums[p].through.value();
-    report.friction_heat = sums[p].heat.value();
-    const bool passes = sums[p].passing.area.value() > 0;
-    const Warmth& warmth = passes ? sums[p].passing : sums[p].touching;
-    report.temperature_max = warmth.hottest;
-    if (const Real area = warmth.area.value(); area > 0) {
-      report.temperature_mean = warmth.area_temperature.value() / area;
-    }
-    report.max_penetration = sums[p].max_penetration;
-    report.planes = sums[p].planes;
+    reports.push_back(report_of(sums[p], own.pairs.name(reported[p])));
   }
   return reports;
 }

@@ -143,3 +143,4 @@ template void ContactManager<2>::Implementation::load_touches(const StateTables&
 template void ContactManager<3>::Implementation::load_touches(const StateTables&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

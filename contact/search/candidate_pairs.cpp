@@ -148,3 +148,4 @@ template void Candidates<2>::find_pairs(const Entities<2>&, const PairTable&);
 template void Candidates<3>::find_pairs(const Entities<3>&, const PairTable&);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/box_query_test.cpp.

@@ -301,3 +301,4 @@ template class Candidates<2>;
 template class Candidates<3>;
 
 }  // namespace brunt
+// Tested by tests/unit/contact/rebuild_test.cpp.

@@ -130,3 +130,4 @@ class Candidates {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/rebuild_test.cpp.

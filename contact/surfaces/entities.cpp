@@ -135,6 +135,25 @@ void sort_by_id(std::vector<Entity>& entities) {
     return a.id != b.id ? a.id < b.id : a.surface < b.surface;
   });
 }
+
+template <int Dim>
+ContactParticle particle_from(const SurfaceParticle& shown, const Surface<Dim>& surface,
+                              LocalIndex number) {
+  const auto& points = *surface.points;
+  const auto p = static_cast<std::size_t>(shown.point);
+  ContactParticle particle{shown.point,      number,       points.id[p],  points.body[p],
+                           points.piece[p],  shown.radius, shown.modulus, shown.conductivity,
+                           shown.effusivity, surface.held};
+  if (!points.specific_heat.empty()) particle.specific_heat = points.specific_heat[p];
+  return particle;
+}
+
+/// values  not empty; reordered
+Real median(std::vector<Real>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 }  // namespace
 
 template <int Dim>
@@ -169,13 +188,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
     for (const auto& shown : surface.particles) {
       if (shown.point >= surface.points->n_owned) continue;
       const auto p = static_cast<std::size_t>(shown.point);
-      const Label body = surface.points->body[p];
-      if (pairs.strongest(body).ignore) continue;
-      particles.push_back({shown.point, static_cast<LocalIndex>(s), surface.points->id[p], body,
-                           surface.points->piece[p], shown.radius, shown.modulus,
-                           shown.conductivity, shown.effusivity, surface.held});
-      const auto& varying = surface.points->specific_heat;
-      if (!varying.empty()) particles.back().specific_heat = varying[p];
+      if (pairs.strongest(surface.points->body[p]).ignore) continue;
+      particles.push_back(particle_from(shown, surface, static_cast<LocalIndex>(s)));
       sizes.push_back(2 * shown.radius);
     }
   }
@@ -189,11 +203,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
     }
   }
   for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
-  if (!sizes.empty()) {
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    size = *middle;
-  }
+  if (!sizes.empty()) size = median(sizes);
   deepest = ranks.all->max(deepest);
   size = ranks.all->max(size);
   const auto diameters = largest_diameters(*this, ranks);
@@ -392,3 +402,4 @@ template struct Entities<2>;
 template struct Entities<3>;
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

@@ -176,3 +176,4 @@ struct Entities {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

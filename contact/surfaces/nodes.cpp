@@ -160,3 +160,4 @@ template struct ContactNodes<2>;
 template struct ContactNodes<3>;
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

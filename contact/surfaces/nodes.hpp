@@ -84,3 +84,4 @@ struct ContactNodes {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

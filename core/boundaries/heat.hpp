@@ -77,7 +77,7 @@ class HeatBoundaries {
 /// the window. Where heat flows from cold to hot in some pairs (G_ij < 0), a window multiplies
 /// modes by factors between -1 and 1 still (Gershgorin): it is stable. C_i/(N G_i + H_i) would do
 /// while H is steady, but lets points pass T_f. What contact exchanges is no part of H: by backward
-/// Euler, it bounds no step (docs/decisions.md).
+/// Euler, it bounds no step (docs/decisions/027-heat-across-contacts.md).
 template <int Dim>
 StepLimit heat_step(const Points<Dim>& points);
 

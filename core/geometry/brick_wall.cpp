@@ -80,3 +80,4 @@ template Mesh<2> wall_mesh<2>(const BrickWall&, const Sizing&);
 template Mesh<3> wall_mesh<3>(const BrickWall&, const Sizing&);
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

@@ -29,3 +29,4 @@ template std::vector<std::uint64_t> curve_keys<2>(const std::vector<Vec<2>>&);
 template std::vector<std::uint64_t> curve_keys<3>(const std::vector<Vec<3>>&);
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

@@ -283,3 +283,4 @@ template Filling<2> fill_shape<2>(const BodyShape&, const std::vector<Real>&, La
 template Filling<3> fill_shape<3>(const BodyShape&, const std::vector<Real>&, LatticeKind);
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

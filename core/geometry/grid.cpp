@@ -264,3 +264,4 @@ template Mesh<2> box_grid<2>(const Vec<2>&, const Vec<2>&, const std::array<Laye
 template Mesh<3> box_grid<3>(const Vec<3>&, const Vec<3>&, const std::array<Layers, 3>&);
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

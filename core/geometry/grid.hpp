@@ -73,3 +73,4 @@ Mesh<2> transfinite_grid(const std::array<std::vector<Vec<2>>, 4>& sides,
 Mesh<2> polygon_grid(const PolygonShape& polygon, const Sizing& sizing);
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

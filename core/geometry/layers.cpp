@@ -25,3 +25,4 @@ Layers layers_along(const Sizing& sizing, int axis, Real length) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/grading_test.cpp.

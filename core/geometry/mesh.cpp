@@ -286,3 +286,4 @@ template std::vector<std::array<int, 2>> outer_faces<2>(const Mesh<2>&);
 template std::vector<std::array<int, 4>> outer_faces<3>(const Mesh<3>&);
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

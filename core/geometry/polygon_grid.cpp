@@ -91,3 +91,4 @@ Mesh<2> polygon_grid(const PolygonShape& polygon, const Sizing& sizing) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

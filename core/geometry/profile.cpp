@@ -95,3 +95,4 @@ void require_simple(const std::vector<Vec<2>>& points) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

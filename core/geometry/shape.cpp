@@ -132,3 +132,4 @@ void describe(Schema& s, BodyShape& shape) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

@@ -239,3 +239,4 @@ template FacetMesh<2> surface_of_shape<2>(const BodyShape&, const Sizing&, Geome
 template FacetMesh<3> surface_of_shape<3>(const BodyShape&, const Sizing&, Geometry);
 
 }  // namespace brunt
+// Tested by tests/unit/core/shapes_test.cpp.

@@ -27,3 +27,4 @@ std::unique_ptr<EquationOfState> make_eos(const EosLaw& law, const EosInputs& in
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/material_test.cpp.

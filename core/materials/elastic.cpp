@@ -16,3 +16,4 @@ void ElasticStrength::update(MaterialTile& tile, Real) const {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/material_test.cpp.

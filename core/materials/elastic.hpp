@@ -34,3 +34,4 @@ class ElasticStrength final : public Strength {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/material_test.cpp.

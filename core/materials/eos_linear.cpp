@@ -14,3 +14,4 @@ void LinearEquation::update(MaterialTile& tile, const Real*) const {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/eos_test.cpp.

@@ -59,3 +59,4 @@ BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, Real exponent
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/material_test.cpp.

@@ -53,3 +53,4 @@ void MieGruneisenEquation::isentropic_warming(const MaterialTile& tile, Real cut
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/eos_test.cpp.

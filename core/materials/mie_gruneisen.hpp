@@ -73,3 +73,4 @@ class MieGruneisenEquation final : public EquationOfState {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/eos_test.cpp.

@@ -66,3 +66,4 @@ struct PrintedLaw {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/zerilli_armstrong_test.cpp.

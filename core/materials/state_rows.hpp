@@ -30,3 +30,4 @@ inline std::string fields_of(const MaterialState& state) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/state_test.cpp.

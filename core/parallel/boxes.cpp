@@ -67,3 +67,4 @@ template std::vector<std::vector<LocalIndex>> who_wants<3>(const Communicator&,
                                                            std::span<const SearchBox<3>>);
 
 }  // namespace brunt
+// Tested by tests/unit/core/partition_test.cpp.

@@ -195,3 +195,4 @@ const Communicator& lone_rank() {
 }
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

@@ -119,3 +119,4 @@ bool launched_by_mpirun();
 const Communicator& lone_rank();
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

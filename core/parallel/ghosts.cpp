@@ -42,3 +42,4 @@ GhostPlan plan_ghosts(const Communicator& ranks, const std::vector<GlobalId>& id
 }
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

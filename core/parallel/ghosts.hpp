@@ -53,3 +53,4 @@ GhostPlan plan_ghosts(const Communicator& ranks, const std::vector<GlobalId>& id
                       std::span<const GlobalId> owned);
 
 }  // namespace brunt
+// Tested by tests/parallel/ranks.sh.

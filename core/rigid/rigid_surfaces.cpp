@@ -104,3 +104,4 @@ template class RigidSurfaces<2>;
 template class RigidSurfaces<3>;
 
 }  // namespace brunt
+// Tested by tests/verification/rigid_test.cpp.

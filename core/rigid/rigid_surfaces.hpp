@@ -66,3 +66,4 @@ class RigidSurfaces final : public Solid<Dim> {
 };
 
 }  // namespace brunt
+// Tested by tests/verification/rigid_test.cpp.

@@ -266,3 +266,4 @@ template class CellGrid<2>;
 template class CellGrid<3>;
 
 }  // namespace brunt
+// Tested by tests/unit/core/search_cell_grid_test.cpp.

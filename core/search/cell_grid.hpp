@@ -71,3 +71,4 @@ class CellGrid {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/core/search_cell_grid_test.cpp.

@@ -303,3 +303,4 @@ template NeighbourList neighbours_within<3>(std::span<const Vec<3>>, std::span<c
                                             std::span<const Label>, Real, LocalIndex, SearchMode);
 
 }  // namespace brunt
+// Tested by tests/unit/core/search_test.cpp.

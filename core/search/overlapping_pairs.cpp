@@ -112,3 +112,4 @@ template std::vector<IndexPair> overlapping_pairs<3>(
     std::span<const SearchBox<3>>, const std::function<bool(LocalIndex, LocalIndex)>&, SearchMode);
 
 }  // namespace brunt
+// Tested by tests/unit/core/search_test.cpp.

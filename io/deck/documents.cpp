@@ -81,3 +81,4 @@ std::string explain_text(const KeyInfo& key, const std::string& path) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/sources_test.cpp.

@@ -199,3 +199,4 @@ void Echo::visit_varying_or_law(const Key& key, std::optional<Varying>& value,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_test.cpp.

@@ -174,6 +174,35 @@ class SchemaWriter {
     return key.children.size() == 1 && key.children.front().bare;
   }
 
+  /// Several numbers.
+  Json list_schema(const KeyInfo& key) {
+    using Type = KeyInfo::Type;
+    const Json parameter = reference("parameter");
+    switch (key.type) {
+      case Type::list: {
+        Json item = quantity(key.unit, key.range);
+        if (key.free_allowed) item = any_of({item, Json{{"enum", {"free"}}}});
+        return with_unit_once(list_of(item, key.size));
+      }
+      case Type::points:
+        return with_unit_once(Json{{"type", {"array", "string"}},
+                                   {"pattern", "^\\$[A-Za-z_]"},
+                                   {"minItems", 3},
+                                   {"items", list_of(quantity(key.unit, key.range), 2)}});
+      case Type::integers:
+        return list_of(
+            any_of(
+                {Json{{"allOf", {Json{{"type", "integer"}}, quantity("", key.range)}}}, parameter}),
+            key.size);
+      case Type::components:
+        return with_unit_once(
+            list_of(any_of({Json{{"enum", {"free"}}}, varying_schema(key)}), key.size));
+      default:  // per_axis
+        return any_of({quantity(key.unit, key.range),
+                       with_unit_once(list_of(quantity(key.unit, key.range), Schema::kVector))});
+    }
+  }
+
   Json value_schema(const KeyInfo& key) {
     using Type = KeyInfo::Type;
     const Json parameter = reference("parameter");
@@ -212,32 +241,17 @@ class SchemaWriter {
         return list_of(words_schema(key.words), 0);
       case Type::names:
         return list_of(Json{{"type", {"string", "number"}}}, key.size);
-      case Type::list: {
-        Json item = quantity(key.unit, key.range);
-        if (key.free_allowed) item = any_of({item, Json{{"enum", {"free"}}}});
-        return with_unit_once(list_of(item, key.size));
-      }
+      case Type::list:
       case Type::points:
-        return with_unit_once(Json{{"type", {"array", "string"}},
-                                   {"pattern", "^\\$[A-Za-z_]"},
-                                   {"minItems", 3},
-                                   {"items", list_of(quantity(key.unit, key.range), 2)}});
       case Type::integers:
-        return list_of(
-            any_of(
-                {Json{{"allOf", {Json{{"type", "integer"}}, quantity("", key.range)}}}, parameter}),
-            key.size);
       case Type::components:
-        return with_unit_once(
-            list_of(any_of({Json{{"enum", {"free"}}}, varying_schema(key)}), key.size));
+      case Type::per_axis:
+        return list_schema(key);
       case Type::direction:
         return any_of({Json{{"enum", {"x", "y", "z"}}}, parameter,
                        list_of(quantity("1", {}), Schema::kVector)});
       case Type::varying:
         return varying_schema(key);
-      case Type::per_axis:
-        return any_of({quantity(key.unit, key.range),
-                       with_unit_once(list_of(quantity(key.unit, key.range), Schema::kVector))});
       case Type::parameters:
         return {{"type", "object"}, {"propertyNames", {{"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}}}};
       case Type::empty:
@@ -357,3 +371,4 @@ std::string json_schema_text(const KeyInfo& root, const std::string& title) {
 }
 
 }  // namespace brunt
+// Tested by tests/cli/schema.sh.

@@ -327,3 +327,4 @@ const KeyInfo* find_key(const KeyInfo& root, const std::string& path) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_keys_test.cpp.

@@ -113,3 +113,4 @@ void merge(Node& base, const Node& over) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/yaml_reader_test.cpp.

@@ -319,3 +319,4 @@ void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternati
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_test.cpp.

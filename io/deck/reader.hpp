@@ -165,3 +165,4 @@ std::string main_word(const char* words);
 std::string word_list(std::span<const char* const> words);
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_test.cpp.

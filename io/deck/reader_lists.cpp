@@ -304,3 +304,4 @@ void Reader::components(const Key& key, std::optional<std::vector<std::optional<
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_test.cpp.

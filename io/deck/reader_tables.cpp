@@ -208,3 +208,4 @@ std::optional<Varying> Reader::table_value(const Node& node, const std::string& 
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_test.cpp.

@@ -305,3 +305,4 @@ void Reader::value(std::string& text, const char* help) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_test.cpp.

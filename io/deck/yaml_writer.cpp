@@ -84,3 +84,4 @@ std::string to_yaml(const Node& node) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/app/deck_test.cpp.

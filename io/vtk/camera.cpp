@@ -86,3 +86,4 @@ Camera fit(const ViewAxes& axes, const Frame2& frame, int width, int height,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

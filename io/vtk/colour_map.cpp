@@ -72,3 +72,4 @@ Range colour_range(const Range& range, bool from_zero) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

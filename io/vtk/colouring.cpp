@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/fields.hpp"
+
 namespace brunt {
 
 namespace {
@@ -84,23 +86,13 @@ bool deforms(const BodyView& view) {
 }
 
 std::string unit_of(const std::string& field) {
-  static constexpr std::array<std::pair<const char*, const char*>, 11> units = {{
-      {"displacement", "m"},
-      {"velocity", "m/s"},
-      {"acceleration", "m/s²"},
-      {"force", "N"},
-      {"temperature", "K"},
-      {"stress", "Pa"},
-      {"pressure", "Pa"},
-      {"von_mises", "Pa"},
-      {"strain_rate", "1/s"},
-      {"density", "kg/m³"},
-      {"penetration", "m"},
-  }};
-  for (const auto& [name, unit] : units) {
-    if (field == name) return unit;
+  const FieldInfo* info = field_info(field);
+  std::string unit = info != nullptr ? info->unit : "";
+  if (unit == "1") return "";
+  for (const auto& [power, sign] : {std::pair("^2", "²"), std::pair("^3", "³")}) {
+    if (const auto at = unit.find(power); at != std::string::npos) unit.replace(at, 2, sign);
   }
-  return "";
+  return unit;
 }
 
 bool shows_from_zero(const std::string& field) { return field != "temperature"; }
@@ -134,3 +126,4 @@ std::vector<Real> ticks(const Range& range, int count) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

@@ -45,7 +45,7 @@ Scalars scalars_of(const BodyView& view, const Colouring& colouring);
 /// True where a body has state of its own (stress, density, ...): all but rigid bodies.
 bool deforms(const BodyView& view);
 
-/// SI unit of a field of docs/guide/output.md, "" for pure numbers and what is not known.
+/// SI unit of a field of core/fields.hpp, "" for pure numbers and what is not known.
 std::string unit_of(const std::string& field);
 
 /// True where zero means that there is none of it. Zero kelvin is far from every scene: colours
@@ -64,3 +64,4 @@ DisplayUnit display_unit(Real largest, const std::string& unit);
 std::vector<Real> ticks(const Range& range, int count);
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

@@ -63,3 +63,4 @@ std::vector<FrameEntry> parse_frame_index(const std::string& text, const std::st
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

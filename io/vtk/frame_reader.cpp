@@ -172,3 +172,4 @@ ContactView read_contacts(const std::filesystem::path& folder, const FrameEntry&
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

@@ -209,3 +209,4 @@ std::vector<FramePiece> write_pieces(const std::filesystem::path& folder, std::s
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

@@ -296,3 +296,4 @@ BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

@@ -47,3 +47,4 @@ VtkMessages::~VtkMessages() { vtkOutputWindow::SetInstance(implementation_->befo
 std::string VtkMessages::text() const { return implementation_->window->kept; }
 
 }  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

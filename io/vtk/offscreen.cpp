@@ -124,3 +124,4 @@ OffscreenWindow::~OffscreenWindow() { window_->Finalize(); }
 vtkRenderWindow& OffscreenWindow::window() { return *window_; }
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

@@ -167,3 +167,4 @@ void draw_heading(Overlay& overlay, int height, const std::string& title, Real t
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

@@ -272,3 +272,4 @@ std::string Painter::paint(const std::vector<BodyView>& bodies, Real time) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/io/render_test.cpp.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Fails where a source cites an equation of docs/theory that is not there, or a page that is not in the repository; where
-# a page defines an equation twice; and where a page of theory names a file that is not there.
+# a page defines an equation twice; and where a page of theory names a file that is not there;
+# and where docs/decisions.md, the index, and docs/decisions differ.
 #
 # A page defines **(S7)** once, in bold; a source cites `docs/theory/sph.md (S7), (S9)` or `(S26) to (S28)`.
 set -euo pipefail
@@ -33,6 +34,18 @@ for folder in ("core", "fe", "sph", "contact", "io", "app", "tests"):
         for page in set(re.findall(r"(?<![\w/*.-])((?:[\w-]+/)*[\w-]+\.md)\b", text)):
             if not pathlib.Path(page).exists():
                 wrong.append(f"{file}: there is no {page}")
+
+# The index of decisions has a line for each, and each has a date.
+index = pathlib.Path("docs/decisions.md").read_text()
+listed = re.findall(r"\]\((decisions/[\w-]+\.md)\)", index)
+for file in sorted(pathlib.Path("docs/decisions").glob("*.md")):
+    if listed.count(f"decisions/{file.name}") != 1:
+        wrong.append(f"docs/decisions.md has no line, or more than one, for {file}")
+    if not re.search(r"^Date: \d{4}-\d\d-\d\d", file.read_text(), re.M):
+        wrong.append(f"{file} has no date")
+for file in listed:
+    if not pathlib.Path("docs", file).exists():
+        wrong.append(f"docs/decisions.md: there is no docs/{file}")
 
 print("\n".join(wrong), end="\n" if wrong else "")
 sys.exit(1 if wrong else 0)

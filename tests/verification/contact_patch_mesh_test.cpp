@@ -2,7 +2,8 @@
 // along a side on 6, inner nodes displaced by up to a fifth of an element, all of it turned by
 // 0.3 rad, and rings. Elements at the contact keep their depth: the spring of a face is that of the
 // element behind it, phi M/h, so that an even push over unequal depths has unequal gaps, which
-// nodes that faces share cannot have (distorted too, stresses differ by 6 %; docs/decisions.md).
+// nodes that faces share cannot have (distorted too, stresses differ by 6 %;
+// docs/decisions/009-patch-test-distorted-mesh.md).
 // Two blocks, one on the other, are squeezed by moving the outer face of one along the axis; the
 // faces there slide freely, the sides are free. The exact stress is uniform, a push along the axis
 // and nothing across (but nu of it out of a plane that keeps its width), and the faces' inner nodes

@@ -117,7 +117,7 @@ TEST(FlushBars, NarrowOnesHoldToo) {
 }
 
 // What has several faces has edges inside, whose forces cancel with those of the faces beside.
-TEST(FlushBars, TwoAcross) {
+TEST(FlushBars, SidesStayFreeOfForceWithSeveralFacesAcross) {
   expect_smooth(in_plane(1, 1), "1 on 1");
   expect_smooth(in_plane(2, 2), "2 on 2");
   expect_smooth(in_plane(1, 2), "1 on 2");

@@ -100,7 +100,7 @@ TEST(TaylorLong, OnePointHexesWithViscousHourglass) {
   EXPECT_LT(run.worst_drift, 0.01);
 }
 
-TEST(TaylorLong, Q1P0Hexes) {
+TEST(TaylorLong, Q1P0HexesHaveTheLengthAndFootOfTheReference) {
   const auto run = simulate_text(
       bar3("    method: fe\n    cells: [8, 8, 80]\n    element: {integration: q1p0}", kHeldFoot));
   ASSERT_EQ(run.failure, "");
@@ -134,7 +134,7 @@ Real diameter_at(const BodyView& bar, Real height) {
 }
 
 // The deck that ships, at 10 particles a radius. W(0.2 L0) = 8.07 mm by the same reference.
-TEST(TaylorLong, Particles) {
+TEST(TaylorLong, ParticlesHaveTheLengthAndFootOfTheReference) {
   const auto run = simulate_shipped("taylor-bar-sph", {"parameters.spacing=0.32 mm"});
   ASSERT_EQ(run.failure, "");
   EXPECT_NEAR(1e3 * run.measures.at("length"), 21.43, 0.03 * 21.43);

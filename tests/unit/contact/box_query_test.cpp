@@ -58,7 +58,7 @@ TEST(BoxQuery, AllComponentsAtOnceGiveTheSameBits) {
   EXPECT_GT(outside, 1000);
 }
 
-TEST(BoxQuery, InAPlane) {
+TEST(BoxQuery, DistanceInAPlaneIsThatToTheNearestCorner) {
   const SearchBox<2> box{{0, 0}, {1, 2}};
   const BoxQuery<2> query(Vec<2>(4, 6));
   EXPECT_EQ(query.squared_distance(box), 25);

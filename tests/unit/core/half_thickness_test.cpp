@@ -104,7 +104,7 @@ TEST(HalfThickness, OfTurnedPlatesInThePlane) {
 
 // The places nearest to the tip are half an eighth of the facet from it; sharp edges of more than
 // 30 degrees are no plates.
-TEST(HalfThickness, OfWedges) {
+TEST(HalfThickness, WedgesOfLessThanThirtyDegreesArePlates) {
   for (const Real degrees : {5.0, 20.0, 29.0, 31.0, 60.0, 90.0}) {
     const Real angle = degrees * kPi / 180, length = 40;
     Body<2> body;
