@@ -82,8 +82,9 @@ void describe(Schema& s, Stop& stop) {
 
 void describe(Schema& s, Output& output) {
   static constexpr const char* kFields[] = {
-      "displacement", "velocity", "acceleration", "force",   "temperature", "stress", "pressure",
-      "von_mises",    "eps_p",    "strain_rate",  "density", "piece",       "id"};
+      "displacement", "velocity", "acceleration", "force",          "temperature",
+      "stress",       "pressure", "von_mises",    "eps_p",          "strain_rate",
+      "density",      "piece",    "id",           "plastic_volume", "opening"};
   s.real({"every", "time between frames; default: a hundredth of the end"}, output.every,
          {"s", positive()});
   s.real({"history", "time between rows of history.csv; default: the end over 2000"},

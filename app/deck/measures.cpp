@@ -23,6 +23,8 @@ constexpr std::array kFields{FieldInfo{"displacement", "m", 3},
                              FieldInfo{"von_mises", "Pa", 1},
                              FieldInfo{"eps_p", "1", 1},
                              FieldInfo{"strain_rate", "1/s", 1},
+                             FieldInfo{"plastic_volume", "1", 1},
+                             FieldInfo{"opening", "1", 1},
                              FieldInfo{"density", "kg/m^3", 1},
                              FieldInfo{"piece", "1", 1},
                              FieldInfo{"id", "1", 1}};
