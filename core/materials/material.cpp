@@ -150,19 +150,23 @@ void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
   if (plastic) show(whole_old, whole);
   strength->update(tile, dt);
   if (!plastic && !energetic) return;
+  if (energetic) deviatoric_work(tile, before, work.at);
+  const Row of_deviator = work;
   if (plastic) {
     show(elastic_old, whole);
     divide_by_plastic(tile, whole, tile.ratio);
   }
-  if (energetic) {
-    deviatoric_work(tile, before, work.at);
-    if (plastic) {
+  // The work on the plastic volume needs the new pressure, which the strength has to first order
+  // only: once more.
+  for (int pass = 0; pass < (plastic && energetic ? 2 : 1); ++pass) {
+    if (energetic && plastic) {
+      work = of_deviator;
       add_plastic_volume_work(tile, elastic_old, whole_old, whole, pressure_old, work.at);
     }
-    std::copy_n(energy_old.at, tile.count, state.energy.data() + tile.first);
+    if (energetic) std::copy_n(energy_old.at, tile.count, state.energy.data() + tile.first);
     std::copy_n(pressure_old.at, tile.count, pressure);
+    eos->update(tile, work.at);
   }
-  eos->update(tile, work.at);
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
   if (!state.compression_heat.empty()) warm(tile);
   if (plastic) show(whole_old, whole);

@@ -188,10 +188,12 @@ BRUNT_INLINE void PressureReturn<Law, V>::finish(MaterialTile& tile, int i, Real
     work = (0.5 * (work - dilation_ * (held(p.pressure) + pressure))) * p.increment;
     work = work + vmax(-pressure, zero) * opened;
     store(state.pressure.data() + at, pressure);
+    // Both together grow by 1 + dilation + opening, so that the pressure is that of the return.
+    const V growth = 1.0 + dilation;
     Real* volume = state.plastic_volume.data() + at;
-    store(volume, load_as<V>(volume) * (1.0 + dilation));
+    store(volume, load_as<V>(volume) * growth);
     Real* opening = state.opening.data() + at;
-    store(opening, vmax(load_as<V>(opening) * (1.0 + (p.closing + opened)), one));
+    store(opening, vmax(load_as<V>(opening) * (1.0 + (p.closing + opened) / growth), one));
   } else {
     work = 0.5 * (work * p.increment);
   }
