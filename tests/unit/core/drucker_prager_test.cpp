@@ -233,7 +233,8 @@ TEST(DruckerPrager, StaysOnOrBelowItsConeWhateverTheStep) {
               3 * kShear * (std::abs(e[0]) + std::abs(e[1]) + std::abs(e[2]) + 2 * std::abs(e[3]));
           EXPECT_LE(path.q(), flow + 1e-9 * (flow + added) + 1e-14 * kBulk);
           EXPECT_GE(path.p(), -law.tension_limit() - 1e-14 * kBulk);
-          EXPECT_GE(state.heat[5], heat);  // plastic work makes no energy
+          // Plastic work makes no energy; where flow is associated and nothing coheres it is 0.
+          EXPECT_GE(state.heat[5], heat - 1e-9 * added * added / kShear);
           EXPECT_GE(state.plastic_volume[5], volume);
           EXPECT_GE(state.opening[5], 1);
           EXPECT_TRUE(std::isfinite(path.q() + path.p() + state.temperature[5]));
