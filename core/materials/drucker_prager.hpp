@@ -24,7 +24,7 @@ struct DruckerPrager : PrintedPressureLaw<DruckerPrager> {
   Real dilation_angle = 0;  ///< [rad]
   Fit fit = Fit::compression;
 
-  /// sigma_y = A + B p, and nothing beyond the apex; docs/theory/materials.md (M18).
+  /// sigma_y = A + B p, and nothing beyond the apex; docs/theory/materials.md (M20).
   template <class N>
   BRUNT_INLINE N formula(const PressureState<N>& at) const {
     return held_above(A + B * at.pressure, 0);

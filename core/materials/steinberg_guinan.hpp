@@ -25,7 +25,7 @@ struct SteinbergGuinan : PrintedPressureLaw<SteinbergGuinan> {
   static constexpr Real kT_ref = 300;  ///< [K]
 
   /// sigma_y = Y0 (1 + beta (eps_p + eps_i))^n [1 + A p/eta^(1/3) - B (T - 300)], its first factor
-  /// at most Y_max and its second at least 0.
+  /// at most Y_max and its second at least 0; docs/theory/materials.md (M19).
   template <class N>
   BRUNT_INLINE N formula(const PressureState<N>& at) const {
     const N hardened = Y0 * vpow(1.0 + beta * (at.eps_p + eps_i), n);
