@@ -18,6 +18,7 @@ struct PressurePoint : ReturnPoint<V> {
   V pressure;          ///< [Pa] of the trial, with the plastic volume of before
   V bulk;              ///< [Pa] what it gains per plastic volume strain
   V closing;           ///< [1] volume strain by which the opening closes, <= 0
+  V dilation;          ///< [1] plastic volume strain per eps_p; 0 where it is open
 };
 
 /// Strength that follows a law over pressure as well. The bits of a point do not depend on V.
@@ -73,7 +74,7 @@ class PressureReturn final : public Strength {
   Real limit_ = 0;     // [Pa] of tension
 };
 
-/// What has opened closes first, without resistance: (M17).
+/// What has opened closes first, without resistance: (M17). What is open still does not dilate.
 template <PressureLaw Law, class V>
 BRUNT_INLINE void PressureReturn<Law, V>::close(const MaterialState& state, std::size_t at,
                                                 PressurePoint<V>& p) const {
@@ -81,6 +82,7 @@ BRUNT_INLINE void PressureReturn<Law, V>::close(const MaterialState& state, std:
   const V most = 1.0 / load_as<V>(state.opening.data() + at) - 1.0;
   p.closing = vmax(-(vmax(p.pressure, zero) / p.bulk), most);
   p.closing = vmin(p.closing, zero);
+  p.dilation = select(most < p.closing, zero, p.dilation);
   p.pressure = p.pressure + p.bulk * p.closing;
 }
 
@@ -107,7 +109,7 @@ BRUNT_INLINE void PressureReturn<Law, V>::trial(MaterialTile& tile, int i,
   p.relative_density = 1.0 / load_as<V>(tile.ratio + i);
   p.pressure = load_as<V>(state.pressure.data() + at);
   p.bulk = load_as<V>(state.bulk.data() + at);
-  p.closing = broadcast<V>(0.0);
+  p.closing = broadcast<V>(0.0), p.dilation = broadcast<V>(dilation_);
   if constexpr (Law::kChangesVolume) close(state, at, p);
   p.temperature = state.temperature.empty() ? broadcast<V>(tile.fixed_temperature)
                                             : load_as<V>(state.temperature.data() + at);
@@ -127,13 +129,13 @@ BRUNT_INLINE void PressureReturn<Law, V>::newton(PressurePoint<V>& p, Real inver
   const V q = p.q_trial - (3.0 * shear) * d;
   V gain = zero, pressure = p.pressure;
   if constexpr (Law::kChangesVolume) {
-    gain = dilation_ * p.bulk;
+    gain = p.dilation * p.bulk;
     const V dilated = p.pressure + gain * d;
     pressure = held(dilated);
     gain = select(dilated < pressure, zero, gain);
   }
-  const V both = p.q_old + q - dilation_ * (held(p.pressure) + pressure);
-  const V of_heat = (0.5 * p.heating) * (both - (3.0 * shear + dilation_ * gain) * d);
+  const V both = p.q_old + q - p.dilation * (held(p.pressure) + pressure);
+  const V of_heat = (0.5 * p.heating) * (both - (3.0 * shear + p.dilation * gain) * d);
   const PressureState<V> at{
       {p.eps_p + d, d * inverse_dt, p.temperature + (0.5 * p.heating) * (both * d)},
       pressure,
@@ -149,7 +151,7 @@ BRUNT_INLINE void PressureReturn<Law, V>::solve(PressurePoint<V>& p, Real invers
   const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
   p.increment = p.lo = p.step = zero;
   const PressureState<V> at{{p.eps_p, zero, p.temperature}, held(p.pressure), p.relative_density};
-  const PressureState<V> by{{one, zero, zero}, dilation_ * p.bulk, zero};
+  const PressureState<V> by{{one, zero, zero}, p.dilation * p.bulk, zero};
   const auto flow = law_.along(at, by);
   p.active = flow.value < p.q_trial;
   p.q_old = vmax(p.q_old, flow.value);
@@ -182,10 +184,11 @@ BRUNT_INLINE void PressureReturn<Law, V>::finish(MaterialTile& tile, int i, Real
   store(state.strain_rate.data() + at, p.increment * inverse_dt);
   V work = p.q_old + q;
   if constexpr (Law::kChangesVolume) {
-    const V dilation = dilation_ * p.increment;
-    const V dilated = p.pressure + p.bulk * dilation, pressure = held(dilated);
-    const V opened = (pressure - dilated) / p.bulk;
-    work = (0.5 * (work - dilation_ * (held(p.pressure) + pressure))) * p.increment;
+    const V dilated = p.pressure + p.bulk * (p.dilation * p.increment), pressure = held(dilated);
+    const auto opens = dilated < pressure;
+    const V opened = select(opens, (pressure - p.pressure) / p.bulk, zero);
+    const V dilation = select(opens, zero, p.dilation * p.increment);
+    work = 0.5 * (work - p.dilation * (held(p.pressure) + pressure)) * p.increment;
     work = work + vmax(-pressure, zero) * opened;
     store(state.pressure.data() + at, pressure);
     // Both together grow by 1 + dilation + opening, so that the pressure is that of the return.

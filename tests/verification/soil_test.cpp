@@ -119,7 +119,10 @@ boundaries:
   push_y: {body: cube, where: {side: max-y}, force: [0, {table: [[0, 0], [2 ms, )" +
                          force +
                          R"(]], over: time}, 0]}
-  press: {body: cube, where: {side: max-z}, velocity: [free, free, {table: [[0, 0], [5 ms, -10 mm/s]], over: time}]}
+  press:
+    body: cube
+    where: {side: max-z}
+    velocity: [free, free, {table: [[0, 0], [5 ms, -10 mm/s]], over: time}]
 measures:
   axial: {mean: {body: cube, field: stress.zz}}
   side: {mean: {body: cube, field: stress.xx}}
@@ -183,8 +186,12 @@ materials:
     eos: {mie-gruneisen: {c0: 35 m/s, s: 1.5, gamma0: 1}}
     thermal: {cp: 800 J/kg/K}
 bodies:
-  grains: {method: sph, material: sand, size: 1 mm, velocity: [0, -2 m/s], shape: {box: {min: [0, 0.5 mm], max: [10 mm, 10.5 mm]}}}
-  lump: {material: sand, size: 2 mm, velocity: [0, -2 m/s], shape: {box: {min: [20 mm, 0.1 mm], max: [30 mm, 10.1 mm]}}}
+  grains:
+    {method: sph, material: sand, size: 1 mm, velocity: [0, -2 m/s],
+     shape: {box: {min: [0, 0.5 mm], max: [10 mm, 10.5 mm]}}}
+  lump:
+    {material: sand, size: 2 mm, velocity: [0, -2 m/s],
+     shape: {box: {min: [20 mm, 0.1 mm], max: [30 mm, 10.1 mm]}}}
   ground: {rigid: true, shape: {box: {min: [-20 mm, -5 mm], max: [50 mm, 0]}}, size: 5 mm}
 contact: {default: {friction: 0.5}}
 measures:
