@@ -27,17 +27,15 @@ materials:
     tensile_cutoff: 1 GPa
     thermal: {cp: 383, k: 386}
   j2:
-    density: 2700
-    elastic: {K: 70 GPa, G: 26 GPa}
-    strength: {j2: {yield: 300 MPa, hardening: {table: [[0, 0], [1, 1 MPa]], over: eps_p}}}
+    {density: 2700, elastic: {K: 70 GPa, G: 26 GPa},
+     strength: {j2: {yield: 300 MPa, hardening: {table: [[0, 0], [1, 1 MPa]], over: eps_p}}}}
   za:
     {density: 7870, elastic: {E: 207 GPa, nu: 0.29}, strength: {zerilli-armstrong:
       {C0: 9 MPa, C1: 1 GPa, C2: 1 MPa, C3: 0.007, C4: 4e-4, C5: 266 MPa, n: 0.3}}}
   dp:
     {density: 2000, elastic: {K: 1 GPa, G: 0.5 GPa}, strength: {drucker-prager:
       {cohesion: 1 MPa, friction_angle: 30 deg, dilation_angle: 9 deg}}}
-  sg:
-    {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {steinberg-guinan:
+  sg: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {steinberg-guinan:
       {Y0: 120 MPa, Y_max: 640 MPa, beta: 36, n: 0.45, A: 28e-12, B: 3.8e-4}}}
 bodies:
   a:
