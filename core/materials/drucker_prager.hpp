@@ -27,10 +27,10 @@ struct DruckerPrager : PrintedPressureLaw<DruckerPrager> {
   /// sigma_y = A + B p, and nothing beyond the apex; docs/theory/materials.md (M20).
   template <class N>
   BRUNT_INLINE N formula(const PressureState<N>& at) const {
-    return held_above(A + B * at.pressure, 0);
+    return held_above(intercept_ + slope_ * at.pressure, 0);
   }
   Real dilation() const { return friction(dilation_angle); }
-  Real tension_limit() const { return B > 0 ? A / B : kInfinity; }
+  Real tension_limit() const { return slope_ > 0 ? intercept_ / slope_ : kInfinity; }
   bool needs_temperature() const { return false; }
 
   /// dq/dp [1] of the cone for an angle: compression, extension 6 sin/(3 -+ sin), plane strain
@@ -44,15 +44,15 @@ struct DruckerPrager : PrintedPressureLaw<DruckerPrager> {
   void prepare() {
     const Real s = std::sin(friction_angle), c = std::cos(friction_angle);
     const Real t = std::tan(friction_angle);
-    B = friction(friction_angle);
-    A = fit == Fit::plane_strain ? std::sqrt(27.0) / std::sqrt(9 + 12 * t * t)
-                                 : 6 * c / (fit == Fit::compression ? 3 - s : 3 + s);
-    A *= cohesion;
+    slope_ = friction(friction_angle);
+    intercept_ = fit == Fit::plane_strain ? std::sqrt(27.0) / std::sqrt(9 + 12 * t * t)
+                                          : 6 * c / (fit == Fit::compression ? 3 - s : 3 + s);
+    intercept_ *= cohesion;
   }
 
  private:
-  Real A = 0;  // [Pa]
-  Real B = 0;  // [1]
+  Real intercept_ = 0;  // [Pa] A
+  Real slope_ = 0;      // [1] B
 };
 
 inline void describe(Schema& s, DruckerPrager& law) {
