@@ -26,6 +26,8 @@ inline constexpr std::array kFields{
     FieldInfo{"von_mises", 1, "Pa", "equivalent stress sqrt(3/2 s:s), s the deviator"},
     FieldInfo{"eps_p", 1, "1", "equivalent plastic strain, of materials that yield"},
     FieldInfo{"strain_rate", 1, "1/s", "equivalent plastic strain rate, of materials that yield"},
+    FieldInfo{"plastic_volume", 1, "1", "volumetric plastic strain, of laws that have any"},
+    FieldInfo{"opening", 1, "1", "volumetric strain beyond the tension that a law can bear"},
     FieldInfo{"density", 1, "kg/m^3", "of the present volume"},
     FieldInfo{"piece", 1, "1", "number of the piece of its body, of bodies of several"},
     FieldInfo{"id", 1, "1", "number of the node, element or particle, the same on any ranks"}};

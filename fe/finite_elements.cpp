@@ -38,8 +38,8 @@ std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
     const std::size_t k = block.point(e, g);
     for (const auto& component : state.deviator) hash.add(component[k]);
     hash.add(state.pressure[k]);
-    for (const auto* field :
-         {&state.eps_p, &state.temperature, &state.compression_heat, &state.energy}) {
+    for (const auto* field : {&state.eps_p, &state.temperature, &state.compression_heat,
+                              &state.energy, &state.plastic_volume, &state.opening}) {
       if (!field->empty()) hash.add((*field)[k]);
     }
   }

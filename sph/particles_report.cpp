@@ -13,8 +13,9 @@ namespace {
 /// Bits of the state of a slot.
 void add_state(const MaterialState& state, std::size_t slot, EntityHash& hash) {
   for (const auto& component : state.deviator) hash.add(component[slot]);
-  for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.temperature,
-                            &state.heat, &state.compression_heat, &state.energy}) {
+  for (const auto* field :
+       {&state.pressure, &state.bulk, &state.eps_p, &state.temperature, &state.heat,
+        &state.compression_heat, &state.energy, &state.plastic_volume, &state.opening}) {
     if (!field->empty()) hash.add((*field)[slot]);
   }
 }
@@ -67,6 +68,10 @@ void add_material(FieldList& fields, const MaterialState& state, std::size_t slo
   fields.add("von_mises", {von_mises(state, slot)});
   if (!state.eps_p.empty()) fields.add("eps_p", {state.eps_p[slot]});
   if (!state.strain_rate.empty()) fields.add("strain_rate", {state.strain_rate[slot]});
+  if (!state.opening.empty()) {
+    fields.add("plastic_volume", {state.plastic_volume[slot]});
+    fields.add("opening", {state.opening[slot]});
+  }
   if (has_temperature) return;
   if (!state.temperature.empty()) fields.add("temperature", {state.temperature[slot]});
 }

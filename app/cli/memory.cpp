@@ -13,7 +13,8 @@
 namespace brunt {
 
 namespace {
-// Deviator, pressure, bulk modulus, eps_p, strain rate, temperature, two heats, energy.
+// Deviator, pressure, bulk modulus, eps_p, strain rate, temperature, two heats, energy, and of few
+// the plastic volume and the opening.
 constexpr Real kMaterialPoint = 14 * sizeof(Real);
 
 template <int Dim>

@@ -92,6 +92,9 @@ bool may_come(const std::string& column, const Names& columns, const LoadedDeck&
 std::string reason_for(const std::string& field) {
   if (field == "temperature") return " (it is not heated: see `thermal` and `heat`)";
   if (field == "eps_p" || field == "strain_rate") return " (its material does not yield)";
+  if (field == "plastic_volume" || field == "opening") {
+    return " (plastic flow of its material keeps the volume)";
+  }
   return "";
 }
 }  // namespace

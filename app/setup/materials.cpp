@@ -16,6 +16,7 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
     material->thermal = given.thermal.has_value();
     StrengthInputs strength;
     strength.shear = material->shear;
+    strength.tensile_cutoff = material->tensile_cutoff;
     if (given.thermal) {
       material->specific_heat = SpecificHeat(*given.thermal->cp);
       if (given.thermal->k) material->conductivity = *given.thermal->k;

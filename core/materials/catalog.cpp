@@ -10,6 +10,10 @@ template <FlowLaw Law>
 std::unique_ptr<Strength> make(const Law& law, const StrengthInputs& inputs) {
   return std::make_unique<RadialReturn<Law>>(law, inputs);
 }
+template <PressureLaw Law>
+std::unique_ptr<Strength> make(const Law& law, const StrengthInputs& inputs) {
+  return std::make_unique<PressureReturn<Law>>(law, inputs);
+}
 }  // namespace
 
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs) {

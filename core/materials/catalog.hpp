@@ -1,20 +1,24 @@
 #pragma once
 /// The list of models. A new one: its file, its name in a list here, and make_* in catalog.cpp if
-/// radial return does not serve it (docs/adding.md).
+/// neither return serves it (docs/adding.md).
 #include <variant>
 
+#include "core/materials/drucker_prager.hpp"
 #include "core/materials/elastic.hpp"
 #include "core/materials/eos_linear.hpp"
 #include "core/materials/j2.hpp"
 #include "core/materials/johnson_cook.hpp"
 #include "core/materials/mie_gruneisen.hpp"
+#include "core/materials/pressure_return.hpp"
 #include "core/materials/radial_return.hpp"
+#include "core/materials/steinberg_guinan.hpp"
 #include "core/materials/zerilli_armstrong.hpp"
 
 namespace brunt {
 
 /// The deck's `strength` and `eos`, in the order of the manual; the first is the default.
-using StrengthLaw = std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong>;
+using StrengthLaw =
+    std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan, DruckerPrager>;
 using EosLaw = std::variant<LinearEos, MieGruneisen>;
 
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs);

@@ -7,25 +7,29 @@
 
 namespace brunt {
 
-/// A value and its derivatives by eps_p, rate and temperature. V: Real or Pack.
-template <class V>
+/// A value and its derivatives by n variables; of a flow law: eps_p, rate and temperature.
+/// V: Real or Pack.
+template <class V, std::size_t n = 3>
 struct Dual {
   V value;
-  std::array<V, 3> slope;
+  std::array<V, n> slope;
 
   /// A function of this one, by its value and its slope there.
   BRUNT_INLINE Dual chained(V of_value, V of_slope) const {
-    return {of_value, {of_slope * slope[0], of_slope * slope[1], of_slope * slope[2]}};
+    Dual result{of_value, slope};
+    for (V& one : result.slope) one = of_slope * one;
+    return result;
   }
 
   friend BRUNT_INLINE Dual operator+(const Dual& a, const Dual& b) {
-    return {a.value + b.value,
-            {a.slope[0] + b.slope[0], a.slope[1] + b.slope[1], a.slope[2] + b.slope[2]}};
+    Dual sum{a.value + b.value, a.slope};
+    for (std::size_t i = 0; i < n; ++i) sum.slope[i] = a.slope[i] + b.slope[i];
+    return sum;
   }
   friend BRUNT_INLINE Dual operator-(const Dual& a, const Dual& b) { return a + -1.0 * b; }
   friend BRUNT_INLINE Dual operator*(const Dual& a, const Dual& b) {
     Dual product{a.value * b.value, {}};
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       product.slope[i] = a.slope[i] * b.value + a.value * b.slope[i];
     }
     return product;
@@ -39,10 +43,14 @@ struct Dual {
   friend BRUNT_INLINE Dual operator-(const Dual& a, Real b) { return a + -b; }
   friend BRUNT_INLINE Dual operator-(Real a, const Dual& b) { return -1.0 * b + a; }
   friend BRUNT_INLINE Dual operator*(Real a, const Dual& b) {
-    return {a * b.value, {a * b.slope[0], a * b.slope[1], a * b.slope[2]}};
+    return b.chained(a * b.value, broadcast<V>(a));
   }
   friend BRUNT_INLINE Dual operator*(const Dual& a, Real b) { return b * a; }
   friend BRUNT_INLINE Dual operator/(const Dual& a, Real b) { return (1.0 / b) * a; }
+  /// Times what does not depend on the variables.
+  friend BRUNT_INLINE Dual operator*(const Dual& a, V b) requires(lanes_of<V> > 1) {
+    return a.chained(a.value * b, b);
+  }
 };
 
 namespace detail {
@@ -53,23 +61,25 @@ BRUNT_INLINE V off_zero(V x) {
 }
 }  // namespace detail
 
-template <class V>
-BRUNT_INLINE Dual<V> vexp(const Dual<V>& x) {
+template <class V, std::size_t n>
+BRUNT_INLINE Dual<V, n> vexp(const Dual<V, n>& x) {
   const V power = vexp(x.value);
   return x.chained(power, power);
 }
-template <class V>
-BRUNT_INLINE Dual<V> vlog(const Dual<V>& x) {
+template <class V, std::size_t n>
+BRUNT_INLINE Dual<V, n> vlog(const Dual<V, n>& x) {
   return x.chained(vlog(x.value), 1.0 / x.value);
 }
-template <class V>
-BRUNT_INLINE Dual<V> vsqrt(const Dual<V>& x) {
+template <class V, std::size_t n>
+BRUNT_INLINE Dual<V, n> vsqrt(const Dual<V, n>& x) {
   return x.chained(vsqrt(x.value), 0.5 / vsqrt(detail::off_zero(x.value)));
 }
-template <class V>
-BRUNT_INLINE Dual<V> vpow(const Dual<V>& x, Real exponent) {
-  const V base = detail::off_zero(x.value);
-  return x.chained(vpow(x.value, exponent), exponent * (vpow(base, exponent) / base));
+template <class V, std::size_t n>
+BRUNT_INLINE Dual<V, n> vpow(const Dual<V, n>& x, Real exponent) {
+  const V base = detail::off_zero(x.value), power = vpow(x.value, exponent);
+  V power_of_base = power;
+  if (any(x.value < base)) power_of_base = vpow(base, exponent);
+  return x.chained(power, exponent * (power_of_base / base));
 }
 
 /// The larger of a number and a bound; below the bound nothing changes with it.
@@ -77,11 +87,11 @@ template <class V>
 BRUNT_INLINE V held_above(V x, Real bound) {
   return vmax(x, broadcast<V>(bound));
 }
-template <class V>
-BRUNT_INLINE Dual<V> held_above(const Dual<V>& x, Real bound) {
+template <class V, std::size_t n>
+BRUNT_INLINE Dual<V, n> held_above(const Dual<V, n>& x, Real bound) {
   const V zero = broadcast<V>(0.0), least = broadcast<V>(bound);
   const auto below = x.value < least;
-  Dual<V> held{select(below, least, x.value), x.slope};
+  Dual<V, n> held{select(below, least, x.value), x.slope};
   for (V& one : held.slope) one = select(below, zero, one);
   return held;
 }
@@ -90,8 +100,8 @@ template <class V>
 BRUNT_INLINE V held_below(V x, Real bound) {
   return vmin(x, broadcast<V>(bound));
 }
-template <class V>
-BRUNT_INLINE Dual<V> held_below(const Dual<V>& x, Real bound) {
+template <class V, std::size_t n>
+BRUNT_INLINE Dual<V, n> held_below(const Dual<V, n>& x, Real bound) {
   return -1.0 * held_above(-1.0 * x, -bound);
 }
 

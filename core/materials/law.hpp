@@ -1,7 +1,7 @@
 #pragma once
 #include <concepts>
 
-#include "core/simd_math.hpp"
+#include "core/materials/dual.hpp"
 
 namespace brunt {
 
@@ -29,6 +29,48 @@ concept FlowLaw = requires(const Law& law, Real eps_p, Real rate, Real T) {
   /// The law at eps_p + increment and another rate and temperature.
   { law.near(eps_p, T).at(eps_p, rate, T) } -> std::same_as<FlowStress<Real>>;
   { law.needs_temperature() } -> std::same_as<bool>;
+};
+
+/// What a flow stress depends on. N: Real, Pack, or a Dual of one of them.
+template <class N>
+struct FlowState {
+  N eps_p;        ///< [1]
+  N rate;         ///< [1/s] of eps_p
+  N temperature;  ///< [K]
+};
+
+/// The value in a number that may carry slopes.
+template <class N>
+struct ValueOf {
+  using Type = N;
+};
+template <class V, std::size_t n>
+struct ValueOf<Dual<V, n>> {
+  using Type = V;
+};
+
+/// The same for a law that sees the pressure, which its strength comes after then.
+template <class N>
+struct PressureState : FlowState<N> {
+  N pressure;                                  ///< [Pa] positive in compression
+  typename ValueOf<N>::Type relative_density;  ///< [1] rho/rho0
+};
+
+/// What PressureReturn asks of a law.
+template <class Law>
+concept PressureLaw = requires(Law law, const Law& made, const PressureState<Real>& at) {
+  /// The formula as printed.
+  { made.flow_stress(at) } -> std::same_as<Real>;
+  /// The same, and its slope where the state moves by `at`.
+  { made.along(at, at) } -> std::same_as<Dual<Real, 1>>;
+  /// Computes, once, what the formula has from the parameters.
+  law.prepare();
+  /// Plastic volume strain per eps_p, at least 0, and the largest tension [Pa]; read only where
+  /// plastic flow changes the volume.
+  { made.dilation() } -> std::same_as<Real>;
+  { made.tension_limit() } -> std::same_as<Real>;
+  { Law::kChangesVolume } -> std::convertible_to<bool>;
+  { made.needs_temperature() } -> std::same_as<bool>;
 };
 
 /// base^exponent for 0 <= base < infinity and exponent > 0, by vpow without its special cases:

@@ -1,5 +1,7 @@
 #include "core/materials/material.hpp"
 
+#include <algorithm>
+
 #include "core/simd_math.hpp"
 
 namespace brunt {
@@ -45,6 +47,39 @@ void cut_off(MaterialTile& tile, Real cutoff) {
   }
 }
 
+/// A row of a tile.
+struct alignas(32) Row {
+  Real at[kTile];
+};
+Row copied(const Real* from, int count) {
+  Row row;
+  std::copy_n(from, count, row.at);
+  return row;
+}
+
+/// Sets `elastic` to volume ratios over the plastic volume and the opening of the state.
+void divide_by_plastic(const MaterialTile& tile, const Row& whole, Real* elastic) {
+  for (int i = 0; i < tile.count; i += kLanes) {
+    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const Pack plastic =
+        load(tile.state->plastic_volume.data() + at) * load(tile.state->opening.data() + at);
+    store(elastic + i, load(whole.at + i) / plastic);
+  }
+}
+
+/// Adds the work of the pressure on what the volume has changed besides the elastic one [J/m^3].
+/// elastic_old, whole_old, whole  volume ratios; the tile has the new elastic one
+void add_plastic_volume_work(const MaterialTile& tile, const Row& elastic_old, const Row& whole_old,
+                             const Row& whole, const Row& pressure_old, Real* work) {
+  for (int i = 0; i < tile.count; i += kLanes) {
+    const Real* pressure = tile.state->pressure.data() + tile.first + i;
+    const Pack mean = 0.5 * (load(pressure_old.at + i) + load(pressure));
+    const Pack change = load(whole.at + i) - load(whole_old.at + i);
+    const Pack elastic = load(tile.ratio + i) - load(elastic_old.at + i);
+    store(work + i, load(work + i) - mean * (change - elastic));
+  }
+}
+
 }  // namespace
 
 MaterialState Material::initial_state(std::size_t n, Real temperature, bool adiabatic) const {
@@ -63,10 +98,18 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
     if (warms_by_compression()) state.compression_heat.assign(size, 0.0);
   }
   if (eos->needs_energy()) state.energy.assign(size, 0.0);
+  if (strength->changes_volume()) {
+    state.plastic_volume.assign(size, 1.0);
+    state.opening.assign(size, 1.0);
+  }
   return state;
 }
 
 void Material::update(MaterialTile& tile, Real dt) const {
+  if (strength->sees_pressure()) {
+    update_after_pressure(tile, dt);
+    return;
+  }
   alignas(32) Real work[kTile];
   if (eos->needs_energy()) {
     alignas(32) Tensors before;
@@ -79,6 +122,54 @@ void Material::update(MaterialTile& tile, Real dt) const {
   eos->update(tile, work);
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
   if (!tile.state->compression_heat.empty()) warm(tile);
+}
+
+void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
+  MaterialState& state = *tile.state;
+  const bool energetic = eos->needs_energy(), plastic = strength->changes_volume();
+  Real* const pressure = state.pressure.data() + tile.first;
+  const Row whole_old = copied(tile.ratio_old, tile.count), whole = copied(tile.ratio, tile.count);
+  const auto show = [&](const Row& old, const Row& now) {
+    std::copy_n(old.at, tile.count, tile.ratio_old);
+    std::copy_n(now.at, tile.count, tile.ratio);
+  };
+  alignas(32) Tensors before;
+  Row work, pressure_old = copied(pressure, tile.count), energy_old, elastic_old;
+  if (energetic) {
+    energy_old = copied(state.energy.data() + tile.first, tile.count);
+    copy_deviator(tile, before);
+    deviatoric_work(tile, before, work.at);  // of the old deviator, for the time being
+  }
+  if (plastic) {
+    divide_by_plastic(tile, whole_old, tile.ratio_old);
+    divide_by_plastic(tile, whole, tile.ratio);
+    elastic_old = copied(tile.ratio_old, tile.count);
+  }
+  eos->update(tile, work.at);
+  if (!plastic && tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
+  if (plastic) show(whole_old, whole);
+  strength->update(tile, dt);
+  if (!plastic && !energetic) return;
+  if (energetic) deviatoric_work(tile, before, work.at);
+  const Row of_deviator = work;
+  if (plastic) {
+    show(elastic_old, whole);
+    divide_by_plastic(tile, whole, tile.ratio);
+  }
+  // The work on the plastic volume needs the new pressure, which the strength has to first order
+  // only: once more.
+  for (int pass = 0; pass < (plastic && energetic ? 2 : 1); ++pass) {
+    if (energetic && plastic) {
+      work = of_deviator;
+      add_plastic_volume_work(tile, elastic_old, whole_old, whole, pressure_old, work.at);
+    }
+    if (energetic) std::copy_n(energy_old.at, tile.count, state.energy.data() + tile.first);
+    std::copy_n(pressure_old.at, tile.count, pressure);
+    eos->update(tile, work.at);
+  }
+  if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
+  if (!state.compression_heat.empty()) warm(tile);
+  if (plastic) show(whole_old, whole);
 }
 
 void Material::warm(MaterialTile& tile) const {

@@ -26,7 +26,10 @@ struct MaterialState {
   /// unless the EOS has an energy and the point a temperature
   std::vector<Real> compression_heat;
   std::vector<Real> energy;  ///< [J/m^3 reference] internal energy; empty unless the EOS reads it
-  std::vector<Real> bulk;    ///< [Pa] current tangent bulk modulus K_t
+  /// [1] plastic volume over that at time 0, and, apart from it, what has opened in tension and
+  /// closes again: V/V0 over both is that of the elastic volume; empty unless flow changes volume
+  std::vector<Real> plastic_volume, opening;
+  std::vector<Real> bulk;  ///< [Pa] current tangent bulk modulus K_t
   std::size_t size() const { return pressure.size(); }
 };
 
@@ -57,6 +60,12 @@ class Strength {
   virtual void update(MaterialTile& tile, Real dt) const = 0;
   virtual bool yields() const = 0;
   virtual bool needs_temperature() const = 0;
+  /// True where `update` wants the pressure and the bulk modulus of the step in the state, before
+  /// plastic flow.
+  virtual bool sees_pressure() const { return false; }
+  /// True where plastic flow changes the volume, which sees_pressure then: `update` moves
+  /// plastic_volume and opening, and the pressure by what they do to it at that modulus.
+  virtual bool changes_volume() const { return false; }
   /// Flow stress [Pa] of point k as the last step left it: at its plastic strain, last plastic rate
   /// and temperature; infinite where the material never yields.
   /// fixed_temperature [K] what the law sees where heat is off
@@ -108,10 +117,13 @@ struct Material {
   /// True where compression changes the temperature of points that have one.
   bool warms_by_compression() const { return thermal && eos->needs_energy(); }
   /// One step of a tile: strength, then equation of state, then cut-off, then what compression and
-  /// viscosity do to the temperature.
+  /// viscosity do to the temperature. A strength that sees the pressure comes after it.
   void update(MaterialTile& tile, Real dt) const;
 
  private:
+  /// The order of a strength that sees the pressure: equation of state without plastic flow,
+  /// strength, equation of state. docs/theory/materials.md (M13)
+  void update_after_pressure(MaterialTile& tile, Real dt) const;
   /// dT = gamma0 T d(eta) + dw/(rho0 cp), eta = 1 - V/V0 and w the viscous work, where gamma rho
   /// is constant: T_new = (T_old g + w/(rho0 cp)) g, g = exp(gamma0 (eta_new - eta_old)/2), so that
   /// release returns what compression gave. A shock stands within some five steps: with w after all

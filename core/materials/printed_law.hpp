@@ -2,18 +2,9 @@
 /// Flow laws that are no more than their printed formula: all that RadialReturn asks of a law
 /// follows from it, slopes by dual numbers. A law that is called often may bring its own instead
 /// (johnson_cook.hpp).
-#include "core/materials/dual.hpp"
 #include "core/materials/law.hpp"
 
 namespace brunt {
-
-/// What a flow stress depends on. N: Real, Pack, or a Dual of one of them.
-template <class N>
-struct FlowState {
-  N eps_p;        ///< [1]
-  N rate;         ///< [1/s] of eps_p
-  N temperature;  ///< [K]
-};
 
 /// A law about a point, by its formula.
 template <class Law, class V>
@@ -63,6 +54,30 @@ struct PrintedLaw {
 
  private:
   const Law& law() const { return static_cast<const Law&>(*this); }
+};
+
+/// Makes a PressureLaw of a struct with
+///   template <class N> N formula(const PressureState<N>& at) const;   // [Pa], as printed
+/// that is finite at no rate and grows with it. Where plastic flow changes the volume it says so by
+/// kChangesVolume, and brings dilation and tension_limit.
+template <class Law>
+struct PrintedPressureLaw {
+  static constexpr bool kChangesVolume = false;
+  void prepare() {}
+  Real dilation() const { return 0; }
+  Real tension_limit() const { return kInfinity; }
+
+  template <class V>
+  BRUNT_INLINE V flow_stress(const PressureState<V>& at) const {
+    return static_cast<const Law&>(*this).formula(at);
+  }
+  template <class V>
+  BRUNT_INLINE Dual<V, 1> along(const PressureState<V>& at, const PressureState<V>& by) const {
+    return static_cast<const Law&>(*this).formula(PressureState<Dual<V, 1>>{
+        {{at.eps_p, {by.eps_p}}, {at.rate, {by.rate}}, {at.temperature, {by.temperature}}},
+        {at.pressure, {by.pressure}},
+        at.relative_density});
+  }
 };
 
 }  // namespace brunt

@@ -6,20 +6,9 @@
 
 #include "core/materials/elastic.hpp"
 #include "core/materials/law.hpp"
-#include "core/materials/material.hpp"
+#include "core/materials/plastic_heat.hpp"
 
 namespace brunt {
-
-/// What a strength takes from its material.
-struct StrengthInputs {
-  Real shear = 0;           ///< [Pa] G
-  Real heat_capacity = 0;   ///< [J/m^3/K reference] rho0 c_p; 0: plastic work heats nothing
-  Real taylor_quinney = 0;  ///< [1] part of plastic work that becomes heat
-  /// Where it varies with temperature, which heat_capacity then is not read for; outlives the
-  /// strength.
-  const SpecificHeat* specific_heat = nullptr;
-  Real density = 0;  ///< [kg/m^3] rho0, where the specific heat varies
-};
 
 /// The unknown of one point's return, the increment of eps_p, between its brackets.
 template <class V>
@@ -41,22 +30,14 @@ BRUNT_INLINE V middle(V lo, V hi) {
   return select(4.0 * lo < hi, geometric, 0.5 * (lo + hi));
 }
 
-/// One safeguarded Newton step of g(d) = q_trial - 3 G d - sigma_y(eps_p + d, d/dt, T + dT(d)) = 0,
-/// dT = heating (q_old + q_trial - 3 G d)/2 d. A point that has converged is frozen: what its
-/// neighbours in the pack need does not change it. Late steps that do not shrink are replaced, so
-/// that a corner of g (at rate_ref, at melting) cannot keep Newton going to and fro.
+/// One safeguarded Newton step towards the root of a falling g, from its value and slope at the
+/// increment. A point that has converged is frozen: what its neighbours in the pack need does not
+/// change it. Late steps that do not shrink are replaced, so that a corner of g (at rate_ref, at
+/// melting) cannot keep Newton going to and fro.
 /// iteration  from 0
-template <class V, class NearLaw>
-BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear, Real inverse_dt,
-                              int iteration) {
+template <class V>
+BRUNT_INLINE void improve(ReturnPoint<V>& p, V g, V slope, int iteration) {
   const V d = p.increment;
-  const V stress = p.q_trial - (3.0 * shear) * d;
-  const V both = p.q_old + stress;
-  const auto flow = law.at(d, d * inverse_dt, p.temperature + (0.5 * p.heating) * (both * d));
-  const V d_temperature = (0.5 * p.heating) * (both - (3.0 * shear) * d);
-  const V g = stress - flow.value;
-  const V slope =
-      (-3.0 * shear - flow.d_eps_p) - flow.d_rate * inverse_dt - flow.d_temperature * d_temperature;
   const auto right = 0.0 < g;  // the root is at a larger increment
   p.lo = select(right, d, p.lo);
   p.hi = select(right, p.hi, d);
@@ -74,6 +55,22 @@ BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear,
   p.step = vabs(next - d);
   p.increment = next;
   p.active = p.active & !converged;
+}
+
+/// Improves by g(d) = q_trial - 3 G d - sigma_y(eps_p + d, d/dt, T + dT(d)) = 0,
+/// dT = heating (q_old + q_trial - 3 G d)/2 d.
+template <class V, class NearLaw>
+BRUNT_INLINE void newton_step(ReturnPoint<V>& p, const NearLaw& law, Real shear, Real inverse_dt,
+                              int iteration) {
+  const V d = p.increment;
+  const V stress = p.q_trial - (3.0 * shear) * d;
+  const V both = p.q_old + stress;
+  const auto flow = law.at(d, d * inverse_dt, p.temperature + (0.5 * p.heating) * (both * d));
+  const V d_temperature = (0.5 * p.heating) * (both - (3.0 * shear) * d);
+  const V g = stress - flow.value;
+  const V slope =
+      (-3.0 * shear - flow.d_eps_p) - flow.d_rate * inverse_dt - flow.d_temperature * d_temperature;
+  improve(p, g, slope, iteration);
 }
 
 /// Strength that follows a law by radial return. V: the width of its arithmetic; the bits of a
@@ -123,18 +120,6 @@ class RadialReturn final : public Strength {
     }
   };
 
-  /// Heat [J/m^3 reference] per plastic work of the current volume [J/m^3].
-  static V heat_factor(const MaterialTile& tile, int i, Real taylor_quinney) {
-    return (0.5 * taylor_quinney) * (load_as<V>(tile.ratio_old + i) + load_as<V>(tile.ratio + i));
-  }
-  bool heats(const MaterialTile& tile) const {
-    return !tile.state->heat.empty() && inputs_.heat_capacity > 0;
-  }
-
-  /// Temperature [K] of heat [J/m^3 reference], to first order at T [K].
-  V heating_at(V T, V factor) const;
-  /// T [K] after heat [J/m^3 reference]: rho0 (h(after) - h(T)) is that heat.
-  V warmed(V T, V heat) const;
   void trial(MaterialTile& tile, int i, Candidates& candidates) const;
   void solve(Candidates& candidates, Real inverse_dt, Returned& returned) const;
   void finish(MaterialTile& tile, int i, Real inverse_dt, const Returned& returned) const;
@@ -142,29 +127,6 @@ class RadialReturn final : public Strength {
   Law law_;
   StrengthInputs inputs_;
 };
-
-template <FlowLaw Law, class V>
-V RadialReturn<Law, V>::heating_at(V T, V factor) const {
-  if (inputs_.specific_heat == nullptr) return factor * (1.0 / inputs_.heat_capacity);
-  V per_heat{};
-  for (int lane = 0; lane < kStep; ++lane) {
-    set_lane(per_heat, lane, 1.0 / (inputs_.density * inputs_.specific_heat->at(lane_of(T, lane))));
-  }
-  return factor * per_heat;
-}
-
-template <FlowLaw Law, class V>
-V RadialReturn<Law, V>::warmed(V T, V heat) const {
-  if (inputs_.specific_heat == nullptr) return T + heat * (1.0 / inputs_.heat_capacity);
-  const SpecificHeat& cp = *inputs_.specific_heat;
-  for (int lane = 0; lane < kStep; ++lane) {
-    const Real per_mass = lane_of(heat, lane) / inputs_.density, before = lane_of(T, lane);
-    // What takes up no heat keeps its bits.
-    if (per_mass == 0) continue;
-    set_lane(T, lane, cp.temperature(cp.enthalpy(before) + per_mass));
-  }
-  return T;
-}
 
 /// Elastic trial of kStep points; puts those above the law's floor among the candidates.
 template <FlowLaw Law, class V>
@@ -193,9 +155,7 @@ void RadialReturn<Law, V>::trial(MaterialTile& tile, int i, Candidates& candidat
   if (!any(may_yield)) return;
   const V q_old = vsqrt(old_square);
   V heating = broadcast<V>(0.0);
-  if (heats(tile)) {
-    heating = heating_at(T, heat_factor(tile, i, inputs_.taylor_quinney));
-  }
+  if (heats(inputs_, tile)) heating = heating_at(inputs_, T, heat_factor<V>(inputs_, tile, i));
   for (int lane = 0; lane < kStep; ++lane) {
     if (!lane_of(may_yield, lane)) continue;
     const int n = candidates.count++;
@@ -271,13 +231,7 @@ void RadialReturn<Law, V>::finish(MaterialTile& tile, int i, Real inverse_dt,
   }
   store(state.eps_p.data() + at, load_as<V>(state.eps_p.data() + at) + increment);
   store(state.strain_rate.data() + at, increment * inverse_dt);
-  if (state.heat.empty()) return;
-  const V heat = heat_factor(tile, i, inputs_.taylor_quinney) * load_as<V>(returned.work + i);
-  store(state.heat.data() + at, load_as<V>(state.heat.data() + at) + heat);
-  if (tile.adiabatic && heats(tile) && !state.temperature.empty()) {
-    Real* T = state.temperature.data() + at;
-    store(T, warmed(load_as<V>(T), heat));
-  }
+  if (!state.heat.empty()) add_plastic_heat(inputs_, tile, i, load_as<V>(returned.work + i));
 }
 
 }  // namespace brunt

@@ -11,8 +11,9 @@ void visit_material_point(Row& row, State& state, std::size_t k) {
   for (auto& component : state.deviator) row(component[k]);
   row(state.pressure[k]);
   row(state.bulk[k]);
-  for (auto* field : {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat,
-                      &state.compression_heat, &state.energy}) {
+  for (auto* field :
+       {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat, &state.compression_heat,
+        &state.energy, &state.plastic_volume, &state.opening}) {
     if (!field->empty()) row((*field)[k]);
   }
 }
@@ -26,6 +27,7 @@ inline std::string fields_of(const MaterialState& state) {
   if (!state.heat.empty()) text += ".heat";
   if (!state.compression_heat.empty()) text += ".compression";
   if (!state.energy.empty()) text += ".energy";
+  if (!state.plastic_volume.empty()) text += ".volume";
   return text;
 }
 

@@ -27,14 +27,16 @@ materials:
     tensile_cutoff: 1 GPa
     thermal: {cp: 383, k: 386}
   j2:
-    density: 2700
-    elastic: {K: 70 GPa, G: 26 GPa}
-    strength: {j2: {yield: 300 MPa, hardening: {table: [[0, 0], [1, 1 MPa]], over: eps_p}}}
+    {density: 2700, elastic: {K: 70 GPa, G: 26 GPa},
+     strength: {j2: {yield: 300 MPa, hardening: {table: [[0, 0], [1, 1 MPa]], over: eps_p}}}}
   za:
-    density: 7870
-    elastic: {E: 207 GPa, nu: 0.29}
-    strength:
-      zerilli-armstrong: {C0: 9 MPa, C1: 1 GPa, C2: 1 MPa, C3: 0.007, C4: 4e-4, C5: 266 MPa, n: 0.3}
+    {density: 7870, elastic: {E: 207 GPa, nu: 0.29}, strength: {zerilli-armstrong:
+      {C0: 9 MPa, C1: 1 GPa, C2: 1 MPa, C3: 0.007, C4: 4e-4, C5: 266 MPa, n: 0.3}}}
+  dp:
+    {density: 2000, elastic: {K: 1 GPa, G: 0.5 GPa}, strength: {drucker-prager:
+      {cohesion: 1 MPa, friction_angle: 30 deg, dilation_angle: 9 deg}}}
+  sg: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {steinberg-guinan:
+      {Y0: 120 MPa, Y_max: 640 MPa, beta: 36, n: 0.45, A: 28e-12, B: 3.8e-4}}}
 bodies:
   a:
     material: jc
@@ -71,12 +73,12 @@ bodies:
       temperature: 300
   f: {rigid: true, shape: {plane: {origin: [0, 0, -9], normal: z, extent: 4}}}
   g:
-    material: j2
+    material: dp
     shape: {brick-wall: {bricks: [4, 1, 3], brick: [0.2, 0.1, 0.1], origin: [0, 20, 0]}}
     size: 0.05
   h:
     method: sph
-    material: j2
+    material: sg
     shape: {ogive: {radius: 1, length: 4, nose: 2, base: [0, -20, 0]}}
     size: 0.1
   j:
