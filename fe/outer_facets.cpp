@@ -10,7 +10,7 @@ namespace {
 
 template <int Dim>
 struct Face {
-  std::array<LocalIndex, Shape<Dim>::kFaceNodes> sorted;  ///< the key: which nodes
+  std::array<LocalIndex, Facet<Dim>::kNodes> sorted;  ///< the key: which nodes
   LocalIndex block = 0, element = 0;
   int number = 0;
 };
@@ -22,9 +22,9 @@ std::vector<Face<Dim>> all_faces(const std::vector<ElementBlock<Dim>>& blocks) {
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
       const LocalIndex* corner =
           blocks[b].corner.data() + static_cast<std::size_t>(e) * Shape<Dim>::kCorners;
-      for (int k = 0; k < Shape<Dim>::kFaces; ++k) {
+      for (int k = 0; k < static_cast<int>(Shape<Dim>::kFace.size()); ++k) {
         Face<Dim> face;
-        for (int i = 0; i < Shape<Dim>::kFaceNodes; ++i) {
+        for (int i = 0; i < Facet<Dim>::kNodes; ++i) {
           face.sorted[i] = corner[Shape<Dim>::kFace[k][i]];
         }
         std::sort(face.sorted.begin(), face.sorted.end());
@@ -65,7 +65,7 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
                     const Points<Dim>& points, const std::vector<const Material*>& varying) {
   const LocalIndex e = face.element;
   Facet<Dim> facet;
-  for (int i = 0; i < Shape<Dim>::kFaceNodes; ++i) {
+  for (int i = 0; i < Facet<Dim>::kNodes; ++i) {
     facet.node[i] = block.corner[static_cast<std::size_t>(e) * Shape<Dim>::kCorners +
                                  Shape<Dim>::kFace[face.number][i]];
   }
@@ -97,10 +97,7 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
 template <int Dim>
 void limit_depths(std::vector<Facet<Dim>>& facets, const std::vector<Vec<Dim>>& x) {
   const auto opposite = [](GlobalId id) {
-    const auto number = static_cast<int>(id & 7);
-    const int other = Dim == 2     ? (number + 2) % 4
-                      : number < 2 ? 1 - number
-                                   : (number - 2 + 2) % 4 + 2;
+    const int other = Shape<Dim>::kOpposite[static_cast<std::size_t>(id & 7)];
     return (id & ~GlobalId{7}) | static_cast<GlobalId>(other);
   };
   std::vector<GlobalId> ids;

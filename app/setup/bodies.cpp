@@ -16,7 +16,7 @@ namespace brunt {
 namespace {
 /// Twice the area of a quad, or 64 times the Jacobian of a hex at its centre.
 template <int Dim>
-Real orientation(const std::array<Vec<Dim>, 1 << Dim>& x) {
+Real orientation(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x) {
   if constexpr (Dim == 2) {
     const Vec<2> a = x[2] - x[0], b = x[3] - x[1];
     return a[0] * b[1] - a[1] * b[0];
@@ -32,7 +32,7 @@ Real orientation(const std::array<Vec<Dim>, 1 << Dim>& x) {
 template <int Dim>
 void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
   for (const auto& element : body.elements) {
-    std::array<Vec<Dim>, 1 << Dim> x;
+    std::array<Vec<Dim>, Shape<Dim>::kCorners> x;
     for (std::size_t c = 0; c < x.size(); ++c) {
       x[c] = body.points[static_cast<std::size_t>(element[c])];
     }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/deck/deck.hpp"
+#include "core/elements/box_element.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
@@ -11,14 +12,14 @@ namespace brunt {
 template <int Dim>
 struct BodyGeometry {
   Label label = 0;
-  std::vector<Vec<Dim>> points;                             ///< [m] nodes or particles
-  std::vector<std::array<int, 1 << Dim>> elements;          ///< FE that deforms
-  std::vector<std::array<int, Facet<Dim>::kNodes>> facets;  ///< rigid; -1: no fourth node
-  std::vector<Label> piece;                                 ///< of each element, particle or facet
-  std::vector<std::string> piece_names;                     ///< at least one
-  std::vector<Real> spacing;                                ///< [m] particles: one an axis
-  Real volume = 0;           ///< [m^Dim] of the shape: particles' mass is exact
-  std::size_t left_out = 0;  ///< triangles without area in the file
+  std::vector<Vec<Dim>> points;                                 ///< [m] nodes or particles
+  std::vector<std::array<int, Shape<Dim>::kCorners>> elements;  ///< FE that deforms
+  std::vector<std::array<int, Facet<Dim>::kNodes>> facets;      ///< rigid; -1: no fourth node
+  std::vector<Label> piece;              ///< of each element, particle or facet
+  std::vector<std::string> piece_names;  ///< at least one
+  std::vector<Real> spacing;             ///< [m] particles: one an axis
+  Real volume = 0;                       ///< [m^Dim] of the shape: particles' mass is exact
+  std::size_t left_out = 0;              ///< triangles without area in the file
 };
 
 /// Meshes or fills every body of the deck; problems are collected, not thrown.

@@ -142,7 +142,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
         center += bodies[b].points[static_cast<std::size_t>(node)] - scene.origin;
       }
       elements.push_back({b, e});
-      centers.push_back(center / static_cast<Real>(1 << Dim));
+      centers.push_back(center / static_cast<Real>(Shape<Dim>::kCorners));
     }
   }
   std::vector<ElementSet<Dim>> sets;
