@@ -220,7 +220,7 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
 }
 
 template <int Dim>
-Real guard_reach(const Places<Dim>& x) {
+Real guard_reach(CornerPlaces<Dim> x) {
   Real sum =
       0;  // of the squares of the longest edges: of columns of dx/dxi, which lie between them
   for (int j = 0; j < Dim; ++j) {
@@ -241,7 +241,7 @@ Real guard_reach(const Places<Dim>& x) {
 
 template void guard_shape(ElementBlock<2>&, std::size_t, const ElementStep<2>&);
 template void guard_shape(ElementBlock<3>&, std::size_t, const ElementStep<3>&);
-template Real guard_reach<2>(const Places<2>&);
-template Real guard_reach<3>(const Places<3>&);
+template Real guard_reach<2>(CornerPlaces<2>);
+template Real guard_reach<3>(CornerPlaces<3>);
 
 }  // namespace brunt

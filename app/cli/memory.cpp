@@ -26,7 +26,7 @@ constexpr Real point_bytes() {
 template <int Dim>
 Real element_bytes(int gauss) {
   using Block = ElementBlock<Dim>;
-  const Real lists = Block::kCorners * (2 * sizeof(LocalIndex) + sizeof(Vec<Dim>));
+  const Real lists = Shape<Dim>::kCorners * (2 * sizeof(LocalIndex) + sizeof(Vec<Dim>));
   const Real labels = sizeof(GlobalId) + 2 * sizeof(Label);
   constexpr int kScalars = 8;  // volume, size, mass, viscosity, three works, step
   return lists + labels + gauss * (kMaterialPoint + sizeof(Real)) +

@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "app/scene/field_values.hpp"
-#include "core/elements/box_element.hpp"
-#include "core/elements/element_type.hpp"
+#include "fe/elements/catalog.hpp"
 
 namespace brunt {
 
@@ -145,10 +144,12 @@ Place find_place(const BodyView& start, const std::vector<Real>& at) {
   Place place;
   const auto corners = static_cast<std::size_t>(start.corners);
   const std::size_t nearest = nearest_entity(start, at, false);
-  const ElementType& type = at.size() == 2 ? kElementType<Quad4> : kElementType<Hex8>;
-  if (start.corners == type.corners) {
+  const auto dimension = static_cast<int>(at.size());
+  const ElementType* type =
+      start.cell_dimension == dimension ? element_type(dimension, start.corners) : nullptr;
+  if (type != nullptr) {
     for (std::size_t cell = 0; cell < start.connectivity.size() / corners; ++cell) {
-      const auto weights = weights_in(start, type, cell, at);
+      const auto weights = weights_in(start, *type, cell, at);
       if (!weights) continue;
       place.cell = cell, place.weights = *weights;
       for (std::size_t I = 0; I < corners; ++I) {

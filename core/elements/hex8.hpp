@@ -17,6 +17,7 @@ struct Hex8 {
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   static constexpr std::array<int, 6> kOpposite = {1, 0, 4, 5, 2, 3};
   static constexpr LocalPlace kCenter = {0, 0, 0};
+  static constexpr Real kHeightSquare = 0.5;
   static constexpr Real kDepth = 1;  ///< height over a face: V/A
   static constexpr Real kSign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                        {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};

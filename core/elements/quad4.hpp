@@ -16,6 +16,9 @@ struct Quad4 {
   static constexpr std::array<std::array<int, 2>, 4> kFace = {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
   static constexpr std::array<int, 4> kOpposite = {2, 3, 0, 1};  ///< the face across from each
   static constexpr LocalPlace kCenter = {0, 0, 0};
+  /// Square of the least height times the largest eigenvalue of sum grad N_I (x) grad N_I, of the
+  /// mean gradients.
+  static constexpr Real kHeightSquare = 1;
   static constexpr Real kDepth = 1;  ///< height over a face: A/length
   /// Local coordinates of the corners.
   static constexpr Real kSign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};

@@ -23,7 +23,7 @@ std::vector<Real> linear_field(const BodyView& view) {
 /// Two quadrilaterals side by side, skewed.
 BodyView quads() {
   BodyView view;
-  view.corners = 4;
+  view.corners = 4, view.cell_dimension = 2;
   view.position = {0, 0, 0, 1, 0.2, 0, 2, -0.1, 0, 0.1, 1, 0, 1.2, 0.9, 0, 2.1, 1.3, 0};
   view.connectivity = {0, 1, 4, 3, 1, 2, 5, 4};
   return view;
@@ -32,7 +32,7 @@ BodyView quads() {
 /// One hexahedron, its upper face turned and drawn in.
 BodyView hex() {
   BodyView view;
-  view.corners = 8;
+  view.corners = 8, view.cell_dimension = 3;
   view.position = {0,   0,   0,   1,   0,   0, 1.1, 1.2, 0.1, 0,   1,   0,
                    0.2, 0.1, 1.1, 0.9, 0.2, 1, 0.8, 0.9, 1.2, 0.1, 0.8, 0.9};
   view.connectivity = {0, 1, 2, 3, 4, 5, 6, 7};
