@@ -9,6 +9,11 @@
 /// of
 ///   ratios of the elements are at least ten times those of the means over some 65 elements about
 ///   the nodes of one: 3 motions a node change 1 volume, not 6.
+/// - Tube: plane strain, radii a and b, pressure p inside: the bore widens by
+///     u = (1 + nu) p a/(E (b^2 - a^2)) ((1 - 2 nu) a^2 + b^2)   (Lame 1852)
+///   and where the volume cannot change its walls have to become thinner by just that much. 48 x 6
+///   boxes: of the polygon and its chords 2 %, at any nu. Elements with volumes of their own would
+///   widen by a small part of it at nu = 0.499.
 /// - Energy: what velocity Verlet keeps and the work of the forces on it sum to nothing but
 ///   round-off, also where pressure is of other elements' volumes.
 /// - Conduction: K_IJ of a linear temperature g.x send no heat to inner nodes, and through a face
@@ -16,16 +21,18 @@
 ///   area A of a bar k A |g|.
 #include <gtest/gtest.h>
 
+#include "core/geometry/grid.hpp"
 #include "fe/conduction.hpp"
 #include "tests/unit/fe/fe_scene.hpp"
 
 namespace brunt {
 namespace {
 using namespace testing;
+using Boxes = testing::Mesh<3>;
 
 /// The boxes of a mesh, cut.
-Mesh<3> cut(const Mesh<3>& boxes) {
-  Mesh<3> mesh;
+Boxes cut(const Boxes& boxes) {
+  Boxes mesh;
   mesh.points = boxes.points;
   mesh.set.options.type = 1;
   std::vector<int> corners;
@@ -43,9 +50,9 @@ Mesh<3> cut(const Mesh<3>& boxes) {
   return mesh;
 }
 
-std::unique_ptr<FiniteElements<3>> tets(const Mesh<3>& boxes, const Material& material,
+std::unique_ptr<FiniteElements<3>> tets(const Boxes& boxes, const Material& material,
                                         bool adiabatic = false) {
-  Mesh<3> mesh = cut(boxes);
+  Boxes mesh = cut(boxes);
   mesh.set.material = &material;
   mesh.set.adiabatic = adiabatic;
   return std::make_unique<FiniteElements<3>>(
@@ -86,7 +93,7 @@ TEST(Tet4, AnEvenStrainIsAnEvenStress) {
   const Material material = elastic(200e9, 0.3, 7850);
   Mat3 A;
   A << 0.010, 0.004, -0.003, 0.002, -0.007, 0.006, 0.001, -0.005, 0.004;
-  Mesh<3> boxes = box_mesh<3>({3, 3, 3}, Vec3::Zero(), {3, 3, 3}, 0.2);
+  Boxes boxes = box_mesh<3>({3, 3, 3}, Vec3::Zero(), {3, 3, 3}, 0.2);
   boxes.set.options.bulk_viscosity = {0, 0};
   auto mesh = cut(boxes);
   mesh.set.material = &material;
@@ -142,6 +149,56 @@ TEST(Tet4, AveragedVolumesAreSofterThanThoseOfElements) {
   // The boundary stands still: the whole volume stays, to the weights of nodes on the boundary.
   EXPECT_NEAR(whole, 64, 64 * 1e-4);
   EXPECT_LT(averaged, 0.1 * own);
+}
+
+/// The radial displacement of the bore of a tube under inner pressure over Lame's, once a damped
+/// motion has come to rest.
+Real bore_of_tube(Real nu) {
+  const Real a = 0.01, b = 0.02, length = 0.0015, E = 2e9, pressure = 1e3;
+  const Material material = elastic(E, nu, 1200);
+  const auto ring = extrude(ring_grid(a, b, 6, 48), length, Layers{});
+  Boxes boxes;
+  boxes.points.resize(static_cast<LocalIndex>(ring.nodes.size()));
+  boxes.points.x = ring.nodes;
+  std::iota(boxes.points.id.begin(), boxes.points.id.end(), GlobalId{0});
+  for (const auto& hex : ring.elements) boxes.set.corners.push_back(hex);
+  const auto body = tets(boxes, material);
+  auto& p = body->points();
+  std::vector<Vec3> load(p.x.size(), Vec3::Zero());
+  for (const auto& facet : body->surface().facets) {
+    const auto at = [&](std::size_t c) { return p.x[static_cast<std::size_t>(facet.node[c])]; };
+    const auto off = [&](std::size_t c) { return at(c).head<2>().norm() - a; };
+    if (std::max({off(0), off(1), off(2)}) > 1e-9) continue;
+    const Vec3 out = 0.5 * (at(1) - at(0)).cross(at(2) - at(0));
+    for (std::size_t c = 0; c < 3; ++c) {
+      load[static_cast<std::size_t>(facet.node[c])] -= pressure / 3 * out;
+    }
+  }
+  const Real rate = 1.5e5;  // about twice the breathing frequency, sqrt(E/rho)/r
+  const Real dt = 0.9 * body->stable_step().step;
+  for (Real t = 0; t < 2e-4; t += dt) {
+    for (std::size_t k = 0; k < p.x.size(); ++k) {
+      p.v[k] += dt * (p.a[k] - rate * p.v[k]);
+      p.v[k][2] = 0;
+      p.x[k] += dt * p.v[k];
+      p.f[k] = load[k];
+    }
+    body->update_state(dt);
+    body->add_internal_forces(dt);
+    for (std::size_t k = 0; k < p.x.size(); ++k) p.a[k] = p.f[k] / p.mass[k];
+  }
+  Real sum = 0, n = 0;
+  for (std::size_t k = 0; k < p.x.size(); ++k) {
+    const Real r = p.x_start[k].head<2>().norm();
+    if (r < a + 1e-9) sum += p.x[k].head<2>().norm() - r, n += 1;
+  }
+  return sum / n /
+         ((1 + nu) * pressure * a / (E * (b * b - a * a)) * ((1 - 2 * nu) * a * a + b * b));
+}
+
+TEST(Tet4, ATubeWidensThoughItsVolumeCannotChange) {
+  EXPECT_NEAR(bore_of_tube(0.3), 1, 0.02);
+  EXPECT_NEAR(bore_of_tube(0.499), 1, 0.03);
 }
 
 /// Copper that yields and heats.
@@ -210,7 +267,7 @@ TEST(Tet4, ALinearTemperatureConductsEvenly) {
   material.thermal = true;
   material.specific_heat = SpecificHeat(500);
   material.conductivity.constant = 40;
-  Mesh<3> mesh = cut(box_mesh<3>({3, 3, 3}, Vec3::Zero(), {3, 3, 3}, 0.2));
+  Boxes mesh = cut(box_mesh<3>({3, 3, 3}, Vec3::Zero(), {3, 3, 3}, 0.2));
   mesh.set.material = &material;
   mesh.set.conducts = true;
   FiniteElements<3> body(std::move(mesh.points), {mesh.set}, Geometry::three_d, 1);
