@@ -54,6 +54,18 @@ TEST(Place, IsExactForLinearFieldsInElements) {
   EXPECT_NEAR(value_at(place, linear_field(space), false), linear(0.4, 0.7, 0.6), 1e-12);
 }
 
+TEST(Place, TetrahedraAreToldFromQuads) {
+  BodyView view = hex();
+  view.corners = 4;
+  view.connectivity = {0, 1, 2, 4, 1, 2, 4, 6};
+  const Place place = find_place(view, {0.5, 0.3, 0.2});
+  EXPECT_EQ(place.cell, 0U);
+  EXPECT_EQ(place.points.size(), 4U);
+  EXPECT_NEAR(value_at(place, linear_field(view), false), linear(0.5, 0.3, 0.2), 1e-12);
+  view.cell_dimension = 0;  // the same as facets of a surface: they hold no place
+  EXPECT_EQ(find_place(view, {0.5, 0.3, 0.2}).points.size(), 1U);
+}
+
 TEST(Place, AtANodeIsItsValue) {
   const BodyView plane = quads();
   EXPECT_EQ(value_at(find_place(plane, {1.2, 0.9}), {0, 1, 2, 3, 4, 5}, false), 4.0);
