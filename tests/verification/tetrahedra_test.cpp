@@ -2,9 +2,10 @@
 //
 // A cantilever of length L and height h = L/10 under a force F at its end (Timoshenko, as in
 // bending_test.cpp): d = F L^3/(3 E I) + 6 F L/(5 G A). Strains are even in an element, so that it
-// is too stiff in bending at any nu, as linear tetrahedra are; what shows that nothing locks in
-// volume is that nu = 0.499 costs next to nothing beyond nu = 0.3. K/G is 2.2 and 500 there: had
-// each element its own volume, the bar would be several times too stiff.
+// is too stiff in bending at any nu, as linear tetrahedra are: 0.67 of d with two boxes through the
+// height. What shows that nothing locks in volume is that nu = 0.499, where K/G is 500 and not 2.2,
+// costs a quarter of that (0.51; of four boxes 0.74 and 0.67): with a volume of its own each,
+// elements bend 0.50 and 0.022 of d. Lame's tube in unit/fe/tet4_test.cpp has the closed form.
 //
 // The Taylor bar of taylor_test.cpp: 21.43 mm long and 7.22 mm of radius at the foot once hexahedra
 // have converged.
@@ -51,8 +52,9 @@ output: {history: 1 ms}
 
 TEST(TetrahedraLong, NothingLocksWithoutCompressibility) {
   const Real compressible = bending(0.3), incompressible = bending(0.499);
-  EXPECT_GT(compressible, 0.5);
-  EXPECT_GT(incompressible, 0.9 * compressible);
+  EXPECT_GT(compressible, 0.63);
+  EXPECT_LT(compressible, 1);
+  EXPECT_GT(incompressible, 0.7 * compressible);
 }
 
 std::string bar(const std::string& cells) {
