@@ -21,7 +21,7 @@ std::vector<Field> unpack_fields(Unpacker& from) {
 
 Bytes pack(const BodyView& view) {
   Packer packer;
-  packer << view.position << view.connectivity << view.corners;
+  packer << view.position << view.connectivity << view.corners << view.cell_dimension;
   pack(packer, view.point_fields);
   pack(packer, view.cell_fields);
   packer << view.point_mass << view.point_radius << view.cell_volume << view.point_owned;
@@ -31,7 +31,7 @@ Bytes pack(const BodyView& view) {
 BodyView unpack(const Bytes& bytes) {
   BodyView view;
   Unpacker from(bytes);
-  from >> view.position >> view.connectivity >> view.corners;
+  from >> view.position >> view.connectivity >> view.corners >> view.cell_dimension;
   view.point_fields = unpack_fields(from);
   view.cell_fields = unpack_fields(from);
   from >> view.point_mass >> view.point_radius >> view.cell_volume >> view.point_owned;

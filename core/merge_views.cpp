@@ -58,6 +58,16 @@ std::vector<Place> owned_points(const std::vector<BodyView>& parts) {
   return points;
 }
 
+/// Corners of a cell; a part without cells does not know.
+int corners_of(const std::vector<BodyView>& parts) {
+  int any = 0;
+  for (const auto& part : parts) {
+    if (!part.connectivity.empty()) return part.corners;
+    any = std::max(any, part.corners);
+  }
+  return any;
+}
+
 std::vector<Place> all_cells(const std::vector<BodyView>& parts) {
   std::vector<Place> cells;
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -85,8 +95,9 @@ BodyView merge_views(const std::vector<BodyView>& parts) {
   BodyView view;
   for (const auto& part : parts) {
     if (view.body.empty()) view.body = part.body, view.time = part.time;
-    view.corners = std::max(view.corners, part.corners);
+    view.cell_dimension = std::max(view.cell_dimension, part.cell_dimension);
   }
+  view.corners = corners_of(parts);
   const auto points = owned_points(parts);
   const auto cells = all_cells(parts);
   for (const auto& point : points) {

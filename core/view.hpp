@@ -33,6 +33,7 @@ struct BodyView {
   std::vector<Real> position;              ///< 3 n
   std::vector<std::int64_t> connectivity;  ///< corners of all cells
   int corners = 0;                         ///< corners of a cell; 0: particles
+  int cell_dimension = 0;  ///< of elements, 2 or 3; 0: facets of a surface, or particles
   std::vector<Field> point_fields;
   std::vector<Field> cell_fields;
   std::vector<Real> point_mass;    ///< [kg] weights of means over point fields

@@ -5,7 +5,12 @@
 
 namespace brunt {
 
-/// One step of conduction for the kernel.
+/// One step of conduction for the kernels, which write the heat rates of four elements from e on:
+///   q_I = sum_J K_IJ (T_I - T_J),  K_IJ = int k grad N_I . grad N_J dV,  k at the mean temperature
+/// so that heat flows between pairs of corners and none is lost, and the mechanical heat of the
+/// step (of plastic work, compression and viscosity) by the corners' shares of the capacity. The
+/// conductance of a corner is 1/2 sum_J |K_IJ|: by Gershgorin's theorem a step of
+/// capacity/conductance is stable, whatever the element's shape.
 template <int Dim>
 struct ConductionStep {
   const Vec<Dim>* x = nullptr;        ///< [m] by node, x(n+1)
@@ -16,14 +21,9 @@ struct ConductionStep {
                                     [W/K] of the corner */
 };
 
-/// Heat rates of four elements from e on:
-///   q_I = sum_J K_IJ (T_I - T_J),  K_IJ = int k grad N_I . grad N_J dV,  k at the mean temperature
-/// so that heat flows between pairs of corners and none is lost, and the mechanical heat of the
-/// step (of plastic work, compression and viscosity) by the corners' shares of the capacity. The
-/// conductance of a corner is 1/2 sum_J |K_IJ|: by Gershgorin's theorem a step of
-/// capacity/conductance is stable, whatever the element's shape.
+/// Adds the mechanical heat of the step to the corner heat of the four elements from e on.
 template <int Dim>
-void conduct(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
+void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
 
 /// Writes heat rates [W] that the mechanical heat of the step gives to the corners of four elements
 /// from e on, [element][corner], without conduction.
@@ -35,11 +35,6 @@ void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_
 /// it stand their specific heats among those of the points.
 template <int Dim>
 std::vector<const Material*> materials_that_vary(const std::vector<ElementBlock<Dim>>& blocks);
-
-/// Writes what the law sees to the state: nodal temperatures interpolated to the material points.
-/// temperature  [K] by node
-template <int Dim>
-void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e, const Real* temperature);
 
 /// Heat of one element [J] from that of its material points [J/m^3 reference]; 0 where there is
 /// none.

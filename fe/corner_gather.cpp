@@ -24,15 +24,13 @@ void CornerGather::add(const Real* value, std::vector<Vec<W>>& out) const {
 
 template <int Dim>
 CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_nodes) {
-  constexpr int n = Shape<Dim>::kCorners;
   CornerGather gather;
   gather.offset.assign(static_cast<std::size_t>(n_nodes) + 1, 0);
   std::vector<std::pair<GlobalId, std::pair<LocalIndex, LocalIndex>>> order;  // id, block, element
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
       order.push_back({blocks[b].id[e], {static_cast<LocalIndex>(b), e}});
-      for (int I = 0; I < n; ++I) {
-        const LocalIndex node = blocks[b].corner[static_cast<std::size_t>(e) * n + I];
+      for (const LocalIndex node : blocks[b].corners_of(e)) {
         if (node < n_nodes) ++gather.offset[node + 1];
       }
     }
@@ -43,7 +41,8 @@ CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, Lo
   std::vector<std::int64_t> next(gather.offset.begin(), gather.offset.end() - 1);
   for (const auto& [id, where] : order) {
     const ElementBlock<Dim>& block = blocks[where.first];
-    for (int I = 0; I < n; ++I) {
+    const auto n = static_cast<std::size_t>(block.corners);
+    for (std::size_t I = 0; I < n; ++I) {
       const std::size_t corner = static_cast<std::size_t>(where.second) * n + I;
       const LocalIndex node = block.corner[corner];
       if (node >= n_nodes) continue;

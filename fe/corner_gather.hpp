@@ -11,7 +11,7 @@ struct CornerGather {
   std::vector<std::int64_t> offset;  ///< n_nodes + 1
   std::vector<LocalIndex> place;     ///< corner index: block's first_corner + element * corners + I
 
-  /// sum [kCorners-indexed values] of width W onto each node: out[node] += sum value[place].
+  /// sum [values by corner] of width W onto each node: out[node] += sum value[place].
   template <int W>
   void add(const Real* value, std::vector<Vec<W>>& out) const;
 };

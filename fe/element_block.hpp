@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -6,16 +7,36 @@
 #include "core/points.hpp"
 #include "core/step_limit.hpp"
 #include "fe/assumed_strain.hpp"
+#include "fe/formulation.hpp"
 #include "fe/options.hpp"
 #include "fe/shape.hpp"
 
 namespace brunt {
 
+/// The nodes of one element of any kind.
+struct ElementCorners {
+  std::array<LocalIndex, kMostCorners> node{};
+  std::size_t n = 0;
+
+  ElementCorners() = default;
+  template <std::size_t N>
+  ElementCorners(const std::array<LocalIndex, N>& corners) : n(N) {
+    std::copy(corners.begin(), corners.end(), node.begin());
+  }
+  std::size_t size() const { return n; }
+  LocalIndex* begin() { return node.data(); }
+  LocalIndex* end() { return node.data() + n; }
+  const LocalIndex* begin() const { return node.data(); }
+  const LocalIndex* end() const { return node.data() + n; }
+  LocalIndex& operator[](std::size_t I) { return node[I]; }
+  LocalIndex operator[](std::size_t I) const { return node[I]; }
+};
+
 /// Elements of one formulation and one law, over all bodies: what the scene hands in.
 template <int Dim>
 struct ElementSet {
-  std::vector<std::array<LocalIndex, Shape<Dim>::kCorners>> corners;  ///< nodes of each element
-  std::vector<GlobalId> id;  ///< ascending, unique in the scene, below 2^61
+  std::vector<ElementCorners> corners;  ///< nodes of each element
+  std::vector<GlobalId> id;             ///< ascending, unique in the scene, below 2^61
   std::vector<Label> body;
   std::vector<Label> piece;
   std::vector<char> owned;  ///< 0: another rank counts it; empty: all are owned
@@ -46,11 +67,12 @@ std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& t
 /// four elements fill a Pack and a tile holds kTile/G elements, G the points of an element.
 template <int Dim>
 struct ElementBlock {
-  static constexpr int kCorners = Shape<Dim>::kCorners;
   static constexpr int kHourglassValues = Shape<Dim>::kHourglass * Dim;
 
+  const Formulation<Dim>* formulation = nullptr;
   const Material* material = nullptr;
   ElementOptions options;  ///< hourglass resolved: never automatic
+  int corners = 0;         ///< of an element
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;
   bool conducts = false, held = false, rigid = false;
@@ -58,7 +80,7 @@ struct ElementBlock {
   LocalIndex n = 0;      ///< elements
   LocalIndex n_padded = 0;
   std::size_t first_corner = 0;        ///< of this block in the buffer of corner forces
-  std::vector<LocalIndex> corner;      ///< node of each corner, n_padded x kCorners
+  std::vector<LocalIndex> corner;      ///< node of each corner, n_padded x corners
   std::vector<GlobalId> id;            ///< n_padded
   std::vector<Label> body, piece;      ///< n_padded
   std::vector<char> owned;             ///< n; 0: computed here too, counted by another rank
@@ -67,6 +89,8 @@ struct ElementBlock {
   std::vector<Real> element_volume;    ///< [m^3] of each element at time 0
   std::vector<Real> reference_size;    ///< [m] volume^(1/3), area^(1/2) in 2D, at time 0
   std::vector<Real> mass;              ///< [kg] of each element
+  /// Where pressure is of volumes about nodes: their mean ratio to time 0 at n, of each element.
+  std::vector<Real> volume_ratio;
   /// Viscous control: [N] generalised forces Q at n, kHourglassValues x n_padded.
   std::vector<Real> hourglass;
   std::vector<Real> hourglass_stiffness;  ///< [N/m] stiffness control: of each element
@@ -79,7 +103,7 @@ struct ElementBlock {
   std::vector<Real> viscous_work;      ///< [J]
   std::vector<Real> stable_step;       ///< [s] bound of each element
   /// Where it conducts: share of its volume [1] that each corner stands for at time 0, n_padded x
-  /// kCorners: of its heat capacity, and of the mechanical heat.
+  /// corners: of its heat capacity, and of the mechanical heat.
   std::vector<Real> heat_share;
   /// [J] plastic and compression heat that nodes have been given; empty where neither arises
   std::vector<Real> heat_given;
@@ -89,6 +113,10 @@ struct ElementBlock {
   std::size_t point(LocalIndex e, int g) const {
     return static_cast<std::size_t>(e / kLanes) * kLanes * gauss + kLanes * g + e % kLanes;
   }
+  std::span<const LocalIndex> corners_of(LocalIndex e) const {
+    const auto n_corners = static_cast<std::size_t>(corners);
+    return {corner.data() + static_cast<std::size_t>(e) * n_corners, n_corners};
+  }
 };
 
 /// Builds the state of a set at the positions of its points; forces are zero.
@@ -97,7 +125,7 @@ template <int Dim>
 ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
                              const Thickness& thickness);
 
-/// Mass [kg] that each corner of each element carries, n x kCorners: equal shares, and in
+/// Mass [kg] that each corner of each element carries, n x corners: equal shares, and in
 /// axisymmetry with several Gauss points the row sums rho int N_I dV, with which alone a plane wave
 /// along the axis stays plane.
 template <int Dim>
@@ -105,37 +133,30 @@ std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim
                                 const Thickness& thickness);
 
 /// The part of an element's volume that each corner stands for, int N_I dV / V, one after another:
-/// so its heat capacity is shared; n_padded x kCorners.
+/// so its heat capacity is shared; n_padded x corners.
 template <int Dim>
 std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim>& points,
                                 const Thickness& thickness);
 
-/// Volumes [m^3] of the Gauss points of one element at positions x; they sum to its exact volume.
+/// Positions of the corners of one element [m].
 template <int Dim>
-std::array<Real, Shape<Dim>::kGauss> gauss_volumes(
-    const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x, const Thickness& thickness);
+struct CornerPositions {
+  std::array<Vec<Dim>, kMostCorners> x;
+  std::size_t n = 0;
 
-/// Volume [m^3] as the element's formulation measures it: axisymmetric one-point elements take
-/// 2 pi times area times mean radius, of which their forces are the derivative.
+  const Vec<Dim>* data() const { return x.data(); }
+  std::size_t size() const { return n; }
+  const Vec<Dim>* begin() const { return x.data(); }
+  const Vec<Dim>* end() const { return x.data() + n; }
+  Vec<Dim>& operator[](std::size_t I) { return x[I]; }
+  const Vec<Dim>& operator[](std::size_t I) const { return x[I]; }
+};
 template <int Dim>
-Real element_volume(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x, bool one_point,
-                    const Thickness& thickness);
-
-/// Volume [m^3] as one-point elements measure it, from its gradient: to round-off that of
-/// element_volume, for a tenth of the price.
-template <int Dim>
-Real one_point_volume(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x,
-                      const Thickness& thickness);
-
-template <int Dim>
-std::array<Vec<Dim>, Shape<Dim>::kCorners> corner_positions(const ElementBlock<Dim>& block,
-                                                            LocalIndex element,
-                                                            const Points<Dim>& points) {
-  std::array<Vec<Dim>, Shape<Dim>::kCorners> x;
-  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
-    x[I] = points.x[block.corner[static_cast<std::size_t>(element) * Shape<Dim>::kCorners + I]];
-  }
-  return x;
+CornerPositions<Dim> corner_positions(const ElementBlock<Dim>& block, LocalIndex element,
+                                      const Points<Dim>& points) {
+  CornerPositions<Dim> places;
+  for (const LocalIndex node : block.corners_of(element)) places.x[places.n++] = points.x[node];
+  return places;
 }
 
 }  // namespace brunt

@@ -17,9 +17,7 @@ std::string entity_text(const ElementBlock<Dim>& block, LocalIndex e, int g) {
 template <int Dim>
 std::optional<PhysicsFailure> lost_corner(const ElementBlock<Dim>& block, LocalIndex e,
                                           const Points<Dim>& points, const std::string& advice) {
-  constexpr auto n = static_cast<std::size_t>(Shape<Dim>::kCorners);
-  for (std::size_t I = 0; I < n; ++I) {
-    const LocalIndex node = block.corner[static_cast<std::size_t>(e) * n + I];
+  for (const LocalIndex node : block.corners_of(e)) {
     if (std::isfinite(points.x[node].sum())) continue;
     return PhysicsFailure{0,
                           "",
@@ -35,7 +33,11 @@ std::optional<PhysicsFailure> lost_corner(const ElementBlock<Dim>& block, LocalI
 template <int Dim>
 std::string distortion_advice(const ElementBlock<Dim>& block) {
   std::string text = "the element is crushed, sheared or turned inside out: try ";
-  if (block.options.integration != Integration::q1p0) text += "`element: {integration: q1p0}`, ";
+  ElementOptions q1p0;
+  q1p0.integration = Integration::q1p0;
+  const bool has_q1p0 = block.formulation->material_points(q1p0) > 1;
+  if (has_q1p0 && block.options.integration != Integration::q1p0)
+    text += "`element: {integration: q1p0}`, ";
   text += "finer or coarser elements there";
   if (!block.material->yields()) text += ", a `strength`, since this material never yields";
   return text + ", or `method: sph` where the material shall flow so far";
@@ -46,13 +48,14 @@ std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, Lo
                                               const Points<Dim>& points,
                                               const Thickness& thickness) {
   const auto x = corner_positions(block, e, points);
-  Real least = block.gauss == 1 ? one_point_volume<Dim>(x, thickness)
-                                : element_volume<Dim>(x, false, thickness);
+  const Formulation<Dim>& kind = *block.formulation;
+  Real least = block.gauss == 1 ? kind.step_volume(x, thickness) : kind.volume(x, false, thickness);
   int where = -1;
   if (block.gauss > 1) {
-    const auto part = gauss_volumes<Dim>(x, thickness);
+    const PartVolumes parts = kind.part_volumes(x, thickness);
     for (int g = 0; g < block.gauss; ++g) {
-      if (where < 0 || !(part[g] >= least)) least = part[g], where = g;
+      const Real part = parts.part[static_cast<std::size_t>(g)];
+      if (where < 0 || !(part >= least)) least = part, where = g;
     }
   }
   if (!std::isfinite(least)) return lost_corner(block, e, points, distortion_advice(block));

@@ -15,23 +15,24 @@ struct ElementStep {
   Thickness thickness;
   Real dt = 0;                   ///< [s]
   Real* corner_force = nullptr;  ///< [N] forces on the corners, [element][corner][Dim], written
+  /// [1] by node: volume of the elements about it that average volumes, over that at time 0
+  const Real* node_ratio = nullptr;
 };
 
-/// Advances the elements of tile `index`: stress, state, energies, stable step, corner forces.
+/// Formulation::advance of hexes and quads of one point.
 template <int Dim>
 void advance_one_point(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 /// The same for q1p0 and full integration.
 template <int Dim>
 void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
-/// Sets the stable steps of tile `index` from x, v and the state as they are.
+/// Formulation::refresh_stable_steps of hexes and quads.
 template <int Dim>
-void refresh_stable_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
+void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 
 /// Values of a nodal field at the corners of four elements.
-template <int Dim>
-BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field,
-                         Pack (&node)[Shape<Dim>::kCorners][Dim]) {
-  constexpr int n = Shape<Dim>::kCorners;
+template <int Dim, int N>
+BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Pack (&node)[N][Dim]) {
+  constexpr int n = N;
   for (int I = 0; I < n; ++I) {
     const Real* a = field[corner[I]].data();
     const Real* b = field[corner[n + I]].data();
@@ -42,9 +43,10 @@ BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field,
 }
 
 /// Writes the corner values of four elements, element by element.
-template <int Dim>
-BRUNT_INLINE void scatter(const Pack (&node)[Shape<Dim>::kCorners][Dim], Real* out) {
-  constexpr int n = Shape<Dim>::kCorners * Dim;
+template <int Dim, int N>
+BRUNT_INLINE void scatter(const Pack (&node)[N][Dim], Real* out) {
+  constexpr int n = N * Dim;
+  static_assert(n % 4 == 0);
   const Pack* row = &node[0][0];
   for (int k = 0; k < n; k += 4) {
     const Pack ab0 = __builtin_shufflevector(row[k], row[k + 1], 0, 4, 2, 6);
@@ -100,9 +102,9 @@ template <class V>
 struct OperatorNorm {
   V trace, largest, hoop;
   /// Smallest height of the element [m]: the shortest edge of a box.
-  template <int Dim>
+  template <class Element>
   V height() const {
-    return vsqrt((Dim == 3 ? 0.5 : 1.0) / largest);
+    return vsqrt(Element::kHeightSquare / largest);
   }
 };
 template <int Dim, class V>
@@ -131,30 +133,30 @@ BRUNT_INLINE V bulk_viscosity(const BulkViscosity& option, V rho, V height, V c,
 /// Stable step [s]: 2/omega, omega^2 = (corners/rho) (lambda (tr + hoop) + 2 mu max(g_max, hoop)),
 /// times sqrt(1 + Q^2) - Q with Q = Q1 + Q2 l |D|/c in compression and in tension alike, so that
 /// the step does not follow the signs of round-off.
-template <int Dim, class V>
+template <class Element, class V>
 BRUNT_INLINE V stable_step(const BulkViscosity& option, const OperatorNorm<V>& norm, V rho, V bulk,
                            Real shear, V rate) {
-  constexpr Real corners = Shape<Dim>::kCorners;
+  constexpr Real corners = Element::kCorners;
   const V lambda = vmax(bulk - (2.0 / 3) * shear, broadcast<V>(0));
   const V stiffness =
       lambda * (norm.trace + norm.hoop) + 2.0 * shear * vmax(norm.largest, norm.hoop);
   const V c = vsqrt((bulk + (4.0 / 3) * shear) / rho);
-  const V Q = option.linear + option.quadratic * norm.template height<Dim>() * vabs(rate) / c;
+  const V Q = option.linear + option.quadratic * norm.template height<Element>() * vabs(rate) / c;
   return 2.0 * vsqrt(rho / (corners * stiffness)) * (vsqrt(1.0 + Q * Q) - Q);
 }
 
 /// Stores the stable steps of the four elements from e on. Viscous hourglass control damps its
 /// modes at the rate 2 Q c V^(2/3) corners/V, explicit in time: the step is at most 1.6 over it,
 /// the true limit 2 being for undistorted elements.
-template <int Dim>
-BRUNT_INLINE void store_stable_step(ElementBlock<Dim>& block, std::size_t e,
+template <class Element>
+BRUNT_INLINE void store_stable_step(ElementBlock<Element::kDim>& block, std::size_t e,
                                     const OperatorNorm<Pack>& norm, Pack rho, Pack bulk,
                                     Pack rate) {
   const Real shear = block.material->shear;
-  Pack dt = stable_step<Dim>(block.options.bulk_viscosity, norm, rho, bulk, shear, rate);
+  Pack dt = stable_step<Element>(block.options.bulk_viscosity, norm, rho, bulk, shear, rate);
   const auto* viscous = std::get_if<ViscousHourglass>(&block.options.hourglass);
-  if (block.gauss == 1 && viscous != nullptr) {
-    constexpr Real corners = Shape<Dim>::kCorners;
+  if (Element::kHourglass > 0 && block.gauss == 1 && viscous != nullptr) {
+    constexpr Real corners = Element::kCorners;
     const Pack c = vsqrt((bulk + (4.0 / 3) * shear) / rho);
     const Pack size = load(block.reference_size.data() + e);
     dt = vmin(dt, (0.8 / corners) * size / (viscous->coefficient * c));

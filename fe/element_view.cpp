@@ -35,9 +35,7 @@ std::vector<LocalIndex> nodes_of(const std::vector<Cell<Dim>>& cells, const Poin
   place.assign(points.x.size(), -1);
   std::vector<LocalIndex> nodes;
   for (const Cell<Dim>& cell : cells) {
-    for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
-      const LocalIndex node =
-          cell.block->corner[static_cast<std::size_t>(cell.element) * Shape<Dim>::kCorners + I];
+    for (const LocalIndex node : cell.block->corners_of(cell.element)) {
       if (place[node] < 0) nodes.push_back(node);
       place[node] = 0;
     }
@@ -146,8 +144,9 @@ void add_state_field(const char* name, std::vector<Real> MaterialState::*member,
 template <int Dim>
 BodyView FiniteElements<Dim>::view(Label body) const {
   BodyView view;
-  view.corners = Shape<Dim>::kCorners;
   std::vector<Cell<Dim>> cells = cells_of(blocks_, body);
+  view.corners = cells.empty() ? Shape<Dim>::kCorners : cells.front().block->corners;
+  view.cell_dimension = Dim;
   std::vector<std::int64_t> place;
   add_point_fields(points_, nodes_of(cells, points_, place), view);
   std::erase_if(cells, [](const Cell<Dim>& cell) { return !cell.block->owned[cell.element]; });
@@ -161,11 +160,9 @@ BodyView FiniteElements<Dim>::view(Label body) const {
   for (const Cell<Dim>& cell : cells) {
     const ElementBlock<Dim>& block = *cell.block;
     const LocalIndex e = cell.element;
-    for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
-      view.connectivity.push_back(
-          place[block.corner[static_cast<std::size_t>(e) * Shape<Dim>::kCorners + I]]);
-    }
-    const Real volume = element_volume<Dim>(corner_positions(block, e, points_), false, thickness_);
+    for (const LocalIndex node : block.corners_of(e)) view.connectivity.push_back(place[node]);
+    const Real volume =
+        block.formulation->volume(corner_positions(block, e, points_), false, thickness_);
     view.cell_volume.push_back(volume);
     density.values.push_back(block.mass[e] / volume);
     piece.values.push_back(static_cast<Real>(block.piece[e]));

@@ -48,6 +48,7 @@ std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
     hash.add(block.hourglass[k]);
   }
   hash.add(block.viscous_pressure[e]);
+  if (!block.volume_ratio.empty()) hash.add(block.volume_ratio[e]);
   return hash.value();
 }
 
@@ -81,17 +82,20 @@ void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) 
     if (set.id.empty()) continue;
     blocks_.push_back(make_block(set, points_, thickness_));
     blocks_.back().first_corner = corners;
-    corners += blocks_.back().id.size() * Shape<Dim>::kCorners;
+    corners += blocks_.back().corner.size();
   }
   corner_force_.assign(corners * Dim, 0.0);
   gather_ = make_corner_gather(blocks_, points_.n_owned);
+  start_volumes();
 }
 
 template <int Dim>
 void FiniteElements<Dim>::start_steps() {
   for (auto& block : blocks_) {
     const ElementStep<Dim> step = element_step(block, 1.0);
-    for (int t = 0; t < block.n_tiles(); ++t) refresh_stable_steps(block, t, step);
+    for (int t = 0; t < block.n_tiles(); ++t) {
+      block.formulation->refresh_stable_steps(block, t, step);
+    }
   }
 }
 
@@ -102,7 +106,8 @@ ElementStep<Dim> FiniteElements<Dim>::element_step(const ElementBlock<Dim>& bloc
           points_.x_start.data(),
           thickness_,
           dt,
-          corner_force_.data() + block.first_corner * Dim};
+          corner_force_.data() + block.first_corner * Dim,
+          node_ratio_.data()};
 }
 
 template <int Dim>
@@ -114,11 +119,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
     const int n = block.n_tiles();
 #pragma omp parallel for schedule(static) if (n > kTilesWorthThreads)
     for (int t = 0; t < n; ++t) {
-      if (block.gauss == 1) {
-        advance_one_point(block, t, step);
-      } else {
-        advance_gauss(block, t, step);
-      }
+      block.formulation->advance(block, t, step);
     }
   }
   gather_.template add<Dim>(corner_force_.data(), points_.f);

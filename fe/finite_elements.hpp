@@ -33,6 +33,8 @@ class FiniteElements final : public Solid<Dim> {
   Surface<Dim>& surface() override { return surface_; }
   /// Shows contact the materials behind the facets, where friction asks for them.
   void update_state(Real) override;
+  /// Brings the ratios of volumes about nodes to copies of the nodes.
+  void refresh_state() override;
   void add_internal_forces(Real dt) override;
   void add_conduction(Real dt, std::int64_t step) override;
   StepLimit stable_step() const override;
@@ -54,6 +56,8 @@ class FiniteElements final : public Solid<Dim> {
   std::vector<ElementBlock<Dim>>& blocks() { return blocks_; }
 
  private:
+  void start_volumes();
+  void update_volumes();
   void make_blocks(const std::vector<ElementSet<Dim>>& sets);
   void start_steps();
   void set_capacities();
@@ -76,12 +80,18 @@ class FiniteElements final : public Solid<Dim> {
   std::vector<Vec<2>> node_heat_;        ///< [W], [W/K] of each node, while they are summed
   std::vector<Vec<1>> node_mechanical_;  ///< [W] of plastic work alone; empty: it is in node_heat_
   std::vector<Real>
-      corner_heat_;    ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
-  bool held_ = false;  ///< nothing of it ever moves: only its heat is computed
+      corner_heat_;  ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
+  /// Where elements average volumes, by node: volume [m^3] of those about it at time 0, and the
+  /// ratio [1] of the present one to it; else empty.
+  std::vector<Real> start_volume_, node_ratio_;
+  std::vector<Real> corner_volume_;  ///< [m^3] [element][corner]
+  std::vector<Vec<1>> node_volume_;  ///< [m^3] of each node, while they are summed
+  bool held_ = false;                ///< nothing of it ever moves: only its heat is computed
   Surface<Dim> surface_;
   /// Block and element behind each facet; empty until contact asks for their materials.
   std::vector<std::pair<std::size_t, LocalIndex>> element_of_facet_;
   GhostPlan ghosts_;
+  const Communicator* ranks_ = nullptr;  ///< null: this rank has the whole
 };
 
 }  // namespace brunt

@@ -16,7 +16,7 @@ void FiniteElements<Dim>::set_capacities() {
   std::vector<Real> at_start(points_.x.size(), 0.0);
   std::vector<Real> share(corner_force_.size() / Dim, 0.0);
   for (const auto& block : blocks_) {
-    constexpr std::size_t n = Shape<Dim>::kCorners;
+    const auto n = static_cast<std::size_t>(block.corners);
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
       const Real capacity = block.mass[e] * block.material->specific_heat.at(block.temperature);
       for (std::size_t I = e * n; I < (e + 1) * n; ++I) {
@@ -48,7 +48,7 @@ void FiniteElements<Dim>::vary_capacities() {
     std::vector<Real> share(corner_force_.size() / Dim, 0.0);
     for (const auto& block : blocks_) {
       if (block.material != material) continue;
-      constexpr std::size_t n = Shape<Dim>::kCorners;
+      const auto n = static_cast<std::size_t>(block.corners);
       for (std::size_t I = 0; I < static_cast<std::size_t>(block.n) * n; ++I) {
         share[block.first_corner + I] = block.mass[I / n] * block.heat_share[I];
       }
@@ -102,8 +102,8 @@ void FiniteElements<Dim>::interpolate_temperatures() {
     const int n = block.n_padded / kLanes;
 #pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
-      interpolate_temperature(block, static_cast<std::size_t>(k) * kLanes,
-                              points_.temperature.data());
+      block.formulation->interpolate_temperature(block, static_cast<std::size_t>(k) * kLanes,
+                                                 points_.temperature.data());
     }
   }
 }
@@ -117,7 +117,7 @@ void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
     const int n = block.n_padded / kLanes;
 #pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
-      brunt::conduct(block, static_cast<std::size_t>(k) * kLanes, step);
+      block.formulation->conduct(block, static_cast<std::size_t>(k) * kLanes, step);
     }
   }
   node_heat_.assign(points_.x.size(), Vec<2>::Zero());
@@ -146,13 +146,12 @@ void FiniteElements<Dim>::keep_conduction() {
 /// are no longer needed.
 template <int Dim>
 void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
-  constexpr std::size_t corners = Shape<Dim>::kCorners;
   const auto warms = [](const auto& block) { return !block.heat_given.empty(); };
   if (!std::any_of(blocks_.begin(), blocks_.end(), warms)) return;
   for (auto& block : blocks_) {
     Real* const rates = corner_heat_.data() + block.first_corner;
     if (!warms(block)) {
-      std::fill_n(rates, static_cast<std::size_t>(block.n_padded) * corners, 0.0);
+      std::fill_n(rates, block.corner.size(), 0.0);
       continue;
     }
     const int n = block.n_padded / kLanes;

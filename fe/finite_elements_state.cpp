@@ -11,7 +11,7 @@ namespace {
 template <int Dim>
 std::string table_of(const ElementBlock<Dim>& block) {
   return "elements." + std::to_string(block.gauss) + fields_of(block.state) +
-         (block.heat_given.empty() ? "" : ".given");
+         (block.heat_given.empty() ? "" : ".given") + (block.volume_ratio.empty() ? "" : ".ratio");
 }
 
 template <class Row, class Block>
@@ -29,6 +29,7 @@ void visit_element(Row& row, Block& block, std::size_t e) {
   row(block.viscous_work[e]);
   row(block.stable_step[e]);
   if (!block.heat_given.empty()) row(block.heat_given[e]);
+  if (!block.volume_ratio.empty()) row(block.volume_ratio[e]);
 }
 
 }  // namespace

@@ -213,8 +213,8 @@ BRUNT_INLINE void kinematics(const Group<Dim>& group, MaterialTile& tile, GaussW
   w.rho = load(block.mass.data() + group.e) / volume;
   w.norm = gauss_norm(w.c, group.step.thickness);
   const Pack speed = vsqrt((largest_bulk(group) + (4.0 / 3) * block.material->shear) / w.rho);
-  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Dim>(), speed,
-                       w.rate);
+  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Shape<Dim>>(),
+                       speed, w.rate);
   w.viscous_work -= w.q * dilatation;
   for (int g = 0; g < kGauss<Dim>; ++g) {
     const int k = group.at + kLanes * g;
@@ -281,7 +281,7 @@ BRUNT_INLINE void dynamics(const Group<Dim>& group, GaussWork<Dim>& w) {
   add_half(block.stress_work, group.e, w.stress_work + pressure.work());
   add_half(block.viscous_work, group.e, w.viscous_work);
   store(block.viscous_pressure.data() + group.e, w.q);
-  store_stable_step<Dim>(block, group.e, w.norm, w.rho, largest_bulk(group), w.rate);
+  store_stable_step<Shape<Dim>>(block, group.e, w.norm, w.rho, largest_bulk(group), w.rate);
   Pack node[Shape<Dim>::kCorners][Dim];
   for (auto& mode : f.m) {
     for (int i = 0; i < Dim; ++i) mode[i] = (1.0 / Shape<Dim>::kCorners) * mode[i];
@@ -311,7 +311,7 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
 }
 
 template <int Dim>
-void refresh_stable_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step) {
+void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step) {
   const std::size_t first = static_cast<std::size_t>(index) * block.elements_per_tile();
   for (int k = 0; k < block.elements_per_tile(); k += kLanes) {
     const std::size_t e = first + k;
@@ -334,14 +334,14 @@ void refresh_stable_steps(ElementBlock<Dim>& block, int index, const ElementStep
     }
     w.rho = load(block.mass.data() + e) / load(block.element_volume.data() + e);
     const Pack bulk = block.gauss == 1 ? load(block.state.bulk.data() + e) : largest_bulk(group);
-    store_stable_step<Dim>(block, e, w.norm, w.rho, bulk, (1.0 / step.dt) * trace(G) / size);
+    store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, bulk, (1.0 / step.dt) * trace(G) / size);
   }
 }
 
 template void advance_gauss(ElementBlock<2>&, int, const ElementStep<2>&);
 template void advance_gauss(ElementBlock<3>&, int, const ElementStep<3>&);
-template void refresh_stable_steps(ElementBlock<2>&, int, const ElementStep<2>&);
-template void refresh_stable_steps(ElementBlock<3>&, int, const ElementStep<3>&);
+template void refresh_box_steps(ElementBlock<2>&, int, const ElementStep<2>&);
+template void refresh_box_steps(ElementBlock<3>&, int, const ElementStep<3>&);
 
 }  // namespace brunt
 // Tested by tests/unit/fe/kinematics_test.cpp.

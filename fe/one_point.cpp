@@ -62,8 +62,8 @@ BRUNT_INLINE void deform(const OnePointLane<Dim>& lane, const OnePointConfigurat
   w.rate = (1.0 / lane.step.dt) * (trace(L) + hoop);
   const Pack bulk = load(block.state.bulk.data() + lane.e);
   w.speed = vsqrt((bulk + (4.0 / 3) * block.material->shear) / w.rho);
-  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Dim>(), w.speed,
-                       w.rate);
+  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Shape<Dim>>(),
+                       w.speed, w.rate);
 }
 
 /// Strain, rotation and ratios of four elements for the material; works of the old forces.
@@ -130,7 +130,7 @@ BRUNT_INLINE void dynamics(const OnePointLane<Dim>& lane, OnePointWork<Dim>& w) 
   add_half(block.stress_work, e, w.stress_work + w.now.work(s, p));
   add_half(block.viscous_work, e, w.viscous_work);
   store(block.viscous_pressure.data() + e, w.q);
-  store_stable_step<Dim>(block, e, w.norm, w.rho, load(block.state.bulk.data() + e), w.rate);
+  store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, load(block.state.bulk.data() + e), w.rate);
   corner_forces(w, s, p + w.q, lane.step.corner_force + e * Shape<Dim>::kCorners * Dim,
                 lane.step.thickness);
   guard_shapes<Dim>(block, e, w.norm, w.now.mode, lane.step);

@@ -3,6 +3,7 @@
 
 #include "core/schema.hpp"
 #include "core/types.hpp"
+#include "fe/elements/catalog.hpp"
 
 namespace brunt {
 
@@ -42,6 +43,7 @@ struct BulkViscosity {
 
 /// The key `element` of a deforming FE body.
 struct ElementOptions {
+  int type = 0;  ///< its place in the catalogue of its geometry
   Integration integration = Integration::one_point;
   Hourglass hourglass;
   BulkViscosity bulk_viscosity;
@@ -65,10 +67,19 @@ inline void describe(Schema& s, BulkViscosity& viscosity) {
          {"1", at_least(0), between(0, 10)});
 }
 inline void describe(Schema& s, ElementOptions& element) {
-  static constexpr const char* kIntegrations[] = {"one-point", "q1p0", "full"};
-  s.choice({"integration", "points of integration: one, selectively reduced, or full"},
-           element.integration, kIntegrations);
-  s.one_of({"hourglass", "what resists hourglass modes of one-point elements"}, element.hourglass);
+  s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& solid) {
+    solid.choice({"type",
+                  "kind of element; tet4: six tetrahedra in the place of a hexahedron, "
+                  "with nodal pressures"},
+                 element.type, ElementCatalog<3>::names);
+  });
+  s.section(element.type == 0, "only for type: hex8", [&](Schema& box) {
+    static constexpr const char* kIntegrations[] = {"one-point", "q1p0", "full"};
+    box.choice({"integration", "points of integration: one, selectively reduced, or full"},
+               element.integration, kIntegrations);
+    box.one_of({"hourglass", "what resists hourglass modes of one-point elements"},
+               element.hourglass);
+  });
   s.object({"bulk_viscosity", "artificial viscosity that spreads shocks"}, element.bulk_viscosity);
 }
 

@@ -4,29 +4,40 @@
 
 #include "core/open_surface.hpp"
 #include "fe/conduction.hpp"
+#include "fe/formulation.hpp"
 
 namespace brunt {
 namespace {
 
 template <int Dim>
 struct Face {
-  std::array<LocalIndex, Shape<Dim>::kFaceNodes> sorted;  ///< the key: which nodes
+  std::array<LocalIndex, Facet<Dim>::kNodes> sorted;  ///< the key: which nodes
   LocalIndex block = 0, element = 0;
   int number = 0;
 };
+
+/// Nodes of face k of an element; -1 behind those of a triangle.
+template <int Dim>
+std::array<LocalIndex, Facet<Dim>::kNodes> nodes_of_face(const ElementType& type, int k,
+                                                         std::span<const LocalIndex> corner) {
+  std::array<LocalIndex, Facet<Dim>::kNodes> nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int local = type.face[static_cast<std::size_t>(k)][i];
+    nodes[i] = local < 0 ? -1 : corner[static_cast<std::size_t>(local)];
+  }
+  return nodes;
+}
 
 template <int Dim>
 std::vector<Face<Dim>> all_faces(const std::vector<ElementBlock<Dim>>& blocks) {
   std::vector<Face<Dim>> faces;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
-      const LocalIndex* corner =
-          blocks[b].corner.data() + static_cast<std::size_t>(e) * Shape<Dim>::kCorners;
-      for (int k = 0; k < Shape<Dim>::kFaces; ++k) {
+      const ElementType& type = blocks[b].formulation->type();
+      const auto corner = blocks[b].corners_of(e);
+      for (int k = 0; k < type.faces; ++k) {
         Face<Dim> face;
-        for (int i = 0; i < Shape<Dim>::kFaceNodes; ++i) {
-          face.sorted[i] = corner[Shape<Dim>::kFace[k][i]];
-        }
+        face.sorted = nodes_of_face<Dim>(type, k, corner);
         std::sort(face.sorted.begin(), face.sorted.end());
         face.block = static_cast<LocalIndex>(b);
         face.element = e;
@@ -40,40 +51,49 @@ std::vector<Face<Dim>> all_faces(const std::vector<ElementBlock<Dim>>& blocks) {
   return faces;
 }
 
-/// Area [m^2] of a quad by its diagonals; length [m] of an edge.
+/// Area [m^2] of a quad by its diagonals, or of a triangle; length [m] of an edge.
 Real face_area(const std::array<LocalIndex, 4>& node, const std::vector<Vec<3>>& x) {
-  return 0.5 * (x[node[2]] - x[node[0]]).cross(x[node[3]] - x[node[1]]).norm();
+  const LocalIndex last = node[3] < 0 ? node[0] : node[3];
+  return 0.5 * (x[node[2]] - x[node[0]]).cross(x[last] - x[node[1]]).norm();
 }
 Real face_area(const std::array<LocalIndex, 2>& node, const std::vector<Vec<2>>& x) {
   return (x[node[1]] - x[node[0]]).norm();
 }
 
-/// Least width of a face [m]: its area over its longest edge.
+/// Least width of a face [m]: its area over its longest edge, of a triangle twice that.
 Real face_width(const std::array<LocalIndex, 4>& node, const std::vector<Vec<3>>& x) {
+  const std::size_t n = node[3] < 0 ? 3 : 4;
   Real longest = 0;
-  for (std::size_t c = 0; c < 4; ++c) {
-    longest = std::max(longest, (x[node[(c + 1) % 4]] - x[node[c]]).norm());
+  for (std::size_t c = 0; c < n; ++c) {
+    longest = std::max(longest, (x[node[(c + 1) % n]] - x[node[c]]).norm());
   }
-  return face_area(node, x) / longest;
+  return face_area(node, x) / longest * (n == 3 ? 2 : 1);
 }
 Real face_width(const std::array<LocalIndex, 2>& node, const std::vector<Vec<2>>& x) {
   return face_area(node, x);
 }
+
+/// An outer face, with what lies across the element from it.
+template <int Dim>
+struct Outer {
+  Facet<Dim> facet;
+  GlobalId opposite = 0;        ///< id of the facet there
+  std::vector<LocalIndex> far;  ///< the corners there, where it is no face
+};
 
 template <int Dim>
 Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
                     const Points<Dim>& points, const std::vector<const Material*>& varying) {
   const LocalIndex e = face.element;
   Facet<Dim> facet;
-  for (int i = 0; i < Shape<Dim>::kFaceNodes; ++i) {
-    facet.node[i] = block.corner[static_cast<std::size_t>(e) * Shape<Dim>::kCorners +
-                                 Shape<Dim>::kFace[face.number][i]];
-  }
+  const ElementType& type = block.formulation->type();
+  facet.node = nodes_of_face<Dim>(type, face.number, block.corners_of(e));
   facet.id = block.id[e] << 3 | static_cast<GlobalId>(face.number);
   facet.body = block.body[e];
   facet.piece = block.piece[e];
-  const Real size = element_volume<Dim>(corner_positions(block, e, points), true, Thickness{1, 0});
-  facet.depth = size / face_area(facet.node, points.x);
+  const Real size =
+      block.formulation->volume(corner_positions(block, e, points), true, Thickness{1, 0});
+  facet.depth = type.depth * size / face_area(facet.node, points.x);
   facet.stiffness =
       block.material->modulus() / std::min(facet.depth, face_width(facet.node, points.x));
   facet.temperature = block.temperature;
@@ -91,23 +111,41 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   return facet;
 }
 
-/// An element between two outer faces is a plate one element thick: each face lets go at its
-/// middle, or a body that has come in from one side would be pushed out of the other. No face holds
-/// what is deeper than it is wide.
 template <int Dim>
-void limit_depths(std::vector<Facet<Dim>>& facets, const std::vector<Vec<Dim>>& x) {
-  const auto opposite = [](GlobalId id) {
-    const auto number = static_cast<int>(id & 7);
-    const int other = Dim == 2     ? (number + 2) % 4
-                      : number < 2 ? 1 - number
-                                   : (number - 2 + 2) % 4 + 2;
-    return (id & ~GlobalId{7}) | static_cast<GlobalId>(other);
-  };
+Outer<Dim> outer_of(const ElementBlock<Dim>& block, const Face<Dim>& face, Facet<Dim> facet) {
+  Outer<Dim> outer{facet, facet.id, {}};
+  const int across = block.formulation->type().opposite[static_cast<std::size_t>(face.number)];
+  if (across >= 0) {
+    outer.opposite = (facet.id & ~GlobalId{7}) | static_cast<GlobalId>(across);
+    return outer;
+  }
+  for (const LocalIndex node : block.corners_of(face.element)) {
+    const bool here = std::binary_search(face.sorted.begin(), face.sorted.end(), node);
+    if (!here) outer.far.push_back(node);
+  }
+  return outer;
+}
+
+/// An element between two outer faces, or between one and corners that lie on others, is a plate
+/// one element thick: each face lets go at its middle, or a body that has come in from one side
+/// would be pushed out of the other. No face holds what is deeper than it is wide.
+template <int Dim>
+void limit_depths(std::vector<Outer<Dim>>& faces, const std::vector<Vec<Dim>>& x) {
   std::vector<GlobalId> ids;
-  ids.reserve(facets.size());
-  for (const auto& facet : facets) ids.push_back(facet.id);
-  for (auto& facet : facets) {
-    if (std::binary_search(ids.begin(), ids.end(), opposite(facet.id))) facet.depth *= 0.5;
+  std::vector<char> outside(x.size(), 0);
+  ids.reserve(faces.size());
+  for (const auto& [facet, opposite, far] : faces) {
+    ids.push_back(facet.id);
+    for (int c = 0; c < facet.n_nodes(); ++c) {
+      outside[static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)])] = 1;
+    }
+  }
+  for (auto& [facet, opposite, far] : faces) {
+    const bool plate = far.empty() ? std::binary_search(ids.begin(), ids.end(), opposite)
+                                   : std::all_of(far.begin(), far.end(), [&](LocalIndex node) {
+                                       return outside[static_cast<std::size_t>(node)] != 0;
+                                     });
+    if (plate) facet.depth *= 0.5;
     facet.depth = std::min(facet.depth, face_width(facet.node, x));
   }
 }
@@ -131,7 +169,7 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
                                      const std::vector<LocalIndex>& axis) {
   const std::vector<Face<Dim>> faces = all_faces(blocks);
   const auto varying = materials_that_vary(blocks);
-  std::vector<Facet<Dim>> facets;
+  std::vector<Outer<Dim>> outer;
   for (std::size_t k = 0; k < faces.size();) {
     std::size_t end = k + 1;
     while (end < faces.size() && faces[end].sorted == faces[k].sorted) ++end;
@@ -140,13 +178,17 @@ std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& block
     };
     const bool inner = std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
     if (end == k + 1 && !inner) {
-      facets.push_back(facet_of(blocks[faces[k].block], faces[k], points, varying));
+      const auto& block = blocks[faces[k].block];
+      outer.push_back(outer_of(block, faces[k], facet_of(block, faces[k], points, varying)));
     }
     k = end;
   }
-  std::sort(facets.begin(), facets.end(),
-            [](const Facet<Dim>& a, const Facet<Dim>& b) { return a.id < b.id; });
-  limit_depths<Dim>(facets, points.x);
+  std::sort(outer.begin(), outer.end(),
+            [](const auto& a, const auto& b) { return a.facet.id < b.facet.id; });
+  limit_depths<Dim>(outer, points.x);
+  std::vector<Facet<Dim>> facets;
+  facets.reserve(outer.size());
+  for (const auto& face : outer) facets.push_back(face.facet);
   mark_borders<Dim>(facets, points.x);
   mark_sharpness<Dim>(facets, points.x);
   end_at_no_axis<Dim>(axis, facets);

@@ -11,7 +11,6 @@ namespace {
 template <int Dim>
 std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& blocks,
                                          const std::vector<int>& owner, int rank) {
-  constexpr int n = Shape<Dim>::kCorners;
   std::vector<ElementSet<Dim>> sets;
   for (const auto& block : blocks) {
     auto& set = sets.emplace_back();
@@ -19,11 +18,11 @@ std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& b
     set.temperature = block.temperature, set.adiabatic = block.adiabatic;
     set.conducts = block.conducts, set.held = block.held, set.rigid = block.rigid;
     for (LocalIndex e = 0; e < block.n; ++e) {
-      std::array<LocalIndex, n> corners;
+      ElementCorners corners;
       bool mine = false;
-      for (int I = 0; I < n; ++I) {
-        corners[I] = block.corner[static_cast<std::size_t>(e) * n + I];
-        mine = mine || owner[static_cast<std::size_t>(corners[I])] == rank;
+      for (const LocalIndex node : block.corners_of(e)) {
+        corners[corners.n++] = node;
+        mine = mine || owner[static_cast<std::size_t>(node)] == rank;
       }
       if (!mine) continue;
       set.corners.push_back(corners);
@@ -83,7 +82,7 @@ std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
 template <int Dim>
 FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition& partition,
                                     const Communicator& ranks)
-    : thickness_(whole.thickness_), held_(whole.held_) {
+    : thickness_(whole.thickness_), held_(whole.held_), ranks_(&ranks) {
   std::vector<int> owner;
   for (const GlobalId id : whole.points_.id) owner.push_back(partition.of(id));
   auto sets = elements_of(whole.blocks_, owner, ranks.rank());
@@ -122,11 +121,10 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
 
 template <int Dim>
 std::vector<Real> FiniteElements<Dim>::point_work() const {
-  constexpr std::size_t n = Shape<Dim>::kCorners;
   std::vector<Real> work(static_cast<std::size_t>(points_.n_owned), 0.0);
   for (const auto& block : blocks_) {
-    for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
-      const std::span corners(block.corner.data() + e * n, n);
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      const auto corners = block.corners_of(e);
       const auto is_owned = [&](LocalIndex node) { return node < points_.n_owned; };
       const auto owned = std::count_if(corners.begin(), corners.end(), is_owned);
       for (const LocalIndex node : corners) {

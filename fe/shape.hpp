@@ -5,74 +5,10 @@
 /// additions. The exact gradient of the volume is B_jI = dV/dx_jI = sum_m h_mI E_jm, E_jm =
 /// dV/dc_jm / corners, with c the modal coordinates (Flanagan & Belytschko 1981, eq. 24, in other
 /// variables).
-#include <array>
-
+#include "core/elements/box_element.hpp"
 #include "core/simd.hpp"
-#include "core/types.hpp"
 
 namespace brunt {
-
-template <int Dim>
-struct Shape;
-
-/// Quadrilateral, corners counter-clockwise. Modes: xi, eta | xi eta | 1.
-template <>
-struct Shape<2> {
-  static constexpr int kCorners = 4;
-  static constexpr int kActive = 2;     ///< leading modes whose E does not vanish
-  static constexpr int kHourglass = 1;  ///< modes after the first Dim that are not constant
-  static constexpr int kModes = 4;      ///< all, the constant one last
-  static constexpr int kFaces = 4;
-  static constexpr int kFaceNodes = 2;
-  static constexpr int kGauss = 4;
-  /// Corners of each face such that its normal points outwards (see Facet).
-  static constexpr std::array<std::array<int, 2>, 4> kFace = {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
-  static constexpr Real kSign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-
-  static constexpr std::array<Real, 4> mode_values(const std::array<Real, 2>& at) {
-    return {at[0], at[1], at[0] * at[1], 1};
-  }
-  /// d phi_m / d xi_j at a local place, [mode][j]; the constant mode is left out.
-  static constexpr std::array<std::array<Real, 2>, 3> mode_slopes(const std::array<Real, 2>& at) {
-    return {{{1, 0}, {0, 1}, {at[1], at[0]}}};
-  }
-};
-
-/// Hexahedron, corners of the bottom counter-clockwise seen from above, then those of the top.
-/// Modes: xi, eta, zeta | eta zeta, zeta xi, xi eta, xi eta zeta | 1.
-template <>
-struct Shape<3> {
-  static constexpr int kCorners = 8;
-  static constexpr int kActive = 6;
-  static constexpr int kHourglass = 4;
-  static constexpr int kModes = 8;
-  static constexpr int kFaces = 6;
-  static constexpr int kFaceNodes = 4;
-  static constexpr int kGauss = 8;
-  static constexpr std::array<std::array<int, 4>, 6> kFace = {
-      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  static constexpr Real kSign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                                       {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-
-  static constexpr std::array<Real, 8> mode_values(const std::array<Real, 3>& at) {
-    const Real x = at[0], y = at[1], z = at[2];
-    return {x, y, z, y * z, z * x, x * y, x * y * z, 1};
-  }
-  static constexpr std::array<std::array<Real, 3>, 7> mode_slopes(const std::array<Real, 3>& at) {
-    const Real x = at[0], y = at[1], z = at[2];
-    return {
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, z, y}, {z, 0, x}, {y, x, 0}, {y * z, z * x, x * y}}};
-  }
-};
-
-/// The places of the 2^Dim Gauss points, in the order of the corners; their weights are 1.
-template <int Dim>
-constexpr std::array<Real, Dim> gauss_place(int g) {
-  constexpr Real kAbscissa = 0.57735026918962576451;
-  std::array<Real, Dim> at{};
-  for (int j = 0; j < Dim; ++j) at[j] = kAbscissa * Shape<Dim>::kSign[g][j];
-  return at;
-}
 
 /// Modal coordinates of a vector field.
 template <int Dim, class V>

@@ -12,12 +12,6 @@ using Square = std::array<std::array<Real, Dim>, Dim>;
 template <int Dim>
 using Places = std::array<Vec<Dim>, Shape<Dim>::kCorners>;
 
-/// The corner beside I along the local axis j.
-constexpr int beside(int I, int j) {
-  constexpr int kAlong[2][4] = {{1, 0, 3, 2}, {3, 2, 1, 0}};
-  return j == 2 ? (I + 4) % 8 : I / 4 * 4 + kAlong[j][I % 4];
-}
-
 /// Where the guard looks: at the corners, between which det(dx/dxi) is linear in 2D, and at the
 /// Gauss points of a hexahedron, which warps such that it has volume at its corners alone.
 template <int Dim>
@@ -226,7 +220,7 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
 }
 
 template <int Dim>
-Real guard_reach(const Places<Dim>& x) {
+Real guard_reach(CornerPlaces<Dim> x) {
   Real sum =
       0;  // of the squares of the longest edges: of columns of dx/dxi, which lie between them
   for (int j = 0; j < Dim; ++j) {
@@ -235,7 +229,7 @@ Real guard_reach(const Places<Dim>& x) {
       if (Shape<Dim>::kSign[I][j] > 0) continue;
       Real square = 0;
       for (int i = 0; i < Dim; ++i) {
-        const Real along = x[beside(I, j)][i] - x[I][i];
+        const Real along = x[Shape<Dim>::beside(I, j)][i] - x[I][i];
         square += along * along;
       }
       longest = std::max(longest, 0.25 * square);
@@ -247,7 +241,7 @@ Real guard_reach(const Places<Dim>& x) {
 
 template void guard_shape(ElementBlock<2>&, std::size_t, const ElementStep<2>&);
 template void guard_shape(ElementBlock<3>&, std::size_t, const ElementStep<3>&);
-template Real guard_reach<2>(const Places<2>&);
-template Real guard_reach<3>(const Places<3>&);
+template Real guard_reach<2>(CornerPlaces<2>);
+template Real guard_reach<3>(CornerPlaces<3>);
 
 }  // namespace brunt

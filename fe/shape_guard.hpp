@@ -30,7 +30,7 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
 /// Square of the largest least singular value of dx/dxi at which the guard may act [m^2], in an
 /// element with positions x at time 0: |F^-1| <= |dx0/dxi| |(dx/dxi)^-1|.
 template <int Dim>
-Real guard_reach(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x);
+Real guard_reach(CornerPlaces<Dim> x);
 
 /// Guards those of four elements that it may act on. mode: the hourglass modes of the positions.
 /// With s half of the least height of the linear modes and t the most that the others change dx/dxi

@@ -27,7 +27,7 @@ constexpr Real point_bytes() {
 template <int Dim>
 Real element_bytes(int gauss) {
   using Block = ElementBlock<Dim>;
-  const Real lists = Block::kCorners * (2 * sizeof(LocalIndex) + sizeof(Vec<Dim>));
+  const Real lists = Shape<Dim>::kCorners * (2 * sizeof(LocalIndex) + sizeof(Vec<Dim>));
   const Real labels = sizeof(GlobalId) + 2 * sizeof(Label);
   constexpr int kScalars = 8;  // volume, size, mass, viscosity, three works, step
   return lists + labels + gauss * (kMaterialPoint + sizeof(Real)) +
@@ -68,10 +68,11 @@ Real contact_bytes(std::size_t facets, std::size_t particles) {
 /// ones.
 template <int Dim>
 Real building_bytes(std::size_t points, std::size_t elements) {
-  constexpr Real kFaces = 2 * Dim;
+  constexpr Real kFaces = Shape<Dim>::kFace.size();
   const Real face = 2 * (sizeof(std::array<LocalIndex, Facet<Dim>::kNodes>) + sizeof(GlobalId));
   const Real point = 2 * sizeof(Vec<Dim>) + 4 * sizeof(std::size_t);
-  const Real element = 3 * (sizeof(LocalIndex) << Dim) + sizeof(GlobalId) + 2 * sizeof(Label);
+  const Real element =
+      3 * Shape<Dim>::kCorners * sizeof(LocalIndex) + sizeof(GlobalId) + 2 * sizeof(Label);
   return static_cast<Real>(points) * point +
          static_cast<Real>(elements) * (element + kFaces * face);
 }
@@ -90,7 +91,7 @@ template <int Dim>
 Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
   constexpr Real kPoint = 5 * Dim + 3, kContactNode = 3 * Dim + 3;
   constexpr Real kMaterial = 14;
-  constexpr Real kElement = (1 << Dim) * Dim + 6;
+  constexpr Real kElement = Shape<Dim>::kCorners * Dim + 6;
   constexpr std::size_t kStateValues = sizeof(ParticleState<Dim>) / sizeof(Real);
   constexpr Real kParticle = static_cast<Real>(kStateValues + 1) + kMaterial;
   const auto particles = static_cast<Real>(scene.n_particles());
@@ -127,9 +128,10 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     estimate.contact = contact_bytes<Dim>(scene.contact->n_facets(), scene.n_particles());
   }
   estimate.building = building_bytes<Dim>(scene.n_points(), scene.n_elements());
-  estimate.output = inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
-                    std::max(frame_bytes(scene.n_points(), scene.n_elements(), 1 << Dim),
-                             checkpoint_bytes(scene, inputs.gauss));
+  estimate.output =
+      inputs.rows * sizeof(Real) * static_cast<Real>(inputs.columns) +
+      std::max(frame_bytes(scene.n_points(), scene.n_elements(), Shape<Dim>::kCorners),
+               checkpoint_bytes(scene, inputs.gauss));
   return estimate;
 }
 

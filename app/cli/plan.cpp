@@ -82,7 +82,7 @@ void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
   inputs.program = program;
   for (const auto& [name, body] : deck.bodies) {
     const bool full = body.element.integration != Integration::one_point;
-    if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = 1 << Dim;
+    if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = Shape<Dim>::kGauss;
     inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
   }
   if (deck.output.history) inputs.rows = deck.time.end / *deck.output.history;

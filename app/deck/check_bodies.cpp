@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/deck/checks.hpp"
+#include "fe/elements/catalog.hpp"
 
 namespace brunt::deck {
 
@@ -68,6 +69,12 @@ void check_count(const Deck& deck, const std::string& path, const Body& body, Re
     faces += 2 / along;
   }
   if (body.rigid) count *= std::min(1.0, faces);  // of its surface alone
+  if (!body.rigid && body.method == Method::fe && deck.geometry == Geometry::three_d) {
+    const auto& kind = formulation_of<3>(body.element.type);
+    std::vector<int> corners;
+    kind.cut_box(std::array{0, 1, 2, 3, 4, 5, 6, 7}, corners);
+    count *= static_cast<Real>(corners.size()) / kind.type().corners;
+  }
   // The mean of sizes in geometric progression is (1 - 1/ratio)/ln(ratio) of the largest.
   for (const Grading& grading : body.grading) {
     const Real r = grading.ratio;

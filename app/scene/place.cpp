@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/scene/field_values.hpp"
+#include "fe/elements/catalog.hpp"
 
 namespace brunt {
 
@@ -37,33 +38,9 @@ std::optional<std::array<Real, N>> solved(std::array<std::array<Real, N>, N> a,
   return b;
 }
 
-/// Signs of the local coordinates of corner I: anticlockwise, the lower face of a hex first.
-std::array<Real, 3> corner_sign(std::size_t I) {
-  const std::size_t around = I % 4;
-  return {around == 1 || around == 2 ? 1.0 : -1.0, around >= 2 ? 1.0 : -1.0, I >= 4 ? 1.0 : -1.0};
-}
-
-/// Shape functions of corners at xi; slope: d N_I/d xi_j, where asked for.
-std::vector<Real> shape_functions(const std::array<Real, 3>& xi, std::size_t dim,
-                                  std::vector<std::array<Real, 3>>* slope) {
-  const std::size_t corners = dim == 2 ? 4 : 8;
-  std::vector<Real> value(corners, 1.0);
-  if (slope != nullptr) slope->assign(corners, {1, 1, 1});
-  for (std::size_t I = 0; I < corners; ++I) {
-    const auto sign = corner_sign(I);
-    for (std::size_t k = 0; k < dim; ++k) {
-      const Real factor = 0.5 * (1 + sign[k] * xi[k]);
-      value[I] *= factor;
-      if (slope == nullptr) continue;
-      for (std::size_t j = 0; j < dim; ++j) (*slope)[I][j] *= j == k ? 0.5 * sign[k] : factor;
-    }
-  }
-  return value;
-}
-
 /// Weights of the corners of an element at a place; nothing where it does not hold the place.
-std::optional<std::vector<Real>> weights_in(const BodyView& view, std::size_t cell,
-                                            const std::vector<Real>& at) {
+std::optional<std::vector<Real>> weights_in(const BodyView& view, const ElementType& type,
+                                            std::size_t cell, const std::vector<Real>& at) {
   const std::size_t dim = at.size(), corners = static_cast<std::size_t>(view.corners);
   const auto x = [&](std::size_t I, std::size_t c) {
     return view.position[3 * static_cast<std::size_t>(view.connectivity[cell * corners + I]) + c];
@@ -78,17 +55,17 @@ std::optional<std::vector<Real>> weights_in(const BodyView& view, std::size_t ce
   }
   constexpr int kIterations = 30;  // Newton's method takes some five
   constexpr Real kOnAFace = 1e-9;  // of the local coordinates, which rounding moves
-  std::array<Real, 3> xi{};
+  LocalPlace xi = type.center;
+  ShapeValues shape;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    std::vector<std::array<Real, 3>> slope;
-    const auto value = shape_functions(xi, dim, &slope);
+    type.shape(xi, shape);
     std::array<std::array<Real, 3>, 3> jacobian{};
     std::array<Real, 3> left{};
     for (std::size_t c = 0; c < dim; ++c) {
       left[c] = at[c];
       for (std::size_t I = 0; I < corners; ++I) {
-        left[c] -= value[I] * x(I, c);
-        for (std::size_t j = 0; j < dim; ++j) jacobian[c][j] += slope[I][j] * x(I, c);
+        left[c] -= shape.value[I] * x(I, c);
+        for (std::size_t j = 0; j < dim; ++j) jacobian[c][j] += shape.slope[I][j] * x(I, c);
       }
     }
     const auto step = solved(jacobian, left, dim);
@@ -101,11 +78,10 @@ std::optional<std::vector<Real>> weights_in(const BodyView& view, std::size_t ce
     if (longest > 1e-13) continue;
     break;
   }
-  for (std::size_t j = 0; j < dim; ++j) {
-    if (std::fabs(xi[j]) > 1 + kOnAFace) return std::nullopt;
-    if (std::fabs(xi[j]) > 1 - kOnAFace) xi[j] = xi[j] > 0 ? 1 : -1;
-  }
-  return shape_functions(xi, dim, nullptr);
+  if (!type.snap(xi, kOnAFace)) return std::nullopt;
+  type.shape(xi, shape);
+  return std::vector<Real>(shape.value.begin(),
+                           shape.value.begin() + static_cast<std::ptrdiff_t>(corners));
 }
 
 Real distance_to(const BodyView& view, std::size_t point, const std::vector<Real>& at) {
@@ -168,9 +144,12 @@ Place find_place(const BodyView& start, const std::vector<Real>& at) {
   Place place;
   const auto corners = static_cast<std::size_t>(start.corners);
   const std::size_t nearest = nearest_entity(start, at, false);
-  if (corners == (std::size_t{1} << at.size())) {
+  const auto dimension = static_cast<int>(at.size());
+  const ElementType* type =
+      start.cell_dimension == dimension ? element_type(dimension, start.corners) : nullptr;
+  if (type != nullptr) {
     for (std::size_t cell = 0; cell < start.connectivity.size() / corners; ++cell) {
-      const auto weights = weights_in(start, cell, at);
+      const auto weights = weights_in(start, *type, cell, at);
       if (!weights) continue;
       place.cell = cell, place.weights = *weights;
       for (std::size_t I = 0; I < corners; ++I) {

@@ -9,6 +9,7 @@
 #include "core/geometry/mesh.hpp"
 #include "core/geometry/one_side.hpp"
 #include "core/geometry/placement.hpp"
+#include "fe/element_block.hpp"
 #include "io/stl.hpp"
 
 namespace brunt {
@@ -16,7 +17,7 @@ namespace brunt {
 namespace {
 /// Twice the area of a quad, or 64 times the Jacobian of a hex at its centre.
 template <int Dim>
-Real orientation(const std::array<Vec<Dim>, 1 << Dim>& x) {
+Real orientation(const std::array<Vec<Dim>, Shape<Dim>::kCorners>& x) {
   if constexpr (Dim == 2) {
     const Vec<2> a = x[2] - x[0], b = x[3] - x[1];
     return a[0] * b[1] - a[1] * b[0];
@@ -28,20 +29,38 @@ Real orientation(const std::array<Vec<Dim>, 1 << Dim>& x) {
   }
 }
 
-/// Throws std::invalid_argument where an element folds over, or a body crosses the axis.
+/// The elements of a mesh, cut into those of a kind. Throws std::invalid_argument where one folds
+/// over.
 template <int Dim>
-void require_sound_mesh(const BodyGeometry<Dim>& body, Geometry geometry) {
-  for (const auto& element : body.elements) {
-    std::array<Vec<Dim>, 1 << Dim> x;
-    for (std::size_t c = 0; c < x.size(); ++c) {
-      x[c] = body.points[static_cast<std::size_t>(element[c])];
-    }
-    if (orientation<Dim>(x) > 0) continue;
+void take_elements(const Mesh<Dim>& mesh, const Formulation<Dim>& kind, BodyElements& elements,
+                   std::vector<Label>& piece) {
+  const auto require = [&](bool sound, int node) {
+    if (sound) return;
+    const auto& x = mesh.nodes[static_cast<std::size_t>(node)];
     throw std::invalid_argument(
-        "its mesh folds over near (" + deck::short_text(x[0][0]) + ", " +
-        deck::short_text(x[0][1]) +
+        "its mesh folds over near (" + deck::short_text(x[0]) + ", " + deck::short_text(x[1]) +
         ") m: put `corners` where the outline turns, or fill it with particles (method: sph)");
+  };
+  elements.type = &kind.type();
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto& box = mesh.elements[e];
+    std::array<Vec<Dim>, Shape<Dim>::kCorners> x;
+    for (std::size_t c = 0; c < x.size(); ++c) x[c] = mesh.nodes[static_cast<std::size_t>(box[c])];
+    require(orientation<Dim>(x) > 0, box[0]);
+    kind.cut_box(box, elements.corner);
+    piece.resize(elements.size(), mesh.piece[e]);
   }
+  if (elements.size() == mesh.elements.size()) return;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    std::vector<Vec<Dim>> x;
+    for (const int node : elements[e]) x.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+    require(kind.volume(x, true, Thickness{}) > 0, elements[e][0]);
+  }
+}
+
+/// Throws std::invalid_argument where a body crosses the axis.
+template <int Dim>
+void require_one_side_of_axis(const BodyGeometry<Dim>& body, Geometry geometry) {
   if (geometry != Geometry::axisymmetric) return;
   Real low = 0, high = 0;
   for (const auto& x : body.points) low = std::min(low, x[0]), high = std::max(high, x[0]);
@@ -119,10 +138,9 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
       throw std::invalid_argument("conducts heat, and needs `size` or `cells` for its elements");
     }
     auto mesh = mesh_shape<Dim>(body.shape, sizing, deck.geometry);
+    take_elements(mesh, formulation_of<Dim>(body.element.type), geometry.elements, piece);
     geometry.points = std::move(mesh.nodes);
-    geometry.elements = std::move(mesh.elements);
     geometry.piece_names = std::move(mesh.piece_names);
-    piece = std::move(mesh.piece);
   } else {
     if (!body.size) {
       throw std::invalid_argument("a body of particles needs `size`, their spacing");
@@ -134,7 +152,7 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
     geometry.spacing = *body.size;
     piece = std::move(filling.piece);
   }
-  require_sound_mesh(geometry, deck.geometry);
+  require_one_side_of_axis(geometry, deck.geometry);
   for (const Label local : piece) geometry.piece.push_back(next_piece + local);
   next_piece += static_cast<Label>(geometry.piece_names.size());
   return geometry;

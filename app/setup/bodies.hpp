@@ -3,16 +3,29 @@
 #include <vector>
 
 #include "app/deck/deck.hpp"
+#include "core/elements/element_type.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
+
+/// Elements of one kind.
+struct BodyElements {
+  const ElementType* type = nullptr;  ///< null: there are none
+  std::vector<int> corner;            ///< points of each element, one after another
+
+  std::size_t size() const { return type ? corner.size() / n() : 0; }
+  std::span<const int> operator[](std::size_t e) const { return {&corner[e * n()], n()}; }
+
+ private:
+  std::size_t n() const { return static_cast<std::size_t>(type->corners); }
+};
 
 /// The geometry of one named body, absolute coordinates, before groups are formed.
 template <int Dim>
 struct BodyGeometry {
   Label label = 0;
   std::vector<Vec<Dim>> points;                             ///< [m] nodes or particles
-  std::vector<std::array<int, 1 << Dim>> elements;          ///< FE that deforms
+  BodyElements elements;                                    ///< FE that deforms
   std::vector<std::array<int, Facet<Dim>::kNodes>> facets;  ///< rigid; -1: no fourth node
   std::vector<Label> piece;                                 ///< of each element, particle or facet
   std::vector<std::string> piece_names;                     ///< at least one

@@ -118,7 +118,8 @@ bool same_element(const ElementOptions& a, const ElementOptions& b) {
     }
     return 0.0;
   };
-  return a.integration == b.integration && a.hourglass.index() == b.hourglass.index() &&
+  return a.type == b.type && a.integration == b.integration &&
+         a.hourglass.index() == b.hourglass.index() &&
          coefficient(a.hourglass) == coefficient(b.hourglass) &&
          a.bulk_viscosity.linear == b.bulk_viscosity.linear &&
          a.bulk_viscosity.quadratic == b.bulk_viscosity.quadratic;
@@ -142,7 +143,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
         center += bodies[b].points[static_cast<std::size_t>(node)] - scene.origin;
       }
       elements.push_back({b, e});
-      centers.push_back(center / static_cast<Real>(1 << Dim));
+      centers.push_back(center / static_cast<Real>(bodies[b].elements.type->corners));
     }
   }
   std::vector<ElementSet<Dim>> sets;
@@ -165,9 +166,9 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
       set->conducts = kind.conducts, set->held = kind.held, set->rigid = kind.rigid;
     }
     auto& corners = set->corners.emplace_back();
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-      corners[c] = gathered.place_of[b][static_cast<std::size_t>(geometry.elements[e][c])];
-      gathered.points.piece[static_cast<std::size_t>(corners[c])] = geometry.piece[e];
+    for (const int node : geometry.elements[e]) {
+      corners[corners.n++] = gathered.place_of[b][static_cast<std::size_t>(node)];
+      gathered.points.piece[static_cast<std::size_t>(corners[corners.n - 1])] = geometry.piece[e];
     }
     set->id.push_back(next.element++);
     set->body.push_back(geometry.label);

@@ -28,7 +28,7 @@ Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max,
   for (int k = 0; k < std::max(nz, 1); ++k) {
     for (int j = 0; j < n[1]; ++j) {
       for (int i = 0; i < n[0]; ++i) {
-        std::array<int, 1 << Dim> corners;
+        std::array<int, Shape<Dim>::kCorners> corners;
         for (int layer = 0; layer < Dim - 1; ++layer) {
           const auto at = static_cast<std::size_t>(4 * layer);
           corners[at] = index(i, j, k + layer), corners[at + 1] = index(i + 1, j, k + layer);

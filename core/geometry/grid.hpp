@@ -17,7 +17,7 @@ class KeyedMesh {
     if (fresh) mesh.nodes.push_back(x);
     return found->second;
   }
-  void element(const std::array<int, 1 << Dim>& corners) {
+  void element(const std::array<int, Shape<Dim>::kCorners>& corners) {
     mesh.elements.push_back(corners);
     mesh.piece.push_back(0);
   }

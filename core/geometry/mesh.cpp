@@ -23,18 +23,6 @@ int Sizing::count(std::size_t c, Real length) const {
 }
 
 namespace {
-/// Corners of each face of an element, seen from outside counter-clockwise; in 2D the body lies to
-/// the left of an edge.
-template <int Dim>
-constexpr auto faces() {
-  if constexpr (Dim == 2) {
-    return std::array<std::array<int, 2>, 4>{{{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
-  } else {
-    return std::array<std::array<int, 4>, 6>{
-        {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  }
-}
-
 /// The one grading of a disc or ball; null where there is none.
 const Grading* round_grading(const Sizing& sizing) {
   if (sizing.gradings.empty()) return nullptr;
@@ -263,7 +251,7 @@ std::vector<std::array<int, Facet<Dim>::kNodes>> outer_faces(const Mesh<Dim>& me
   };
   const auto each = [&](const auto& use) {
     for (const auto& element : mesh.elements) {
-      for (const auto& local : faces<Dim>()) {
+      for (const auto& local : Shape<Dim>::kFace) {
         Face face;
         for (std::size_t c = 0; c < face.size(); ++c) {
           face[c] = element[static_cast<std::size_t>(local[c])];

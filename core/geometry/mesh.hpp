@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/elements/box_element.hpp"
 #include "core/geometry/closed_surface.hpp"
 #include "core/geometry/grading.hpp"
 #include "core/geometry/shape.hpp"
@@ -11,12 +12,11 @@
 
 namespace brunt {
 
-/// Elements of one body, absolute coordinates. Hexes: bottom 0-3, top 4-7; quads counter-clockwise;
-/// volumes are positive.
+/// Elements of one body, absolute coordinates: hexes or quads with positive volumes.
 template <int Dim>
 struct Mesh {
   std::vector<Vec<Dim>> nodes;  ///< [m]
-  std::vector<std::array<int, 1 << Dim>> elements;
+  std::vector<std::array<int, Shape<Dim>::kCorners>> elements;
   std::vector<Label> piece;              ///< of each element, from 0
   std::vector<std::string> piece_names;  ///< "" for the one piece of a plain body
 };

@@ -70,7 +70,8 @@ void set_time(vtkDataObject& object, Real time) {
   object.GetFieldData()->AddArray(to_array({"TimeValue", 1, {time}}, 1));
 }
 
-unsigned char cell_type(int corners) {
+/// dimension  3: four corners are a tetrahedron; else a quad
+unsigned char cell_type(int corners, int dimension) {
   switch (corners) {
     case 1:
       return VTK_VERTEX;
@@ -79,7 +80,9 @@ unsigned char cell_type(int corners) {
     case 3:
       return VTK_TRIANGLE;
     case 4:
-      return VTK_QUAD;
+      return dimension == 3 ? VTK_TETRA : VTK_QUAD;
+    case 6:
+      return VTK_WEDGE;
     case 8:
       return VTK_HEXAHEDRON;
     default:
@@ -105,13 +108,13 @@ void set_cells(const BodyView& view, std::size_t n_points, vtkUnstructuredGrid& 
     int n = 0;
     for (std::size_t c = first; c < first + corners; ++c) {
       const auto point = connectivity[c];
-      const bool fourth = corners == 4 && c == first + 3;
+      const bool fourth = corners == 4 && view.cell_dimension != 3 && c == first + 3;
       if (fourth && (point < 0 || point == connectivity[c - 1])) continue;  // a triangle
       if (point < 0 || point >= static_cast<std::int64_t>(n_points)) misfit("connectivity");
       cell[static_cast<std::size_t>(n++)] = point;
     }
     cells->InsertNextCell(n, cell.data());
-    types->InsertNextValue(cell_type(n));
+    types->InsertNextValue(cell_type(n, view.cell_dimension));
   }
   grid.SetCells(types, cells);
 }
@@ -144,11 +147,16 @@ std::optional<Field> take_field(std::vector<Field>& fields, const char* name) {
   return field;
 }
 
+bool is_volume(int type) {
+  return type == VTK_TETRA || type == VTK_WEDGE || type == VTK_HEXAHEDRON;
+}
+
 int corners_of(vtkUnstructuredGrid& grid) {
   vtkIdType most = 0;
   for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
     const auto n = grid.GetCells()->GetCellSize(c);
-    if (n > 8 || cell_type(static_cast<int>(n)) != grid.GetCellType(c)) {
+    const int dimension = is_volume(grid.GetCellType(c)) ? 3 : 2;
+    if (n > 8 || cell_type(static_cast<int>(n), dimension) != grid.GetCellType(c)) {
       throw std::invalid_argument("cell " + std::to_string(c) + " is none that brunt writes");
     }
     most = std::max(most, n);
@@ -275,6 +283,7 @@ BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body) {
   if (auto* time = grid.GetFieldData()->GetArray("TimeValue")) view.time = time->GetComponent(0, 0);
   if (grid.GetNumberOfPoints() > 0) view.position = to_field(*grid.GetPoints()->GetData()).values;
   view.corners = corners_of(grid);
+  if (grid.GetNumberOfCells() > 0 && is_volume(grid.GetCellType(0))) view.cell_dimension = 3;
   view.point_fields = to_fields(*grid.GetPointData());
   view.cell_fields = to_fields(*grid.GetCellData());
   if (const auto ghosts = take_field(view.point_fields, vtkDataSetAttributes::GhostArrayName())) {

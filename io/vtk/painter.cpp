@@ -49,12 +49,14 @@ vtkSmartPointer<vtkLookupTable> lookup_table(const Range& range) {
   return table;
 }
 
+bool is_solid(const BodyView& body) { return body.corners > 4 || body.cell_dimension == 3; }
+
 /// The body's shape with nothing but the numbers that colour it.
 vtkSmartPointer<vtkUnstructuredGrid> shape_of(const BodyView& body, const Scalars& scalars) {
   BodyView bare;
   bare.position = body.position;
   bare.connectivity = body.connectivity;
-  bare.corners = body.corners;
+  bare.corners = body.corners, bare.cell_dimension = body.cell_dimension;
   if (!scalars.values.empty()) {
     (scalars.on_cells ? bare.cell_fields : bare.point_fields)
         .push_back({kScalars, 1, scalars.values});
@@ -80,7 +82,7 @@ vtkSmartPointer<vtkPolyDataMapper> mapper_of(const BodyView& body, const Scalars
   const auto grid = shape_of(body, scalars);
   if (body.corners != 0) {
     auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    mapper->SetInputData(surface_of(grid, body.corners == 8));
+    mapper->SetInputData(surface_of(grid, is_solid(body)));
     return mapper;
   }
   auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
@@ -128,7 +130,7 @@ std::size_t cells_of(const BodyView& body) {
 
 void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
               const PictureStyle& style, vtkLookupTable* table) {
-  const bool flat = style.camera.axes.toward == Vec3::UnitZ() && body.corners != 8;
+  const bool flat = style.camera.axes.toward == Vec3::UnitZ() && !is_solid(body);
   const bool rigid = !deforms(body);
   const Scalars scalars =
       rigid || style.range.empty() ? Scalars{} : scalars_of(body, style.colouring);

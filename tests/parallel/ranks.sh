@@ -27,6 +27,7 @@ cases=(
   "taylor-bar 2_us heat=conduct materials.copper.thermal={cp:_383,_k:_386} parameters.size=0.9_mm time.end=4_us"
   "taylor-bar-sph 2_us heat=conduct materials.copper.thermal={cp:_383,_k:_386} parameters.spacing=0.8_mm time.end=4_us"
   "taylor-bar 2_us parameters.size=0.9_mm time.end=4_us probes={edge:_{body:_bar,_at:_[1.1_mm,_0.4_mm,_2.3_mm],_fields:_[velocity.z,_stress.zz]}}"
+  "taylor-bar 2_us heat=conduct materials.copper.thermal={cp:_383,_k:_386} parameters.size=0.9_mm time.end=4_us bodies.bar.element={type:_tet4} probes={edge:_{body:_bar,_at:_[1.1_mm,_0.4_mm,_2.3_mm],_fields:_[velocity.z,_stress.zz]}}"
   "taylor-bar-axisymmetric 2_us time.end=5_us bodies.bar.cells=[4,_40]"
   "taylor-bar-sph 2_us parameters.spacing=0.8_mm time.end=5_us"
   "drop-on-plate 20_us parameters.size=4_mm time.end=45_us"

@@ -23,7 +23,7 @@ std::vector<Real> linear_field(const BodyView& view) {
 /// Two quadrilaterals side by side, skewed.
 BodyView quads() {
   BodyView view;
-  view.corners = 4;
+  view.corners = 4, view.cell_dimension = 2;
   view.position = {0, 0, 0, 1, 0.2, 0, 2, -0.1, 0, 0.1, 1, 0, 1.2, 0.9, 0, 2.1, 1.3, 0};
   view.connectivity = {0, 1, 4, 3, 1, 2, 5, 4};
   return view;
@@ -32,7 +32,7 @@ BodyView quads() {
 /// One hexahedron, its upper face turned and drawn in.
 BodyView hex() {
   BodyView view;
-  view.corners = 8;
+  view.corners = 8, view.cell_dimension = 3;
   view.position = {0,   0,   0,   1,   0,   0, 1.1, 1.2, 0.1, 0,   1,   0,
                    0.2, 0.1, 1.1, 0.9, 0.2, 1, 0.8, 0.9, 1.2, 0.1, 0.8, 0.9};
   view.connectivity = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -52,6 +52,18 @@ TEST(Place, IsExactForLinearFieldsInElements) {
   const Place place = find_place(space, {0.4, 0.7, 0.6});
   EXPECT_EQ(place.points.size(), 8U);
   EXPECT_NEAR(value_at(place, linear_field(space), false), linear(0.4, 0.7, 0.6), 1e-12);
+}
+
+TEST(Place, TetrahedraAreToldFromQuads) {
+  BodyView view = hex();
+  view.corners = 4;
+  view.connectivity = {0, 1, 2, 4, 1, 2, 4, 6};
+  const Place place = find_place(view, {0.5, 0.3, 0.2});
+  EXPECT_EQ(place.cell, 0U);
+  EXPECT_EQ(place.points.size(), 4U);
+  EXPECT_NEAR(value_at(place, linear_field(view), false), linear(0.5, 0.3, 0.2), 1e-12);
+  view.cell_dimension = 0;  // the same as facets of a surface: they hold no place
+  EXPECT_EQ(find_place(view, {0.5, 0.3, 0.2}).points.size(), 1U);
 }
 
 TEST(Place, AtANodeIsItsValue) {

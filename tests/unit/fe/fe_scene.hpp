@@ -135,6 +135,7 @@ void step_free(FiniteElements<Dim>& body, Real dt) {
     p.x[k] += dt * p.v[k];
     p.f[k].setZero();
   }
+  body.update_state(dt);
   body.add_internal_forces(dt);
   for (LocalIndex k = 0; k < p.size(); ++k) {
     p.a[k] = p.f[k] / p.mass[k];
@@ -151,6 +152,7 @@ void step_to(FiniteElements<Dim>& body, const std::vector<Vec<Dim>>& x, Real dt)
     p.x[k] = x[k];
     p.f[k].setZero();
   }
+  body.update_state(dt);
   body.add_internal_forces(dt);
 }
 

@@ -39,6 +39,15 @@ BodyView quad_and_triangle() {
   return view;
 }
 
+BodyView two_tetrahedra() {
+  BodyView view;
+  view.body = "tets";
+  view.position = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+  view.connectivity = {0, 1, 2, 3, 1, 4, 2, 3};
+  view.corners = 4, view.cell_dimension = 3;
+  return view;
+}
+
 BodyView particles() {
   BodyView view;
   view.body = "sph";
@@ -65,7 +74,8 @@ ContactView contacts() {
 class VtkTest : public ScratchFolder {};
 
 TEST_F(VtkTest, ReadsBackTheSame) {
-  const std::vector<BodyView> bodies = {hex_body(2e-6), quad_and_triangle(), particles()};
+  const std::vector<BodyView> bodies = {hex_body(2e-6), quad_and_triangle(), particles(),
+                                        two_tetrahedra()};
   FrameWriter writer(folder_);
   writer.write(0, bodies, nullptr);
   writer.write(2e-6, bodies, nullptr);
@@ -73,8 +83,9 @@ TEST_F(VtkTest, ReadsBackTheSame) {
   ASSERT_EQ(index.size(), 2u);
   EXPECT_EQ(index[1].time, 2e-6);
   const auto read = read_frame(folder_, index[1]);
-  ASSERT_EQ(read.size(), 3u);
-  for (std::size_t b = 0; b < 3; ++b) expect_same(read[b], bodies[b]);
+  ASSERT_EQ(read.size(), bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) expect_same(read[b], bodies[b]);
+  EXPECT_EQ(read[3].cell_dimension, 3);
 }
 
 TEST_F(VtkTest, WritesContactsWithTheirFields) {

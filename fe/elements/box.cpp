@@ -1,0 +1,279 @@
+#include "fe/elements/box.hpp"
+
+#include "fe/conduction_kernel.hpp"
+#include "fe/element_step.hpp"
+#include "fe/gauss_point.hpp"
+#include "fe/shape_guard.hpp"
+
+namespace brunt {
+namespace {
+
+template <int Dim>
+Modal<Dim, Real> modes_at(CornerPlaces<Dim> x) {
+  Real node[Shape<Dim>::kCorners][Dim];
+  for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+    for (int i = 0; i < Dim; ++i) node[I][i] = x[I][i];
+  }
+  return modes_of<Dim>(node);
+}
+
+/// Determinant of dx/dxi and first coordinate at Gauss point g.
+template <int Dim>
+struct GaussPlace {
+  Real determinant = 0;
+  Real radius = 0;
+};
+template <int Dim>
+GaussPlace<Dim> gauss_geometry(const Modal<Dim, Real>& c, int g) {
+  const auto slope = Shape<Dim>::mode_slopes(gauss_place<Dim>(g));
+  const auto value = Shape<Dim>::mode_values(gauss_place<Dim>(g));
+  Eigen::Matrix<Real, Dim, Dim> J = Eigen::Matrix<Real, Dim, Dim>::Zero();
+  GaussPlace<Dim> place;
+  for (int m = 0; m < Shape<Dim>::kModes; ++m) {
+    place.radius += value[m] * c.m[m][0];
+    if (m == Shape<Dim>::kModes - 1) break;
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < Dim; ++j) J(i, j) += c.m[m][i] * slope[m][j];
+    }
+  }
+  place.determinant = J.determinant();
+  return place;
+}
+
+/// sum_I B_iI B_iI / V^2 [1/m^2], what gradients of an element's corners are like.
+template <int Dim>
+Real squared_gradients(CornerPlaces<Dim> x) {
+  const Modal<Dim, Real> modes = modes_at<Dim>(x);
+  Real E[Shape<Dim>::kActive][Dim], sum = 0;
+  volume_gradient(modes, E);
+  for (const auto& row : E) {
+    for (const Real component : row) sum += component * component;
+  }
+  const Real volume = measure<Dim, Real>(modes, E);
+  return Shape<Dim>::kCorners * sum / (volume * volume);
+}
+
+/// Elastic constants of bending (AssumedStrainEnergy), times a coefficient.
+BendingModuli bending_moduli(const Material& material, Real coefficient) {
+  const Real E = 9 * material.bulk * material.shear / (3 * material.bulk + material.shear);
+  const Real nu = E / (2 * material.shear) - 1;
+  return {coefficient * E, coefficient * E / (1 - nu * nu), nu, coefficient * material.shear};
+}
+
+/// Hourglass control of one-point elements: k = kappa mu V sum B B / V^2 of stiffness
+/// in its form with 2 mu (docs/theory/elements.md (E6)).
+template <int Dim>
+void start_hourglass(const Points<Dim>& points, ElementBlock<Dim>& block) {
+  const auto padded = static_cast<std::size_t>(block.n_padded);
+  if (const auto* bends = std::get_if<AssumedStrainHourglass>(&block.options.hourglass)) {
+    block.bending = bending_moduli(*block.material, bends->coefficient);
+    return;
+  }
+  const auto* stiff = std::get_if<StiffnessHourglass>(&block.options.hourglass);
+  if (stiff == nullptr) {
+    block.hourglass.assign(padded * block.kHourglassValues, 0.0);
+    return;
+  }
+  block.hourglass_stiffness.resize(padded);
+  for (LocalIndex e = 0; e < block.n_padded; ++e) {
+    block.hourglass_stiffness[e] = stiff->coefficient * block.material->shear *
+                                   squared_gradients<Dim>(corner_positions(block, e, points)) *
+                                   block.element_volume[e];
+  }
+}
+
+/// Slopes d N_I/d xi_j and values of the shape functions at the Gauss points, [g].
+template <int Dim>
+struct CornerTable {
+  ShapeValues at[kGauss<Dim>];
+};
+template <int Dim>
+constexpr CornerTable<Dim> make_corner_table() {
+  CornerTable<Dim> table{};
+  for (int g = 0; g < kGauss<Dim>; ++g) {
+    const auto place = gauss_place<Dim>(g);
+    LocalPlace at{};
+    for (int j = 0; j < Dim; ++j) at[j] = place[j];
+    Shape<Dim>::shape(at, table.at[g]);
+  }
+  return table;
+}
+template <int Dim>
+inline constexpr CornerTable<Dim> kCornerTable = make_corner_table<Dim>();
+
+/// int grad N_I . grad N_J dV of four elements [m], I < J.
+template <int Dim>
+BRUNT_INLINE void gradient_products(const Modal<Dim, Pack>& c, const Thickness& option,
+                                    GradientProducts<Shape<Dim>::kCorners>& K) {
+  constexpr int n = Shape<Dim>::kCorners;
+  for (auto& row : K) {
+    for (auto& value : row) value = broadcast<Pack>(0);
+  }
+  for (int g = 0; g < kGauss<Dim>; ++g) {
+    Pack J[Dim][Dim], cof[Dim][Dim];
+    slopes(c, g, J);
+    cofactors(J, cof);
+    Pack determinant = J[0][0] * cof[0][0];
+    for (int j = 1; j < Dim; ++j) determinant += J[0][j] * cof[0][j];
+    Pack weight = 1.0 / determinant;
+    if constexpr (Dim == 2) {
+      Pack r = c.m[3][0];
+      for (int m = 0; m < 3; ++m) r += kGaussTable<2>.value[g][m] * c.m[m][0];
+      weight = weight * (option.constant + option.radial * r);
+    }
+    Pack b[n][Dim];  // determinant times grad N_I
+    for (int I = 0; I < n; ++I) {
+      const auto& slope = kCornerTable<Dim>.at[g].slope[I];
+      for (int j = 0; j < Dim; ++j) {
+        b[I][j] = slope[0] * cof[j][0];
+        for (int k = 1; k < Dim; ++k) b[I][j] += slope[k] * cof[j][k];
+      }
+    }
+    for (int I = 0; I < n; ++I) {
+      for (int L = I + 1; L < n; ++L) {
+        Pack product = b[I][0] * b[L][0];
+        for (int j = 1; j < Dim; ++j) product += b[I][j] * b[L][j];
+        K[I][L] += weight * product;
+      }
+    }
+  }
+}
+
+template <int Dim>
+class BoxFormulation final : public Formulation<Dim> {
+  static constexpr int kCorners = Shape<Dim>::kCorners;
+
+ public:
+  const ElementType& type() const override { return kElementType<Shape<Dim>>; }
+  void cut_box(std::span<const int> box, std::vector<int>& corners) const override {
+    corners.insert(corners.end(), box.begin(), box.end());
+  }
+  int material_points(const ElementOptions& options) const override {
+    return options.integration == Integration::one_point ? 1 : kGauss<Dim>;
+  }
+  PartVolumes part_volumes(CornerPlaces<Dim> x, const Thickness& thickness) const override {
+    PartVolumes parts;
+    parts.n = kGauss<Dim>;
+    const auto volume = gauss_volumes<Dim>(x, thickness);
+    std::copy(volume.begin(), volume.end(), parts.part.begin());
+    return parts;
+  }
+  Real volume(CornerPlaces<Dim> x, bool one_point, const Thickness& thickness) const override {
+    return element_volume<Dim>(x, one_point, thickness);
+  }
+  Real step_volume(CornerPlaces<Dim> x, const Thickness& thickness) const override {
+    return one_point_volume<Dim>(x, thickness);
+  }
+  Real add_corner_volumes(CornerPlaces<Dim> x, const Thickness& thickness, Real factor,
+                          Real* sum) const override {
+    const auto volume = gauss_volumes<Dim>(x, thickness);
+    Real whole = 0;
+    for (int g = 0; g < kGauss<Dim>; ++g) {
+      const auto at = gauss_place<Dim>(g);
+      whole += volume[g];
+      for (int I = 0; I < kCorners; ++I) {
+        Real value = factor * volume[g];
+        for (int j = 0; j < Dim; ++j) value *= 0.5 * (1 + Shape<Dim>::kSign[I][j] * at[j]);
+        sum[I] += value;
+      }
+    }
+    return whole;
+  }
+  void start(const Points<Dim>& points, ElementBlock<Dim>& block) const override {
+    if (block.material->yields()) {
+      for (LocalIndex e = 0; e < block.n_padded; ++e) {
+        block.guard_reach.push_back(guard_reach<Dim>(corner_positions(block, e, points)));
+      }
+    }
+    if (block.gauss == 1) start_hourglass(points, block);
+  }
+  void advance(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step) const override {
+    if (block.gauss == 1) {
+      advance_one_point(block, tile, step);
+    } else {
+      advance_gauss(block, tile, step);
+    }
+  }
+  void refresh_stable_steps(ElementBlock<Dim>& block, int tile,
+                            const ElementStep<Dim>& step) const override {
+    refresh_box_steps(block, tile, step);
+  }
+  void conduct(ElementBlock<Dim>& block, std::size_t e,
+               const ConductionStep<Dim>& step) const override {
+    const LocalIndex* corner = block.corner.data() + e * kCorners;
+    Pack node[kCorners][Dim];
+    GradientProducts<kCorners> K;
+    gather<Dim>(corner, step.x, node);
+    gradient_products<Dim>(modes_of<Dim>(node), step.thickness, K);
+    exchange_heat<kCorners>(block, e, K, step);
+  }
+  void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e,
+                               const Real* temperature) const override {
+    if (block.gauss == 1) return mean_temperature<kCorners>(block, e, temperature);
+    Real* out = block.state.temperature.data() + e * static_cast<std::size_t>(block.gauss);
+    Pack T[kCorners];
+    gather_temperature(block.corner.data() + e * kCorners, temperature, T);
+    for (int g = 0; g < block.gauss; ++g) {
+      Pack sum = broadcast<Pack>(0);
+      for (int I = 0; I < kCorners; ++I) sum += kCornerTable<Dim>.at[g].value[I] * T[I];
+      store(out + kLanes * g, sum);
+    }
+  }
+};
+}  // namespace
+
+template <int Dim>
+std::array<Real, Shape<Dim>::kGauss> gauss_volumes(CornerPlaces<Dim> x,
+                                                   const Thickness& thickness) {
+  const Modal<Dim, Real> modes = modes_at<Dim>(x);
+  std::array<Real, Shape<Dim>::kGauss> volume;
+  for (int g = 0; g < Shape<Dim>::kGauss; ++g) {
+    const GaussPlace<Dim> place = gauss_geometry<Dim>(modes, g);
+    volume[g] = place.determinant;
+    if (Dim == 2) volume[g] *= thickness.constant + thickness.radial * place.radius;
+  }
+  return volume;
+}
+
+template <int Dim>
+Real element_volume(CornerPlaces<Dim> x, bool one_point, const Thickness& thickness) {
+  Real sum = 0;
+  if (!one_point) {
+    for (const Real part : gauss_volumes<Dim>(x, thickness)) sum += part;
+    return sum;
+  }
+  for (const Real part : gauss_volumes<Dim>(x, Thickness{1, 0})) sum += part;
+  if constexpr (Dim == 2) {
+    const Real radius = 0.25 * ((x[0][0] + x[1][0]) + (x[2][0] + x[3][0]));
+    sum *= thickness.constant + thickness.radial * radius;
+  }
+  return sum;
+}
+
+template <int Dim>
+Real one_point_volume(CornerPlaces<Dim> x, const Thickness& thickness) {
+  const Modal<Dim, Real> modes = modes_at<Dim>(x);
+  Real E[Shape<Dim>::kActive][Dim];
+  volume_gradient(modes, E);
+  const Real size = measure<Dim, Real>(modes, E);
+  if constexpr (Dim == 3) return size;
+  return size * (thickness.constant + thickness.radial * modes.m[Shape<Dim>::kModes - 1][0]);
+}
+
+const Formulation<2>& formulation(Quad4) {
+  static const BoxFormulation<2> box;
+  return box;
+}
+const Formulation<3>& formulation(Hex8) {
+  static const BoxFormulation<3> box;
+  return box;
+}
+
+template std::array<Real, 4> gauss_volumes<2>(CornerPlaces<2>, const Thickness&);
+template std::array<Real, 8> gauss_volumes<3>(CornerPlaces<3>, const Thickness&);
+template Real element_volume<2>(CornerPlaces<2>, bool, const Thickness&);
+template Real element_volume<3>(CornerPlaces<3>, bool, const Thickness&);
+template Real one_point_volume<2>(CornerPlaces<2>, const Thickness&);
+template Real one_point_volume<3>(CornerPlaces<3>, const Thickness&);
+
+}  // namespace brunt

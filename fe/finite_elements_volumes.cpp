@@ -1,0 +1,67 @@
+/// Volumes about nodes, of elements whose pressure is of them (docs/theory/elements.md, section 8).
+#include <algorithm>
+
+#include "fe/finite_elements.hpp"
+
+namespace brunt {
+namespace {
+[[maybe_unused]] constexpr int kTilesWorthThreads = 256;  // tiles; of some 0.3 us each
+
+template <int Dim>
+bool averages(const ElementBlock<Dim>& block) {
+  return block.formulation->averages_volumes();
+}
+}  // namespace
+
+template <int Dim>
+void FiniteElements<Dim>::start_volumes() {
+  if (!std::any_of(blocks_.begin(), blocks_.end(), averages<Dim>)) return;
+  node_ratio_.assign(points_.x.size(), 1.0);
+  corner_volume_.assign(corner_force_.size() / Dim, 0.0);
+  for (const auto& block : blocks_) {
+    if (!averages(block)) continue;
+    for (std::size_t k = 0; k < block.corner.size(); ++k) {
+      const std::size_t e = k / static_cast<std::size_t>(block.corners);
+      corner_volume_[block.first_corner + k] = block.element_volume[e] / block.corners;
+    }
+  }
+  std::vector<Vec<1>> sum(points_.x.size(), Vec<1>::Zero());
+  gather_.template add<1>(corner_volume_.data(), sum);
+  for (const auto& volume : sum) start_volume_.push_back(volume[0]);
+}
+
+/// The sums are over all elements about a node, by ascending id: the same on any rank that owns it.
+template <int Dim>
+void FiniteElements<Dim>::update_volumes() {
+  for (const auto& block : blocks_) {
+    if (!averages(block)) continue;
+    Real* out = corner_volume_.data() + block.first_corner;
+    const int n = block.n_tiles();
+#pragma omp parallel for schedule(static) if (n > kTilesWorthThreads)
+    for (int t = 0; t < n; ++t) {
+      block.formulation->write_corner_volumes(block, t, points_.x.data(), out);
+    }
+  }
+  node_volume_.assign(points_.x.size(), Vec<1>::Zero());
+  gather_.template add<1>(corner_volume_.data(), node_volume_);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+    if (start_volume_[i] > 0) node_ratio_[i] = node_volume_[i][0] / start_volume_[i];
+  }
+}
+
+template <int Dim>
+void FiniteElements<Dim>::refresh_state() {
+  if (node_ratio_.empty() || ranks_ == nullptr) return;
+  refresh_ghosts(
+      *ranks_, ghosts_, 1, [&](std::size_t i, Real* out) { *out = node_ratio_[i]; },
+      [&](std::size_t i, const Real* in) { node_ratio_[i] = *in; });
+}
+
+template void FiniteElements<2>::start_volumes();
+template void FiniteElements<3>::start_volumes();
+template void FiniteElements<2>::update_volumes();
+template void FiniteElements<3>::update_volumes();
+template void FiniteElements<2>::refresh_state();
+template void FiniteElements<3>::refresh_state();
+
+}  // namespace brunt
