@@ -69,3 +69,4 @@ BRUNT_INLINE void mean_temperature(ElementBlock<Dim>& block, std::size_t e,
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/conduction_test.cpp.

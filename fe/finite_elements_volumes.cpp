@@ -65,3 +65,4 @@ template void FiniteElements<2>::refresh_state();
 template void FiniteElements<3>::refresh_state();
 
 }  // namespace brunt
+// Tested by tests/unit/fe/tet4_test.cpp.

@@ -76,3 +76,4 @@ class Formulation {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/fe/tet4_test.cpp.

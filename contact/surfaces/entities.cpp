@@ -241,30 +241,6 @@ void Entities<Dim>::add_particles(const std::vector<ContactParticle>& imported) 
   find_near();
 }
 
-template <int Dim>
-void Entities<Dim>::choose(const std::vector<char>& of_bodies) {
-  near = of_bodies;
-  find_near();
-}
-
-template <int Dim>
-void Entities<Dim>::find_near() {
-  near_faces.clear();
-  std::vector<char> of_node(nodes.size(), near.empty() ? 1 : 0);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto& face = faces[f];
-    if (!is_near(face.body)) continue;
-    near_faces.push_back(static_cast<LocalIndex>(f));
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-      of_node[static_cast<std::size_t>(face.node[c])] = 1;
-    }
-  }
-  for (const auto& particle : particles) {
-    if (is_near(particle.body)) of_node[static_cast<std::size_t>(particle.node)] = 1;
-  }
-  nodes.choose(of_node);
-}
-
 namespace {
 template <class Table>
 std::size_t place_of(const Table& table, GlobalId id) {

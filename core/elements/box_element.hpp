@@ -20,3 +20,4 @@ constexpr std::array<Real, Dim> gauss_place(int g) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

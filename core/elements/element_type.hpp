@@ -49,3 +49,4 @@ template <class Element>
 inline constexpr ElementType kElementType = make_element_type<Element>();
 
 }  // namespace brunt
+// Tested by tests/unit/fe/tet4_test.cpp.

@@ -42,3 +42,4 @@ struct Hex8 {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

@@ -43,3 +43,4 @@ constexpr bool snap_to_box(LocalPlace& at, Real slack, int dim) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

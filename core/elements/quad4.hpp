@@ -40,3 +40,4 @@ struct Quad4 {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/fe/kinematics_test.cpp.

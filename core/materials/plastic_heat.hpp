@@ -68,3 +68,4 @@ BRUNT_INLINE void add_plastic_heat(const StrengthInputs& inputs, MaterialTile& t
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/radial_return_test.cpp.

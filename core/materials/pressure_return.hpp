@@ -204,3 +204,4 @@ BRUNT_INLINE void PressureReturn<Law, V>::finish(MaterialTile& tile, int i, Real
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/drucker_prager_test.cpp.

@@ -277,3 +277,4 @@ template Real one_point_volume<2>(CornerPlaces<2>, const Thickness&);
 template Real one_point_volume<3>(CornerPlaces<3>, const Thickness&);
 
 }  // namespace brunt
+// Tested by tests/unit/fe/element_step_test.cpp.

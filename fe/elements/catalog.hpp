@@ -44,3 +44,4 @@ inline const ElementType* element_type(int dim, int corners) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/fe/tet4_test.cpp.

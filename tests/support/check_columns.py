@@ -12,6 +12,7 @@ import csv, pathlib, re, subprocess, sys, tempfile
 RUNS = [
     ("bars", []), ("block-on-incline", []), ("hot-block", []), ("taylor-bar", []), ("taylor-bar-axisymmetric", []),
     ("hot-rod", []), ("tumbling-blocks", []),
+    ("sliding-blocks", ["--set", "materials.rubber.strength={drucker-prager: {cohesion: 1 MPa, friction_angle: 30 deg}}"]),
     ("cutting-2d", ["--set", "probes={edge: {body: work, at: [3.4 mm, 0.6 mm], fields: [pressure, stress.xx, velocity.x]}}",
                     "--set", "sections={foot: {body: work, plane: {axis: y, at: 0.45 mm}}}"]),
     ("hot-block", ["--ranks", "2", "--oversubscribe"]),

@@ -1,0 +1,36 @@
+/// Which faces and nodes belong to bodies that may touch something.
+#include "contact/surfaces/entities.hpp"
+
+namespace brunt {
+
+template <int Dim>
+void Entities<Dim>::choose(const std::vector<char>& of_bodies) {
+  near = of_bodies;
+  find_near();
+}
+
+template <int Dim>
+void Entities<Dim>::find_near() {
+  near_faces.clear();
+  std::vector<char> of_node(nodes.size(), near.empty() ? 1 : 0);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& face = faces[f];
+    if (!is_near(face.body)) continue;
+    near_faces.push_back(static_cast<LocalIndex>(f));
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      of_node[static_cast<std::size_t>(face.node[c])] = 1;
+    }
+  }
+  for (const auto& particle : particles) {
+    if (is_near(particle.body)) of_node[static_cast<std::size_t>(particle.node)] = 1;
+  }
+  nodes.choose(of_node);
+}
+
+template void Entities<2>::choose(const std::vector<char>&);
+template void Entities<3>::choose(const std::vector<char>&);
+template void Entities<2>::find_near();
+template void Entities<3>::find_near();
+
+}  // namespace brunt
+// Tested by tests/unit/contact/near_bodies_test.cpp.
