@@ -5,7 +5,7 @@
 
 namespace brunt {
 namespace {
-[[maybe_unused]] constexpr int kTilesWorthThreads = 256;  // tiles; of some 0.3 us each
+[[maybe_unused]] constexpr int kVolumesWorthThreads = 256;  // tiles; of some 0.3 us each
 
 template <int Dim>
 bool averages(const ElementBlock<Dim>& block) {
@@ -37,7 +37,7 @@ void FiniteElements<Dim>::update_volumes() {
     if (!averages(block)) continue;
     Real* out = corner_volume_.data() + block.first_corner;
     const int n = block.n_tiles();
-#pragma omp parallel for schedule(static) if (n > kTilesWorthThreads)
+#pragma omp parallel for schedule(static) if (n > kVolumesWorthThreads)
     for (int t = 0; t < n; ++t) {
       block.formulation->write_corner_volumes(block, t, points_.x.data(), out);
     }
