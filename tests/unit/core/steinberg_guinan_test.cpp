@@ -18,7 +18,7 @@ static_assert(PressureLaw<SteinbergGuinan> && !FlowLaw<SteinbergGuinan>);
 
 constexpr Real kShear = 47.7e9, kBulk = 137e9, kDensity = 8930;
 
-SteinbergGuinan copper() {
+SteinbergGuinan steinberg_copper() {
   SteinbergGuinan law;
   law.Y0 = 0.12e9, law.Y_max = 0.64e9, law.beta = 36, law.n = 0.45;
   law.A = 28.3e-12, law.B = 3.77e-4;
@@ -40,25 +40,27 @@ Material made_of(const SteinbergGuinan& law, const EosLaw& eos) {
 
 TEST(SteinbergGuinan, IsThePrintedFormula) {
   // 0.12 GPa (1 + 36 0.1)^0.45 = 0.12 4.6^0.45 = 0.12 * 1.987197 = 0.238464 GPa
-  EXPECT_NEAR(at(copper(), 0.1, 300, 0, 1), 0.2384637e9, 100);
+  EXPECT_NEAR(at(steinberg_copper(), 0.1, 300, 0, 1), 0.2384637e9, 100);
   // at 20 GPa and eta = 1.12: 28.3e-12 20e9 / 1.12^(1/3) = 0.566 / 1.038499 = 0.545017
-  EXPECT_NEAR(at(copper(), 0.1, 300, 20e9, 1.12) / at(copper(), 0.1, 300, 0, 1), 1.545017, 1e-6);
+  EXPECT_NEAR(at(steinberg_copper(), 0.1, 300, 20e9, 1.12) / at(steinberg_copper(), 0.1, 300, 0, 1),
+              1.545017, 1e-6);
   // at 800 K: 1 - 3.77e-4 500 = 0.8115
-  EXPECT_NEAR(at(copper(), 0.1, 800, 0, 1) / at(copper(), 0.1, 300, 0, 1), 0.8115, 1e-12);
+  EXPECT_NEAR(at(steinberg_copper(), 0.1, 800, 0, 1) / at(steinberg_copper(), 0.1, 300, 0, 1),
+              0.8115, 1e-12);
   // both add up
-  EXPECT_NEAR(at(copper(), 0, 800, 20e9, 1.12) / 0.12e9, 1 + 0.545017 - 0.1885, 1e-6);
+  EXPECT_NEAR(at(steinberg_copper(), 0, 800, 20e9, 1.12) / 0.12e9, 1 + 0.545017 - 0.1885, 1e-6);
   // hardening reaches 0.64 GPa where 1 + 36 eps = (0.64/0.12)^(1/0.45) = 41.26: 1.118
-  EXPECT_LT(at(copper(), 1.11, 300, 0, 1), 0.64e9);
-  EXPECT_DOUBLE_EQ(at(copper(), 1.13, 300, 0, 1), 0.64e9);
-  SteinbergGuinan worked = copper();
+  EXPECT_LT(at(steinberg_copper(), 1.11, 300, 0, 1), 0.64e9);
+  EXPECT_DOUBLE_EQ(at(steinberg_copper(), 1.13, 300, 0, 1), 0.64e9);
+  SteinbergGuinan worked = steinberg_copper();
   worked.eps_i = 0.06;
-  EXPECT_DOUBLE_EQ(at(worked, 0.04, 300, 0, 1), at(copper(), 0.1, 300, 0, 1));
+  EXPECT_DOUBLE_EQ(at(worked, 0.04, 300, 0, 1), at(steinberg_copper(), 0.1, 300, 0, 1));
 }
 
 TEST(SteinbergGuinan, HasNoStrengthBelowNone) {
-  EXPECT_EQ(at(copper(), 0.1, 300 + 1 / 3.77e-4 + 1, 0, 1), 0);
-  EXPECT_EQ(at(copper(), 0.1, 300, -40e9, 0.9), 0);
-  EXPECT_EQ(at(copper(), 1e3, 1e7, 0, 1), 0);
+  EXPECT_EQ(at(steinberg_copper(), 0.1, 300 + 1 / 3.77e-4 + 1, 0, 1), 0);
+  EXPECT_EQ(at(steinberg_copper(), 0.1, 300, -40e9, 0.9), 0);
+  EXPECT_EQ(at(steinberg_copper(), 1e3, 1e7, 0, 1), 0);
 }
 
 TEST(SteinbergGuinan, SlopesAreThoseOfTheFormula) {
@@ -69,9 +71,10 @@ TEST(SteinbergGuinan, SlopesAreThoseOfTheFormula) {
     const Real eta = 1 + 0.2 * digit(random);
     const PressureState<Real> here{{eps_p, 0, T}, p, eta};
     const PressureState<Real> along{{1, 0, 200 * digit(random)}, 5e9 * digit(random), 0};
-    const auto flow = copper().along(here, along);
+    const auto flow = steinberg_copper().along(here, along);
     const auto moved = [&](Real x) {
-      return at(copper(), eps_p + x, T + along.temperature * x, p + along.pressure * x, eta);
+      return at(steinberg_copper(), eps_p + x, T + along.temperature * x, p + along.pressure * x,
+                eta);
     };
     EXPECT_EQ(flow.value, moved(0));
     const Real h = 1e-5;
@@ -82,7 +85,7 @@ TEST(SteinbergGuinan, SlopesAreThoseOfTheFormula) {
 // The solver leaves 1e-10 of the increment of plastic strain, and 3 G of it is below the trial
 // stress: 1e-9 of the flow stress where the trial is below ten of it.
 TEST(SteinbergGuinan, PointsEndOnTheYieldSurfaceOfThePressureOfTheStep) {
-  const SteinbergGuinan law = copper();
+  const SteinbergGuinan law = steinberg_copper();
   const Material made = made_of(law, LinearEos{});
   OneTile points(made.initial_state(kTile, 298, true));
   points.tile.adiabatic = true;
@@ -115,7 +118,7 @@ TEST(SteinbergGuinan, PointsEndOnTheYieldSurfaceOfThePressureOfTheStep) {
 // Uniaxial strain to 20 GPa: the strength behind a shock is that at its pressure, so the axial
 // stress exceeds the pressure by 2/3 of it.
 TEST(SteinbergGuinan, ShockPressureHardens) {
-  SteinbergGuinan law = copper();
+  SteinbergGuinan law = steinberg_copper();
   law.B = 0;  // as cold: what heat does is tested above
   Material made = made_of(law, MieGruneisen{3940, 1.489, 1.99});
   OneTile points(made.initial_state(kTile, 298, true));
@@ -137,7 +140,7 @@ TEST(SteinbergGuinan, ShockPressureHardens) {
 }
 
 TEST(SteinbergGuinan, HostileStepsStayNumbers) {
-  const Material made = made_of(copper(), MieGruneisen{3940, 1.489, 1.99});
+  const Material made = made_of(steinberg_copper(), MieGruneisen{3940, 1.489, 1.99});
   OneTile points(made.initial_state(kTile, 298, true));
   points.tile.adiabatic = true;
   std::mt19937_64 random(2);
