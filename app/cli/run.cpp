@@ -112,7 +112,7 @@ struct Ended {
   std::string reason;
 };
 
-/// How long the windows of conduction are at the end, of which their error is told. Collective.
+/// How long the windows of conduction are at the end, of which their error is reported. Collective.
 template <int Dim>
 void log_windows(const Scene<Dim>& scene, const Clock& clock, int heat_every, spdlog::logger& log) {
   if (heat_every == 1) return;
@@ -222,8 +222,8 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
         {measure.name, measure.value, measure.unit, measure.reference, error});
   }
   for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
-  const auto& told = monitor.warned();
-  summary.warnings.insert(summary.warnings.end(), told.begin(), told.end());
+  const auto& reported = monitor.warned();
+  summary.warnings.insert(summary.warnings.end(), reported.begin(), reported.end());
   summary.energy = monitor.energy_shares();
   summary.step_margins = monitor.step_check().margins();
   for (const auto& warning : monitor.step_check().warnings()) summary.warnings.push_back(warning);

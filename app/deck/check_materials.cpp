@@ -68,8 +68,8 @@ void check_equation_of_state(const Named<Material>& material, Findings& findings
 /// c = sqrt((K + 4/3 G) / rho) [m/s] of all that is solid is 50 to 20,000; beyond, a unit is wrong.
 void check_sound_speed(const Named<Material>& material, Findings& findings) {
   const std::string path = "materials." + material.name;
-  const auto told = [&](const char* key) { return findings.warned(path + key); };
-  if (told(".density") || told(".elastic")) return;  // of the same value
+  const auto reported = [&](const char* key) { return findings.warned(path + key); };
+  if (reported(".density") || reported(".elastic")) return;  // of the same value
   constexpr Range kUsual{50, 20'000}, kSolid{300, 13'000};
   const ElasticConstants& elastic = material.value.elastic;
   const Real modulus = elastic.bulk_modulus() + 4.0 / 3 * elastic.shear_modulus();

@@ -25,17 +25,17 @@ Names names_of(const std::vector<Named<T>>& entries) {
 }
 
 /// The names in a section, bodies or materials. One that is not there may be missed in many places
-/// and is told once.
+/// and is reported once.
 class KnownNames {
  public:
   KnownNames(const char* section, const char* kind, Names known, Findings& findings)
       : section_(section), kind_(kind), known_(std::move(known)), findings_(findings) {}
 
-  /// Looks a name up that stands at `path`; "" could not be read, and is told already.
+  /// Looks a name up that stands at `path`; "" could not be read, and is reported already.
   /// also  a word that may stand instead
   void look_up(const std::string& path, const std::string& name, const char* also = "") {
     if (name.empty() || name == also || contains(known_, name)) return;
-    // What could not be read is there, and told at its own place; so may be its whole section.
+    // What could not be read is there, and reported at its own place; so may be its whole section.
     if (!findings_.sound(section_ + "." + name)) return;
     missed_[name].push_back(path);
   }
@@ -84,7 +84,7 @@ void check_materials_of_bodies(const Deck& deck, Findings& findings) {
   }
 }
 
-/// True for a rigid body that nothing moves but what it is told.
+/// True for a rigid body whose motion is prescribed whole.
 bool has_prescribed_motion(const Deck& deck, const std::string& name) {
   return std::any_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& body) {
     return body.name == name && body.value.rigid && !follows_forces(body.value);

@@ -14,7 +14,7 @@ class Findings {
            std::vector<DeckProblem>& warnings);
 
   void wrong(const std::string& path, const std::string& message);
-  /// A key that is wrong by what is told at another.
+  /// A key that is wrong by what is reported at another.
   void also_wrong(const std::string& path);
   const std::vector<std::string>& reported_elsewhere() const { return also_wrong_; }
   void warn(const std::string& path, const std::string& message);

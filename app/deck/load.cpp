@@ -70,7 +70,7 @@ void use_library(Node& root, const Node& library, std::vector<DeckProblem>& prob
   expand_library(*materials, "materials", library, {"elastic", "strength", "eos"}, problems);
 }
 
-/// What is told of a parameter is not told again where it is used: one that is wrong itself, beyond
+/// What is reported of a parameter is not reported again where it is used: one that is wrong itself, beyond
 /// the first `n_reported` problems; one that is no number, or does not fit in the same way, but
 /// once.
 void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_reported,
@@ -88,10 +88,10 @@ void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_r
     if (used == used_at.end()) return false;
     return std::any_of(used->second.begin(), used->second.end(), [&](const Parameter* parameter) {
       // "expects a length (m), got '-$size = 2 kg'": the value is written as it was used.
-      const std::string& told = problem.message;
-      const std::size_t value = told.find(", got '"), end = told.rfind('\'');
+      const std::string& reported = problem.message;
+      const std::size_t value = reported.find(", got '"), end = reported.rfind('\'');
       const std::string what =
-          value < end ? told.substr(0, value) + told.substr(end) : told.substr(0, value);
+          value < end ? reported.substr(0, value) + reported.substr(end) : reported.substr(0, value);
       return parameter->failed || !seen.emplace(parameter, parameter->value ? what : "").second;
     });
   };

@@ -25,7 +25,7 @@ class Restart {
  public:
   using Report = std::function<void(const std::string&)>;
   /// manifests  the one to use first, then those to fall back to
-  /// report  is told of each that is refused, and why
+  /// report  takes each that is refused, and why
   Restart(std::vector<std::filesystem::path> manifests, const LoadedDeck& loaded, Report report);
 
   /// Reads the next good one; false where there is none. Throws DeckError where the deck is not

@@ -44,7 +44,7 @@ std::string at_text(Real time, const Vec3& place, int dim) {
   return out.str();
 }
 
-/// True where all values are numbers; else the first that is not is told.
+/// True where all values are numbers; else the first that is not is reported.
 template <int Dim>
 bool check_values(const LoadedDeck& loaded, const Scene<Dim>& scene,
                   const Constraint<Dim>& constraint, std::vector<DeckProblem>& problems) {

@@ -35,16 +35,16 @@ Flight<Dim> flight_of(const Deck& deck, const Named<deck::Body>& named, const Bo
   const auto& body = named.value;
   Flight<Dim> flight;
   flight.box = box;
-  const bool told = body.rigid && body.motion;
-  const auto& spin = told && body.motion->spin ? body.motion->spin : body.spin;
-  flight.straight = !is_led(deck, named.name) && !(told && spin) && !box.empty();
+  const bool prescribed = body.rigid && body.motion;
+  const auto& spin = prescribed && body.motion->spin ? body.motion->spin : body.spin;
+  flight.straight = !is_led(deck, named.name) && !(prescribed && spin) && !box.empty();
   const auto take = [&](const std::vector<Real>& velocity) {
     for (std::size_t c = 0; c < std::min<std::size_t>(Dim, velocity.size()); ++c) {
       if (!std::isnan(velocity[c])) flight.velocity[static_cast<int>(c)] = velocity[c];
     }
   };
   take(body.velocity);
-  if (told) take(body.motion->velocity);
+  if (prescribed) take(body.motion->velocity);
   Real more = body.size && !body.rigid ? *std::max_element(body.size->begin(), body.size->end())
                                        : 0.0;  // particles reach beyond their centres
   if (body.method == deck::Method::fe) more = 0;

@@ -48,7 +48,7 @@ void set_state(const deck::Body& body, const MassProperties& properties, const V
   state.momentum = state.inertia * (body.spin->rate * axis);
 }
 
-/// Bodies of a plane that only move along it are told to start so.
+/// Bodies of a plane that only move along it start so.
 template <int Dim>
 void set_prescribed_start(FreeBody<Dim>& made) {
   for (int c = 0; c < Dim; ++c) {
@@ -146,8 +146,8 @@ RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& 
   motion.center = -origin;
   if (!body.motion) return motion;
   for (std::size_t c = 0; c < body.motion->velocity.size() && c < Dim; ++c) {
-    const Real told = body.motion->velocity[c];
-    if (!std::isnan(told)) motion.velocity[static_cast<int>(c)] = told;
+    const Real prescribed = body.motion->velocity[c];
+    if (!std::isnan(prescribed)) motion.velocity[static_cast<int>(c)] = prescribed;
   }
   if (!body.motion->spin) return motion;
   const auto& spin = *body.motion->spin;

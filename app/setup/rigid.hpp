@@ -17,7 +17,7 @@ std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<
                                           Surface<Dim>& surface,
                                           std::vector<DeckProblem>& problems);
 
-/// Tells the facets of rigid bodies how thick the body is behind them, as far as the particles of
+/// Sets how thick the body is behind the facets of rigid bodies, as far as the particles of
 /// the scene ask.
 template <int Dim>
 void find_half_thicknesses(Scene<Dim>& scene);
@@ -28,7 +28,7 @@ void find_half_thicknesses(Scene<Dim>& scene);
 template <int Dim>
 std::vector<Real> mass_shares(std::span<const FreeBody<Dim>> bodies, const Points<Dim>& points);
 
-/// How a rigid body moves that is told; components that are free are 0.
+/// The prescribed motion of a rigid body; components that are free are 0.
 template <int Dim>
 RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& origin);
 

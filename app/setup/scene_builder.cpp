@@ -69,9 +69,9 @@ void add_rigid_conductors(const LoadedDeck& loaded, const std::vector<BodyGeomet
     followers.add(free->points(), free_bodies_of(loaded, scene, free->surface(), problems));
     scene.solids.push_back(std::move(free));
   }
-  if (auto told = make_elements(loaded, scene, bodies, kRigidConductors, next)) {
-    scene.supports.move_rigid(told->points(), prescribed_motions(loaded, scene));
-    scene.solids.push_back(std::move(told));
+  if (auto prescribed = make_elements(loaded, scene, bodies, kRigidConductors, next)) {
+    scene.supports.move_rigid(prescribed->points(), prescribed_motions(loaded, scene));
+    scene.solids.push_back(std::move(prescribed));
   }
 }
 
@@ -159,7 +159,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     if (particles) scene->solids.push_back(std::move(particles));
   }
   // Faces that are held or have a prescribed motion come after those that are partitioned and do
-  // not, and those that stand on every rank last: whatever a lower face asks of others can be told
+  // not, and those that stand on every rank last: whatever a lower face asks of others can be sent
   // beforehand.
   Followers<Dim> followers;
   add_rigid_conductors(loaded, bodies, *scene, next, followers, problems);

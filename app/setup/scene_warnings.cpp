@@ -39,8 +39,8 @@ void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene,
                     const std::vector<DeckProblem>& warnings, const Warn& warn) {
   const auto look = [&](const std::string& path, const std::string& body,
                         const std::vector<Real>& at) {
-    const auto told = [&](const DeckProblem& one) { return one.path == path; };
-    if (std::any_of(warnings.begin(), warnings.end(), told)) return;
+    const auto reported = [&](const DeckProblem& one) { return one.path == path; };
+    if (std::any_of(warnings.begin(), warnings.end(), reported)) return;
     const auto named = std::find(scene.body_names.begin(), scene.body_names.end(), body);
     const auto label = static_cast<Label>(named - scene.body_names.begin());
     const deck::Body& given = loaded.deck.bodies[label].value;
@@ -66,7 +66,7 @@ template <int Dim>
 void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
                    std::vector<DeckProblem>& warnings) {
   const auto warn = [&](const std::string& path, const std::string& what) {
-    // A value that was doubted when it was read has been told.
+    // A value that was doubted when it was read has been reported.
     const auto doubted = [&](const DeckProblem& one) { return one.path == path; };
     if (std::any_of(loaded.warnings.begin(), loaded.warnings.end(), doubted)) return;
     warnings.push_back(loaded.places.problem(path, what));

@@ -10,7 +10,7 @@ namespace brunt {
 /// that name nothing wrong. wrong: key paths, as "bodies.bar.size".
 LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& wrong);
 
-/// Adds what building the sound part of a wrong deck finds, so that a user is told all at once.
+/// Adds what building the sound part of a wrong deck finds, so that a user reads all at once.
 void add_build_problems(const LoadedDeck& loaded, std::vector<DeckProblem>& problems);
 
 /// Reads a deck for a command: prints its warnings; where it is wrong, throws DeckError with all

@@ -1,5 +1,5 @@
 #pragma once
-/// What is allowed and hardly meant: told in warnings, with what was probably meant.
+/// What is allowed and hardly meant: reported in warnings, with what was probably meant.
 #include <functional>
 #include <string>
 

@@ -22,7 +22,7 @@ class ArtificialTensionWarnings {
                                 const std::vector<std::string>& names);
   /// One text a body.
   const std::map<std::string, std::string>& all() const { return warned_; }
-  void restore(std::map<std::string, std::string> told) { warned_ = std::move(told); }
+  void restore(std::map<std::string, std::string> reported) { warned_ = std::move(reported); }
 
  private:
   std::map<std::string, std::string> warned_;

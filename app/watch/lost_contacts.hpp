@@ -19,7 +19,7 @@ class LostContactWarnings {
  public:
   explicit LostContactWarnings(int dim) : dim_(dim) {}
 
-  /// What is to be told of the pairs as they stand now, of which each has lost contacts.
+  /// What is to be reported of the pairs as they stand now, of which each has lost contacts.
   std::vector<std::string> take(const std::vector<LostPair>& pairs);
   /// One text a pair, of the first contact and of how many there were, by the name of the pair.
   std::map<std::string, std::string> all() const;

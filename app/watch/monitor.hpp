@@ -44,7 +44,7 @@ template <int Dim>
 class Monitor final : public Observer<Dim> {
  public:
   using Warn = std::function<void(const RunWarning& warning)>;
-  /// history may be null, frames may be null. warn  what is to be told while the run goes on
+  /// history may be null, frames may be null. warn  what is to be reported while the run goes on
   Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet, Warn warn = {});
 
   void begin(Scene<Dim>& scene, Clock& clock) override;
@@ -69,7 +69,7 @@ class Monitor final : public Observer<Dim> {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// What was lost of contacts as of the last row or check of drift, by pair of bodies.
   std::map<std::string, std::string> lost_contacts() const { return lost_contacts_.all(); }
-  /// What was told of energies and of the step.
+  /// What was reported of energies and of the step.
   const std::vector<RunWarning>& warned() const { return watch_.warned(); }
   /// Where the energy went that is neither physics nor dissipation, as of the last row.
   EnergyShares energy_shares() const;

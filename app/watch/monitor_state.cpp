@@ -124,10 +124,10 @@ void Monitor<Dim>::load_state(const StateTables& tables,
     step_check_.restore(found->second);
   }
   const auto artificial = split(text_of(texts, kArtificial));
-  std::map<std::string, std::string> told;
+  std::map<std::string, std::string> reported;
   for (std::size_t k = 0; k + 1 < artificial.size(); k += 2)
-    told[artificial[k]] = artificial[k + 1];
-  artificial_tension_.restore(std::move(told));
+    reported[artificial[k]] = artificial[k + 1];
+  artificial_tension_.restore(std::move(reported));
   rows_due_ = multiples(clock.time(), history_every_);
   frames_due_ = multiples(clock.time(), frame_every_);
   for (std::size_t r = 0; history_ && r < rows_.size(); ++r) {

@@ -31,9 +31,9 @@ class RunWatch {
 
   explicit RunWatch(const Deck& deck) : deck_(deck), hourglass_warned_(deck.bodies.size(), 0) {}
 
-  /// What is to be told now. Throws PhysicsError above time.max_created.
+  /// What is to be reported now. Throws PhysicsError above time.max_created.
   std::vector<RunWarning> look(const RunLook& now, const Clock& clock);
-  /// All that has been told.
+  /// All that has been reported.
   const std::vector<RunWarning>& warned() const { return warned_; }
   /// Largest share of energy that nobody put in, of all looks.
   Real worst_created() const { return worst_created_; }
@@ -46,7 +46,7 @@ class RunWatch {
   static void visit(Row& row, Watch& watch) {
     row(watch.created_warned_), row(watch.steps_warned_), row(watch.worst_created_);
     row(watch.last_time_), row(watch.last_step_);
-    for (auto& told : watch.hourglass_warned_) row(told);
+    for (auto& reported : watch.hourglass_warned_) row(reported);
   }
   void look_at_created(const RunLook& now, const Clock& clock, std::vector<RunWarning>& warnings);
   void look_at_hourglass(const RunLook& now, const Clock& clock, std::vector<RunWarning>& warnings);

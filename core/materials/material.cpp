@@ -121,7 +121,7 @@ void Material::update(MaterialTile& tile, Real dt) const {
   }
   eos->update(tile, work);
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
-  if (!tile.state->compression_heat.empty()) warm(tile);
+  if (!tile.state->compression_heat.empty()) add_compression_heat(tile);
 }
 
 void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
@@ -168,11 +168,11 @@ void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
     eos->update(tile, work.at);
   }
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
-  if (!state.compression_heat.empty()) warm(tile);
+  if (!state.compression_heat.empty()) add_compression_heat(tile);
   if (plastic) show(whole_old, whole);
 }
 
-void Material::warm(MaterialTile& tile) const {
+void Material::add_compression_heat(MaterialTile& tile) const {
   MaterialState& state = *tile.state;
   alignas(32) Real logarithm[kTile];
   eos->isentropic_warming(tile, tensile_cutoff, logarithm);

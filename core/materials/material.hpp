@@ -130,7 +130,7 @@ struct Material {
   /// of the compression instead of in its middle, aluminium at 2000 m/s was 5 % too cold. Plastic
   /// heat the strength has added before.
   ///   McQueen et al., in Kinslow (ed.), High-Velocity Impact Phenomena, 1970, ch. VII
-  void warm(MaterialTile& tile) const;
+  void add_compression_heat(MaterialTile& tile) const;
 };
 
 }  // namespace brunt

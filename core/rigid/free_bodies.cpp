@@ -127,11 +127,11 @@ void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chor
     state.x[c] = now[c];
   }
   if (body.turns) return;
-  const auto& told = body.prescribed;
-  state.turn = Eigen::AngleAxis<Real>(told.spin * time, told.axis);
+  const auto& given = body.prescribed;
+  state.turn = Eigen::AngleAxis<Real>(given.spin * time, given.axis);
   const Mat3 rotation = state.rotation();
-  state.momentum = rotation * (state.inertia * (rotation.transpose() * (told.spin * told.axis)));
-  chords = chord_rate(told.spin * dt, dt) * told.axis;
+  state.momentum = rotation * (state.inertia * (rotation.transpose() * (given.spin * given.axis)));
+  chords = chord_rate(given.spin * dt, dt) * given.axis;
 }
 
 template <int Dim>
@@ -197,11 +197,11 @@ void FreeBodies<Dim>::take_forces(const Vec3& point_force, const Vec3& point_tor
   const Vec3 place = prescribed_center(body, time);
   const Vec3 about =
       in_space<Dim>(Vec<Dim>(body.prescribed.center + time * body.prescribed.velocity));
-  const Vec3 told = in_space<Dim>(body.prescribed.velocity) +
+  const Vec3 given = in_space<Dim>(body.prescribed.velocity) +
                     body.prescribed.spin * body.prescribed.axis.cross(place - about);
   for (int c = 0; c < Dim; ++c) {
     if (body.is_free(c)) continue;
-    const Real needed = 2 * (told[c] - state.v[c]) / dt;
+    const Real needed = 2 * (given[c] - state.v[c]) / dt;
     const Real reaction = state.mass * needed - body.force[c];
     body.boundary -= 0.5 * dt * state.v[c] * (body.reaction[c] + reaction);
     body.reaction[c] = reaction;

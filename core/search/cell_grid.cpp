@@ -169,7 +169,7 @@ std::uint64_t CellGrid<Dim>::hash(const Coords& coords, int level) {
   return h ^ (h >> 32);
 }
 
-/// The cell at these coordinates, or -1. Equal hashes are told apart by the full coordinates.
+/// The cell at these coordinates, or -1. Equal hashes are distinguished by the full coordinates.
 template <int Dim>
 LocalIndex CellGrid<Dim>::find(const Coords& coords, int level) const {
   const std::size_t mask = table_.size() - 1;

@@ -164,7 +164,7 @@ class Resolver {
       if (other->state == State::busy) {
         refuse_circle(static_cast<std::size_t>(other - declared_.data()));
       }
-      // What is wrong with the other one is told there.
+      // What is wrong with the other one is reported there.
       if (other->parameter.failed) declared_[i].parameter.failed = true;
     }
   }

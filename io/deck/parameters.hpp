@@ -23,7 +23,7 @@ struct Parameter {
 };
 
 /// Takes the key `parameters` out of the deck, and puts values in wherever a `$name` stands but in
-/// expressions and where `is_formula(path)`. Undeclared and unused ones are problems, each told
+/// expressions and where `is_formula(path)`. Undeclared and unused ones are problems, each reported
 /// once. Undeclared ones come last.
 std::vector<Parameter> resolve_parameters(Node& root, const Units& units,
                                           const std::function<bool(const std::string&)>& is_formula,

@@ -240,7 +240,7 @@ const Entry* Reader::chosen_alternative(const Key& key, const Node& node, const 
   if (chosen || (is_inline && key.need == Need::optional)) return chosen;
   const std::string needed = "needs one of " + joined(names);
   if (is_inline) {
-    scope().choice_missing = needed;  // told unless an unknown key may be the one
+    scope().choice_missing = needed;  // reported unless an unknown key may be the one
   } else {
     problem(node, path, needed);
   }
@@ -283,7 +283,7 @@ void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternati
   };
   if (is_inline) {
     scope().known.insert(scope().known.end(), names.begin(), names.end());
-    if (!node->is_map()) return;  // told when the scope closes
+    if (!node->is_map()) return;  // reported when the scope closes
   } else if (node->is_scalar() && index_of(node->text) < names.size()) {
     const std::size_t index = index_of(node->text);
     choose(index);

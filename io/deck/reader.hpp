@@ -1,6 +1,6 @@
 #pragma once
 /// The visitor that fills a struct from a tree. It goes on after a problem, so that all of a deck
-/// is told at once, and remembers where each key stands.
+/// is reported at once, and remembers where each key stands.
 #include <cstdint>
 #include <map>
 #include <string>

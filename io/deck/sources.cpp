@@ -251,7 +251,7 @@ void expand_library(Node& map, const std::string& path, const Node& library,
     merge(values, own);
     own = std::move(values);
   }
-  // What an entry with a wrong name lacks is not told a second time.
+  // What an entry with a wrong name lacks is not reported a second time.
   for (const std::string& name : unknown) map.erase(name);
 }
 

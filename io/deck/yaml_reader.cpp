@@ -198,7 +198,7 @@ std::string meaning_of(const std::string& message) {
   return message;
 }
 
-/// Decks of other programs are told by their first line.
+/// Decks of other programs are recognised by their first line.
 std::string keyword_hint(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \r\n");
   const bool keyword = first != std::string::npos && text[first] == '*';

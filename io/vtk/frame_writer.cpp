@@ -39,7 +39,7 @@ std::string file_name(const std::string& body, std::size_t frame, const std::str
 /// VTK would look for the ranges of arrays on all cores, of which other ranks have theirs. It reads
 /// this before its first work; its header is not C++20.
 void write_with_one_thread() {
-  [[maybe_unused]] static const int told = ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
+  [[maybe_unused]] static const int set = ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
 }
 
 /// The bytes of a VTK file. VTK writes to memory: to a full disk it would report success.

@@ -91,7 +91,7 @@ deck "method: fe, size: 4 mm, shape: {cylinder: {radius: 4, length: 20 mm, base:
 bounded 2 metres.yaml 'max_cells'
 deck "method: sph, size: 4 mm, shape: {sphere: {radius: 4, center: [0, 0, 0]}}" >sphere.yaml
 bounded 2 sphere.yaml 'max_cells'
-# Nor is a second body meshed where the first has gone beyond the limit and is told.
+# Nor is a second body meshed where the first has gone beyond the limit and is reported.
 { cat metres.yaml; echo '  b: {material: m, method: fe, size: 4 mm, shape: {box: {min: [5 m, 0, 0], max: [9 m, 4 m, 4 m]}}}'; } >two.yaml
 bounded 2 two.yaml 'bodies.a.size: makes about'
 deck "method: fe, cells: [10, 10, 10], $box" >thousand.yaml

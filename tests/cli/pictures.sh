@@ -20,7 +20,7 @@ if grep -q "built without VTK" err.txt; then
   exit 0
 fi
 [ $status = 0 ] || fail "status $status"
-grep -q "3 pictures: von_mises.00000.png to von_mises.00002.png" err.txt || fail "not told where"
+grep -q "3 pictures: von_mises.00000.png to von_mises.00002.png" err.txt || fail "not reported where"
 for i in 0 1 2; do
   picture=bars.out/von_mises.0000$i.png
   [ "$(head -c 4 "$picture" | tail -c 3)" = PNG ] || fail "$picture is no PNG"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Wrong decks by hand, tests/wrong/*.yaml, as users write them. Below each deck stands what must be
-# told, all of it and nothing else:
+# reported, all of it and nothing else:
 #   #! LINE:COLUMN: key: what is wrong and what would be right     status 2, and no folder is made
 #   #~ LINE:COLUMN: key: a warning                                 alone: the deck is right, status 0
 # A text may end early; FILE stands for the deck's own name.
@@ -21,8 +21,8 @@ fail() {
   failures=$((failures + 1))
 }
 
-# told NAME MARK HEAD: each expected line begins a line of what was told, and there are no others.
-told() {
+# reported NAME MARK HEAD: each expected line begins a line of what was reported, and there are no others.
+reported() {
   local wanted line found expected=0 lines=()
   mapfile -t lines < <(grep "^$3$1.yaml" err.txt || true)
   while IFS= read -r wanted; do
@@ -33,9 +33,9 @@ told() {
     for line in "${lines[@]}"; do
       if [ "${line:0:${#wanted}}" = "$wanted" ]; then found=1; fi
     done
-    [ $found = 1 ] || fail "$1" "not told: $wanted"
+    [ $found = 1 ] || fail "$1" "not reported: $wanted"
   done < <(grep "^$2 " "$1.yaml" || true)
-  [ ${#lines[@]} = "$expected" ] || fail "$1" "told ${#lines[@]}, expected $expected: ${lines[*]}"
+  [ ${#lines[@]} = "$expected" ] || fail "$1" "reported ${#lines[@]}, expected $expected: ${lines[*]}"
 }
 
 for deck in *.yaml; do
@@ -49,18 +49,18 @@ for deck in *.yaml; do
   "$brunt" "${command[0]}" "$deck" "${command[@]:1}" >out.txt 2>err.txt || status=$?
   [ $status = $wanted ] || fail "$name" "status $status instead of $wanted: $(cat err.txt)"
   [ ! -e "$name.out" ] || fail "$name" "a folder was made"
-  told "$name" '#!' ''
-  told "$name" '#~' 'warning: '
+  reported "$name" '#!' ''
+  reported "$name" '#~' 'warning: '
 done
 [ $count -ge 40 ] || fail "$decks" "only $count decks"
 
-# Calls that are wrong: CALL is what stands behind `brunt run`, TEXT what must be told.
+# Calls that are wrong: CALL is what stands behind `brunt run`, TEXT what must be reported.
 call() {
   local text=$1 status=0
   shift
   "$brunt" run "$@" >out.txt 2>err.txt || status=$?
   [ $status = 2 ] || fail "run $*" "status $status instead of 2"
-  grep -qF -- "$text" err.txt || fail "run $*" "not told: $text; but $(cat err.txt)"
+  grep -qF -- "$text" err.txt || fail "run $*" "not reported: $text; but $(cat err.txt)"
   [ ! -e made.out ] || fail "run $*" "a folder was made"
 }
 sound=$2/decks/bars/bars.yaml

@@ -1,4 +1,4 @@
-// Contacts that do not hold are told of where they begin to spoil the answer, and only there.
+// Contacts that do not hold are reported where they begin to spoil the answer, and only there.
 //
 // A particle of radius r on a rigid face has k d up to d = r and b (d - r)^3 / r^2 more behind it,
 // with k = phi M per breadth and b = 16 k (contact/geometry/particle_face.hpp), and is given up n

@@ -1,11 +1,11 @@
 // Needles, knives, chisels, wedges and boxes, thrown at each other at 2 to 20 m/s without friction
 // (tests/support/random_impacts.hpp). What keeps two convex bodies apart keeps some plane between
 // them, but for a penetration: bodies shrunk by 15 % about their middles never have a point in
-// common, or the run has told of contacts that did not hold. Springs hold what they were given:
+// common, or the run has reported contacts that did not hold. Springs hold what they were given:
 // contact.pairs, what forces did besides, stays below 1 % of the largest energy.
 //
 // Of the first 500 seeds 130 are of rigid bodies alone. Six of them miss the 1 % as measured: 121,
-// 142, 337, 439, 455 and 499, of which 121, 142 and 499 tell of lost contacts: needles and wedges
+// 142, 337, 439, 455 and 499, of which 121, 142 and 499 report lost contacts: needles and wedges
 // thrown on needles of 0.6 to 1.7 degrees, and wedges and boxes whose sides slide over a border.
 // Elements and particles bend: the hulls of slender ones may meet where the bodies do not.
 #include <gtest/gtest.h>
@@ -32,15 +32,15 @@ Count throw_pairs(std::uint64_t first, std::uint64_t last, const Wanted& wanted)
     const Impact impact = random_impact(seed);
     if (!wanted(impact)) continue;
     const Outcome outcome = outcome_of(impact);
-    const bool told = outcome.lost > 0 || !outcome.failure.empty() || outcome.created > 0.05;
-    const bool silent = outcome.crossed && !told, off = outcome.pairs > 0.01;
+    const bool reported = outcome.lost > 0 || !outcome.failure.empty() || outcome.created > 0.05;
+    const bool silent = outcome.crossed && !reported, off = outcome.pairs > 0.01;
     ++count.pairs;
     count.silent += silent ? 1 : 0;
     count.off += off ? 1 : 0;
     if (!silent && !off) continue;
     std::cout << "seed " << seed << ": " << impact.what << ": contact.pairs " << outcome.pairs
               << ", created " << outcome.created << (outcome.crossed ? ", crossed" : "")
-              << (told ? ", told" : "") << '\n';
+              << (reported ? ", reported" : "") << '\n';
   }
   return count;
 }

@@ -1,5 +1,5 @@
 // Runs that go wrong by themselves and used to end with status 0 or in "nan" (tests/cases): energy
-// that nobody put in stops them, a step that collapses slowly is told and stops them, and no row
+// that nobody put in stops them, a step that collapses slowly is reported and stops them, and no row
 // holds what is no finite number.
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 bool was_told(const Simulation& run, const std::string& id) {
-  return std::any_of(run.told.begin(), run.told.end(),
+  return std::any_of(run.reported.begin(), run.reported.end(),
                      [&](const RunWarning& one) { return one.id == id; });
 }
 
@@ -45,7 +45,7 @@ TEST(WatchCases, ArtificialStressThatDrivesASpinStopsTheRun) {
   EXPECT_TRUE(holds(run.failure, "artificial_stress gave")) << run.failure;
   EXPECT_TRUE(holds(run.failure, "to b; set `artificial_stress: 0`")) << run.failure;
   EXPECT_TRUE(was_told(run, "energy"));
-  // Looked at every 100 steps, it is told below twice the 5 % (it doubles in some 300).
+  // Looked at every 100 steps, it is reported below twice the 5 % (it doubles in some 300).
   EXPECT_GT(run.created, 0.05);
   EXPECT_LT(run.created, 0.10);
 }
@@ -84,7 +84,7 @@ TEST(WatchCases, AShearedBlockComesToItsEnd) {
   expect_numbers(run);
 }
 
-// Steps of a tenth are told, and those below what the deck calls the least, a thirtieth, stop it.
+// Steps of a tenth are reported, and those below what the deck calls the least, a thirtieth, stop it.
 TEST(WatchCases, AStepThatCollapsesSlowlyIsToldAndStops) {
   const auto run = simulate_case("shear-collapse", {"parameters.gamma=20", "time.min_step=19 ns"});
   EXPECT_LT(run.steps, 150000);

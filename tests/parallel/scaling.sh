@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What tests/bench/scaling tells of ranks: every point is owned once, one rank copies nothing, and
+# What tests/bench/scaling predicts of ranks: every point is owned once, one rank copies nothing, and
 # two and three ranks send what runs of two and three ranks do send.
 #   scaling.sh SCALING BRUNT SOURCE
 set -euo pipefail
@@ -37,7 +37,7 @@ check() {
   local deck=$1 steps=$2 until=$3 longer=$4 sets=() each
   shift 4
   for each in "$@"; do sets+=(--set "${each//_/ }"); done
-  "$scaling" "$decks/$deck/$deck.yaml" --steps "$steps" --ranks 1,2,3,8,64 --csv "${sets[@]}" >told
+  "$scaling" "$decks/$deck/$deck.yaml" --steps "$steps" --ranks 1,2,3,8,64 --csv "${sets[@]}" >predicted
   awk -F, -v deck="$deck" '
     NR == 2 { points = $2; elements = $3; particles = $4
               if ($5 != 0 || $6 != $3 || $8 != 0 || $9 != 0) wrong("one rank copies or sends") }
@@ -45,17 +45,17 @@ check() {
              if ($5 <= 0 || $6 < $3 || $8 < $1 - 1) wrong("too little is copied or sent")
              if ($1 <= 8 && $7 > 1.03) wrong("out of balance: " $7) }
     function wrong(what) { print "FAILED: " deck ": " $1 " ranks: " what; bad = 1 }
-    END { if (NR != 6) wrong("rows are missing"); exit bad }' told || status=1
+    END { if (NR != 6) wrong("rows are missing"); exit bad }' predicted || status=1
   for n in 2 3; do
     sent "$deck" "$n" "$until" "$longer" "${sets[@]}" >run || { fail "$deck: $n ranks"; continue; }
-    local messages bytes told_messages told_bytes
+    local messages bytes predicted_messages predicted_bytes
     { read -r messages; read -r bytes; } <run
-    IFS=, read -r told_messages told_bytes < <(awk -F, -v n="$n" '$1 == n { print $8 "," $9 }' told)
+    IFS=, read -r predicted_messages predicted_bytes < <(awk -F, -v n="$n" '$1 == n { print $8 "," $9 }' predicted)
     # Several ranks make their lists a little more often than the one that was asked.
-    near "$told_messages" "$messages" 0.15 ||
-      fail "$deck: $n ranks: $told_messages messages a step, a run sends $messages"
-    near "$told_bytes" "$bytes" 0.1 ||
-      fail "$deck: $n ranks: $told_bytes bytes a step, a run sends $bytes"
+    near "$predicted_messages" "$messages" 0.15 ||
+      fail "$deck: $n ranks: $predicted_messages messages a step, a run sends $messages"
+    near "$predicted_bytes" "$bytes" 0.1 ||
+      fail "$deck: $n ranks: $predicted_bytes bytes a step, a run sends $bytes"
   done
 }
 check taylor-bar 60 '1 us' '3 us' parameters.size=0.9_mm

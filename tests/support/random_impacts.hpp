@@ -25,7 +25,7 @@ struct Outcome {
   bool crossed = false;  ///< bodies went into each other by 15 % of their size about their middles
   Real pairs = 0;        ///< largest energy.contact.pairs, of the largest energy
   Real created = 0;      ///< energy that nobody put in, of it
-  std::size_t lost = 0;  ///< pairs of bodies whose contacts were told of
+  std::size_t lost = 0;  ///< pairs of bodies whose contacts were reported
   std::int64_t steps = 0;
 };
 Outcome outcome_of(const Impact& impact);

@@ -123,12 +123,12 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   result.steps = clock.step();
   result.steps_here = clock.step() - checkpointing.first_step();
   result.worst_drift = monitor.worst_drift();
-  result.told = monitor.warned();
+  result.reported = monitor.warned();
   for (const auto& [body, text] : monitor.artificial_tension()) {
-    result.told.push_back({artificial_stress_path(body), text});
+    result.reported.push_back({artificial_stress_path(body), text});
   }
   result.step_margins = monitor.step_check().margins();
-  for (const auto& warning : monitor.step_check().warnings()) result.told.push_back(warning);
+  for (const auto& warning : monitor.step_check().warnings()) result.reported.push_back(warning);
   result.created = monitor.energy_shares().created;
   return result;
 }

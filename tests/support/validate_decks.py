@@ -13,7 +13,7 @@ import yaml
 # Wrong decks that a schema accepts, and why.
 NOT_SEEN = {
     "another value decides": """
-        drucker-prager-dilates-more-than-it-rubs steinberg-guinan-cap-below-yield
+        drucker-prager-dilation-above-friction steinberg-guinan-cap-below-yield
         ambient-hotter-than-melting body-hotter-than-melting boundaries-that-contradict
         boundary-box-upside-down boundary-fixes-and-moves boundary-heats-nothing box-upside-down
         elastic-constants-mixed elastic-constants-twice grading-twice

@@ -46,20 +46,20 @@ TEST(ParticleTension, ModulusIsThatOfTheMaterialPulledAndPushed) {
 
 // Gray, Monaghan & Swift's artificial stress of 0.3 pushes against a pull: on a square lattice,
 // pairs of one spacing carry sum V w 0.3 dp^2 (cubic kernel, 1.2 spacings), about 15 % of it. The
-// bodies that carry more than 1 % so are told, and only those.
+// bodies that carry more than 1 % so are reported, and only those.
 TEST(ParticleTension, ArtificialStressThatCarriesIsTold) {
   const std::string path = std::string(BRUNT_SOURCE_DIR) + "/tests/cases/sph-modulus.yaml";
   const std::vector<std::string> deck{"bodies.a.size=1 mm", "bodies.a.smoothing=1.2",
                                       "time.end=60 us"};
-  const auto told = [](const Simulation& run) {
-    return std::count_if(run.told.begin(), run.told.end(), [](const RunWarning& one) {
+  const auto reported = [](const Simulation& run) {
+    return std::count_if(run.reported.begin(), run.reported.end(), [](const RunWarning& one) {
       return one.text.find("artificial stress carries") != std::string::npos;
     });
   };
-  EXPECT_EQ(told(simulate(load_deck(path, deck))), 0);
+  EXPECT_EQ(reported(simulate(load_deck(path, deck))), 0);
   auto with = deck;
   with.push_back("bodies.a.artificial_stress=0.3");
-  EXPECT_EQ(told(simulate(load_deck(path, with))), 1);
+  EXPECT_EQ(reported(simulate(load_deck(path, with))), 1);
 }
 
 const char* const kWave = R"(

@@ -58,14 +58,14 @@ TEST(Place, BetweenPointsIsInterpolated) {
 }
 
 TEST(Place, OutsideIsTold) {
-  const auto told = [](const std::string& at) {
+  const auto reported = [](const std::string& at) {
     const auto loaded = load_deck_text(kText, "deck.yaml", {"probes.cells.at=" + at});
     std::vector<DeckProblem> warnings;
     warn_of_scene(loaded, *build_scene<2>(loaded), false, warnings);
     return warnings.empty() ? "" : warnings.front().text();
   };
-  EXPECT_EQ(told("[10 mm, 3 mm]"), "");
-  const std::string text = told("[14 mm, 3 mm]");
+  EXPECT_EQ(reported("[10 mm, 3 mm]"), "");
+  const std::string text = reported("[14 mm, 3 mm]");
   EXPECT_NE(text.find("probes.cells.at: lies outside of 'cells'"), std::string::npos) << text;
   EXPECT_NE(text.find("4 mm away"), std::string::npos) << text;
 }

@@ -76,8 +76,8 @@ TEST(StepCheck, WarnsOfWhatTheStepLimitDoesNotKnow) {
                                         "time.end=0.05 us", "bodies.bar.velocity=[0, 0, 0]"});
   ASSERT_EQ(run.step_margins.size(), 1U);
   EXPECT_LT(run.step_margins[0].second, 0.5);
-  ASSERT_FALSE(run.told.empty());
-  EXPECT_EQ(run.told[0].id, "time.check_step");
+  ASSERT_FALSE(run.reported.empty());
+  EXPECT_EQ(run.reported[0].id, "time.check_step");
 }
 
 }  // namespace

@@ -225,7 +225,7 @@ WeighedPoints<Dim> measured_points(const Scene<Dim>& scene, const Machine& machi
 }
 
 template <int Dim>
-void tell(const LoadedDeck& loaded, const Arguments& arguments) {
+void print_tables(const LoadedDeck& loaded, const Arguments& arguments) {
   const auto scene = build_scene<Dim>(loaded);
   auto points = weighed_points(*scene);
   Machine machine;
@@ -281,8 +281,8 @@ int run(int argc, char** argv) {
   const ParallelSession session(argc, argv);
   try {
     const LoadedDeck loaded = load_deck(arguments.deck, arguments.overrides);
-    loaded.deck.geometry == Geometry::three_d ? tell<3>(loaded, arguments)
-                                              : tell<2>(loaded, arguments);
+    loaded.deck.geometry == Geometry::three_d ? print_tables<3>(loaded, arguments)
+                                              : print_tables<2>(loaded, arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "scaling: %s\n", error.what());
     return 1;

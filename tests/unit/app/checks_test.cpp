@@ -55,10 +55,10 @@ TEST(Overlaps, TouchingIsNoOverlapAndDepthIsTold) {
   EXPECT_EQ(problems_of_build(first + box("b", "4 mm", "8 mm")), "");
   // Elements have edges of 1 mm: 0.4 mm is less than half of one.
   EXPECT_EQ(problems_of_build(first + box("b", "3.6 mm", "7.6 mm")), "");
-  const std::string told = problems_of_build(first + box("b", "3 mm", "7 mm"));
-  EXPECT_NE(told.find("bodies.b.shape: is inside 'a' by 1 mm at time 0"), std::string::npos)
-      << told;
-  EXPECT_NE(told.find("moving 'b' by 1 mm along x parts them"), std::string::npos) << told;
+  const std::string reported = problems_of_build(first + box("b", "3 mm", "7 mm"));
+  EXPECT_NE(reported.find("bodies.b.shape: is inside 'a' by 1 mm at time 0"), std::string::npos)
+      << reported;
+  EXPECT_NE(reported.find("moving 'b' by 1 mm along x parts them"), std::string::npos) << reported;
 }
 
 TEST(Overlaps, BodiesThatIgnoreEachOtherMayOverlap) {

@@ -1,5 +1,5 @@
-// One mistake is told once: a deck in which every part names others is broken at one place at a
-// time, and nothing is told of what only depends on that place.
+// One mistake is reported once: a deck in which every part names others is broken at one place at a
+// time, and nothing is reported that only depends on that place.
 #include <gtest/gtest.h>
 
 #include "app/deck/loader.hpp"
@@ -58,7 +58,7 @@ measures:
   ratio: {expression: "= $force / $other"}
 )yaml";
 
-std::vector<std::string> told(const std::string& text) {
+std::vector<std::string> reported(const std::string& text) {
   std::vector<DeckProblem> problems;
   const LoadedDeck loaded = deck::DeckLoader().read(read_deck_source(text, "deck"), {}, problems);
   if (!problems.empty()) {
@@ -78,7 +78,7 @@ std::vector<std::string> told(const std::string& text) {
 
 struct Mistake {
   const char *right, *wrong;
-  const char* told;  ///< part of the one problem
+  const char* reported;  ///< part of the one problem
 };
 
 const Mistake kMistakes[] = {
@@ -140,13 +140,13 @@ const Mistake kMistakes[] = {
 };
 
 TEST(Consequences, OneMistakeIsToldOnce) {
-  EXPECT_EQ(told(kDeck), std::vector<std::string>{});
+  EXPECT_EQ(reported(kDeck), std::vector<std::string>{});
   for (const auto& [right, wrong, what] : kMistakes) {
     std::string text = kDeck;
     const auto at = text.find(right);
     ASSERT_NE(at, std::string::npos) << right;
     text.replace(at, std::string(right).size(), wrong);
-    const auto found = told(text);
+    const auto found = reported(text);
     std::string all;
     for (const auto& one : found) all += one + "\n";
     EXPECT_EQ(found.size(), 1u) << wrong << "\n" << all;
@@ -154,7 +154,7 @@ TEST(Consequences, OneMistakeIsToldOnce) {
   }
 }
 
-// Two mistakes that do not depend on each other are both told, also where one is of a column.
+// Two mistakes that do not depend on each other are both reported, also where one is of a column.
 TEST(Consequences, MistakesThatStandAloneAreAllTold) {
   std::string text = kDeck;
   const auto change = [&](const std::string& right, const std::string& wrong) {
@@ -163,7 +163,7 @@ TEST(Consequences, MistakesThatStandAloneAreAllTold) {
   change("density: 11340", "density: heavy");
   change("contact.stroke.force.z", "contact.stroke.forse.z");
   change("body.hammer.position.z", "body.hamer.position.z");
-  EXPECT_EQ(told(text).size(), 3u);
+  EXPECT_EQ(reported(text).size(), 3u);
 }
 
 }  // namespace

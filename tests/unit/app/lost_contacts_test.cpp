@@ -40,19 +40,19 @@ TEST(LostContactWarnings, TellOfEachPairOnce) {
 
 TEST(LostContactWarnings, TellOfEdgesThatCross) {
   LostContactWarnings warnings(3);
-  const auto told = warnings.take({pair_with("a-b", 0, 0, {0, kCrossed, 1, 2}, 3)});
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_TRUE(has(told[0], "a-b: faces came 1.02 mm through each other at t")) << told[0];
+  const auto reported = warnings.take({pair_with("a-b", 0, 0, {0, kCrossed, 1, 2}, 3)});
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_TRUE(has(reported[0], "a-b: faces came 1.02 mm through each other at t")) << reported[0];
   const auto all = warnings.all();
   EXPECT_TRUE(has(all.at("a-b"), "3 faces went through each other without a push"));
 }
 
 TEST(LostContactWarnings, NameParticlesAndAsManyCoordinatesAsThereAre) {
   LostContactWarnings warnings(2);
-  const auto told = warnings.take({pair_with("shot-wall", 1, 0, {1, kLetGo, 1, 2})});
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_TRUE(has(told[0], "shot-wall: a particle came 1.02 mm behind a face")) << told[0];
-  EXPECT_TRUE(has(told[0], "at (0.001, -0.002) m")) << told[0];
+  const auto reported = warnings.take({pair_with("shot-wall", 1, 0, {1, kLetGo, 1, 2})});
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_TRUE(has(reported[0], "shot-wall: a particle came 1.02 mm behind a face")) << reported[0];
+  EXPECT_TRUE(has(reported[0], "at (0.001, -0.002) m")) << reported[0];
 }
 
 }  // namespace

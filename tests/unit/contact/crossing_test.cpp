@@ -1,4 +1,4 @@
-// Faces that go through each other where they do not oppose each other are told of. Two sheets at
+// Faces that go through each other where they do not oppose each other are reported. Two sheets at
 // right angles, one upright through the other: it reaches `deep` behind the other's plane, the
 // other half its width behind the upright one's, and both share a line as long as the narrower is
 // wide. The least of the three is the depth.

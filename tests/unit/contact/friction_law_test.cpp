@@ -197,10 +197,10 @@ TEST(FrictionLaw, ACoefficientBelowZeroIsTold) {
     scene.contact->check(2, Vec3(100, 0, 0));
     FAIL();
   } catch (const PhysicsError& error) {
-    const std::string told = error.what();
-    EXPECT_NE(told.find("at t = 2 s, contact b0-b1 at (10"), std::string::npos) << told;
-    EXPECT_NE(told.find("coefficient of friction = -0.7"), std::string::npos) << told;
-    EXPECT_NE(told.find("v = 0.1 m/s"), std::string::npos) << told;
+    const std::string reported = error.what();
+    EXPECT_NE(reported.find("at t = 2 s, contact b0-b1 at (10"), std::string::npos) << reported;
+    EXPECT_NE(reported.find("coefficient of friction = -0.7"), std::string::npos) << reported;
+    EXPECT_NE(reported.find("v = 0.1 m/s"), std::string::npos) << reported;
   }
 }
 

@@ -23,7 +23,7 @@ Varying constant(Real value) {
   return varying;
 }
 
-/// Moves all points of a group as told and evaluates contact at the end of the step.
+/// Prescribes the motion of all points of a group and evaluates contact at the end of the step.
 template <int Dim>
 void drive(ContactScene<Dim>& scene, Real dt,
            const std::function<Vec<Dim>(std::size_t group, const Vec<Dim>& now)>& move) {

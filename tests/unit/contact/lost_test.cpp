@@ -1,6 +1,6 @@
-// Contacts that did not hold are told of. Sheets and particles have a prescribed
+// Contacts that did not hold are reported. Sheets and particles have a prescribed
 // motion, by a known way each step, so that the step that brings them beyond their limit is known:
-// the depth of the elements for faces, three radii for a particle behind a rigid face. Not told is
+// the depth of the elements for faces, three radii for a particle behind a rigid face. Not reported is
 // what turns back before, slides off, or was beyond the limit from when it came.
 #include <gtest/gtest.h>
 
@@ -62,13 +62,13 @@ void expect_told_of_faces() {
   EXPECT_GT(scene.contact->reports().at(0).planes, 0);
   for (; step < kBeyond + 2;) {
     move(scene, along<Dim>(Dim - 1, -kDown), ++step);
-    const LostReport told = lost(scene);
-    EXPECT_EQ(told.let_go, pairs);
-    EXPECT_EQ(told.from_behind, 0);
-    EXPECT_EQ(told.time, kBeyond * kStep);
-    EXPECT_NEAR(told.depth, kBeyond * kDown, kRounding);
-    EXPECT_NEAR(told.point[Dim - 1], -0.5 * kBeyond * kDown, kRounding) << "half way";
-    EXPECT_EQ(told.key.ordinal, kLetGo);
+    const LostReport reported = lost(scene);
+    EXPECT_EQ(reported.let_go, pairs);
+    EXPECT_EQ(reported.from_behind, 0);
+    EXPECT_EQ(reported.time, kBeyond * kStep);
+    EXPECT_NEAR(reported.depth, kBeyond * kDown, kRounding);
+    EXPECT_NEAR(reported.point[Dim - 1], -0.5 * kBeyond * kDown, kRounding) << "half way";
+    EXPECT_EQ(reported.key.ordinal, kLetGo);
   }
   EXPECT_EQ(scene.contact->reports().at(0).planes, 0);
   while (step < kBeyond + 4) move(scene, along<Dim>(Dim - 1, kDown), ++step);
@@ -145,14 +145,14 @@ void expect_told_of_a_particle() {
   EXPECT_EQ(scene.contact->reports().at(0).planes, 1);
   while (step < kBehind + 3) {
     move(scene, along<Dim>(Dim - 1, -kDown), ++step);
-    const LostReport told = lost(scene);
-    EXPECT_EQ(told.let_go, 1);
-    EXPECT_EQ(told.time, kBehind * kStep);
-    EXPECT_NEAR(told.depth, kBehind * kDown - kStart, kRounding);
-    EXPECT_NEAR(told.point[0], 1.3, kRounding);
-    EXPECT_NEAR(told.point[Dim - 1], 0, kRounding);
+    const LostReport reported = lost(scene);
+    EXPECT_EQ(reported.let_go, 1);
+    EXPECT_EQ(reported.time, kBehind * kStep);
+    EXPECT_NEAR(reported.depth, kBehind * kDown - kStart, kRounding);
+    EXPECT_NEAR(reported.point[0], 1.3, kRounding);
+    EXPECT_NEAR(reported.point[Dim - 1], 0, kRounding);
   }
-  // What is saved and taken back is what was told, and the same step tells no more.
+  // What is saved and taken back is what was reported, and the same step tells no more.
   std::vector<StateTable> tables;
   scene.contact->save_state(tables);
   ContactScene<Dim> again;
@@ -173,7 +173,7 @@ TEST(LostContacts, AreToldOfParticles) {
 }
 
 TEST(LostContacts, AreToldOfAParticleThatWasDeepBeforeARestart) {
-  // Saved one step before it is given up: the step that gives it up is told by the second run.
+  // Saved one step before it is given up: the step that gives it up is reported by the second run.
   ContactScene<3> scene;
   build_particle(scene);
   for (int n = 1; n < kBehind; ++n) move(scene, along<3>(2, -kDown), n);

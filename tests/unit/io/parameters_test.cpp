@@ -46,7 +46,7 @@ TEST_F(ParametersTest, ProblemsHaveTheirPlaces) {
   EXPECT_NE(all.find("depends on itself"), std::string::npos) << all;
 }
 
-// What nothing uses may be what is missed, and is not told beside it.
+// What nothing uses may be what is missed, and is not reported beside it.
 TEST_F(ParametersTest, UndeclaredOnesAreToldOnce) {
   resolved("parameters:\n  unused: 1\nx: $nobody\ny: -$nobody\nz: \"= 2*$gone\"\n");
   ASSERT_EQ(problems_.size(), 2u);

@@ -13,7 +13,7 @@ using test::kDensity;
 using test::kDp;
 
 // What no velocity predicts: from one step to the next, supports put particles wherever they are
-// told to, one half of a block through the other or far away and back. update_state checks the
+// asked to, one half of a block through the other or far away and back. update_state checks the
 // lists after the motion, by itself: all steps are those of a block whose lists hold every pair
 // there is, and so they are where the lists are built at every step besides.
 TEST(SphParticlesLists, AreCheckedAfterTheMotion) {
