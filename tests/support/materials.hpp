@@ -15,4 +15,13 @@ materials:
   steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0}}
 )";
 
+/// Copper of the Taylor bar that many codes publish: 227 m/s, 32.4 mm long, 3.2 mm in radius.
+inline const std::string kTaylorCopper = R"(
+materials:
+  copper:
+    density: 8930 kg/m^3
+    elastic: {E: 117 GPa, nu: 0.35}
+    strength: {j2: {yield: 400 MPa, hardening: 100 MPa}}
+)";
+
 }  // namespace brunt::test

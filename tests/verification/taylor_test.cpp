@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "tests/support/materials.hpp"
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
@@ -69,12 +70,8 @@ std::string bar3(const std::string& extra, const std::string& wall) {
 title: Taylor bar in 3D
 geometry: 3d
 time: {end: 80 us, safety: 0.9}
-materials:
-  copper:
-    density: 8930 kg/m^3
-    elastic: {E: 117 GPa, nu: 0.35}
-    strength: {j2: {yield: 400 MPa, hardening: 100 MPa}}
-bodies:
+)" + kTaylorCopper +
+         R"(bodies:
   bar:
     material: copper
     shape: {cylinder: {radius: 3.2 mm, length: 32.4 mm, base: [0, 0, 0], axis: z}}

@@ -9,20 +9,6 @@ namespace {
 
 using namespace testing;
 
-/// Copper of Johnson & Cook 1983 that yields and heats under Mie-Gruneisen pressure.
-Material copper() {
-  Material material = elastic(124e9, 0.34, 8960);
-  material.thermal = true;
-  material.specific_heat = SpecificHeat(383);
-  JohnsonCook law;
-  law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025, law.m = 1.09, law.T_melt = 1356;
-  material.strength = make_strength(law, {material.shear, material.density * 383, 0.9});
-  MieGruneisen eos;
-  eos.c0 = 3940, eos.s = 1.49, eos.gamma0 = 2;
-  material.eos = make_eos(eos, {material.density, material.bulk});
-  return material;
-}
-
 template <int Dim>
 std::unique_ptr<FiniteElements<Dim>> thrown_body(const Material& material, const Variant& variant) {
   std::array<int, Dim> cells;

@@ -201,20 +201,6 @@ TEST(Tet4, ATubeWidensThoughItsVolumeCannotChange) {
   EXPECT_NEAR(bore_of_tube(0.499), 1, 0.03);
 }
 
-/// Copper that yields and heats.
-Material copper() {
-  Material material = elastic(124e9, 0.34, 8960);
-  material.thermal = true;
-  material.specific_heat = SpecificHeat(383);
-  JohnsonCook law;
-  law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025, law.m = 1.09, law.T_melt = 1356;
-  material.strength = make_strength(law, {material.shear, material.density * 383, 0.9});
-  MieGruneisen eos;
-  eos.c0 = 3940, eos.s = 1.49, eos.gamma0 = 2;
-  material.eos = make_eos(eos, {material.density, material.bulk});
-  return material;
-}
-
 std::unique_ptr<FiniteElements<3>> thrown(const Material& material) {
   auto body = tets(box_mesh<3>({3, 3, 3}, Vec3::Zero(), Vec3::Constant(3e-3), 0.1), material, true);
   auto& p = body->points();
