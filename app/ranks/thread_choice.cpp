@@ -55,6 +55,7 @@ void ThreadChoice::choose(const Window& window) {
 ThreadTeam::ThreadTeam() : threads_(omp_get_max_threads()), choice_(threads_) {}
 
 void ThreadTeam::look() {
+  if (choice_.only_one()) return;  // clocks of processor time are calls to the system
   const int threads =
       choice_.step_done(seconds_of(CLOCK_MONOTONIC), seconds_of(CLOCK_PROCESS_CPUTIME_ID));
   if (threads == threads_) return;

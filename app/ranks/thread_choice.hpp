@@ -20,6 +20,7 @@ class ThreadChoice {
   /// wall  [s] on the wall, cpu  [s] of processor time of all threads; both since any fixed time
   int step_done(double wall, double cpu);
 
+  bool only_one() const { return all_ == 1; }                ///< nothing to choose
   std::int64_t steps_alone() const { return steps_alone_; }  ///< on one thread instead of all
 
  private:
