@@ -72,11 +72,13 @@ struct Named {
   T value;
 };
 
-/// One of several maps, distinguished by their key: strength: {j2: {...}}. An alternative type T has
+/// One of several maps, distinguished by their key: strength: {j2: {...}}. An alternative type T
+/// has
 ///   static constexpr const char* deck_name, deck_help;
 /// and describe(Schema&, T&). An alternative without keys is written as its bare name. One with
 ///   static constexpr bool deck_open = true;
-/// is recognised by the first of its own keys, which has its name: heat: {conductance: 1e4, gap: 1 mm}.
+/// is recognised by the first of its own keys, which has its name: heat: {conductance: 1e4, gap: 1
+/// mm}.
 struct Alternative {
   const char* name;
   const char* help;
@@ -142,8 +144,9 @@ class Schema {
   virtual void names(const Key& key, std::vector<std::string>& value, int size) = 0;
   virtual void varying(const Key& key, std::optional<Varying>& value, const Quantity& quantity,
                        std::span<const Varying::Over> over) = 0;
-  /// A value that may vary, or a law with keys of its own in its place, distinguished by their keys:
-  /// friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}. What is read takes the other's place.
+  /// A value that may vary, or a law with keys of its own in its place, distinguished by their
+  /// keys: friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}. What is read takes the other's
+  /// place.
   template <class Law>
   void varying_or_law(const Key& key, std::optional<Varying>& value, std::optional<Law>& law,
                       const Quantity& quantity, std::span<const Varying::Over> over) {

@@ -54,7 +54,8 @@ struct Lengths {
 };
 
 /// A millimetre typed as a micrometre shall not fill the memory before it is reported: counted from
-/// sizes alone. Adds what the body makes to `total`; the first that goes beyond the limit is reported.
+/// sizes alone. Adds what the body makes to `total`; the first that goes beyond the limit is
+/// reported.
 void check_count(const Deck& deck, const std::string& path, const Body& body, Real& total,
                  Findings& findings) {
   const std::vector<Real> lengths = std::visit(Lengths{deck.geometry}, body.shape.kind);

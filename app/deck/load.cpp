@@ -70,9 +70,9 @@ void use_library(Node& root, const Node& library, std::vector<DeckProblem>& prob
   expand_library(*materials, "materials", library, {"elastic", "strength", "eos"}, problems);
 }
 
-/// What is reported of a parameter is not reported again where it is used: one that is wrong itself, beyond
-/// the first `n_reported` problems; one that is no number, or does not fit in the same way, but
-/// once.
+/// What is reported of a parameter is not reported again where it is used: one that is wrong
+/// itself, beyond the first `n_reported` problems; one that is no number, or does not fit in the
+/// same way, but once.
 void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_reported,
                        std::vector<DeckProblem>& problems) {
   std::map<std::string, std::vector<const Parameter*>> used_at;
@@ -90,8 +90,8 @@ void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_r
       // "expects a length (m), got '-$size = 2 kg'": the value is written as it was used.
       const std::string& reported = problem.message;
       const std::size_t value = reported.find(", got '"), end = reported.rfind('\'');
-      const std::string what =
-          value < end ? reported.substr(0, value) + reported.substr(end) : reported.substr(0, value);
+      const std::string what = value < end ? reported.substr(0, value) + reported.substr(end)
+                                           : reported.substr(0, value);
       return parameter->failed || !seen.emplace(parameter, parameter->value ? what : "").second;
     });
   };

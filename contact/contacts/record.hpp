@@ -31,7 +31,7 @@ struct ContactRecord {
   Real stored = 0;             ///< [J] that this spring holds
   Real damping = 0;            ///< [N]
   Real area = 0;               ///< [m^2]
-  Real penetration = 0;        ///< [m]
+  Real penetration = 0;        ///< [m] of what borders fade, that part (C14)
   Real opening = 0;            ///< [m] of its plane's needs
   bool bonded = false;         ///< its plane is the whole overlap of both faces
   std::int32_t friction = -1;  ///< its place among those of the same part; -1: it slides freely

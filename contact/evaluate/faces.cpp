@@ -157,7 +157,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   record.normal = plane.normal;
   record.point = plane.point;
   record.area = plane.area;
-  record.penetration = plane.penetration;
+  record.penetration = plane.fade * plane.penetration;
   const Vec<Dim> v_lower = add_corners(entities.nodes, lower, plane.lower_weight, -1, record);
   const Vec<Dim> v_upper = add_corners(entities.nodes, upper, plane.upper_weight, 1, record);
   const Real closing = (v_lower - v_upper).dot(plane.normal);
@@ -305,7 +305,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
         // By the way of the step it was within the limit at the last evaluation, and pushed. What
         // is seen from behind was beyond it then too, and what opens comes nearer.
         const Real way = closing_speed(entities, candidate, plane) * step.dt;
-        if ((held && plane.fade > 0.5) || plane.penetration - way <= candidate.limit) {
+        // What borders fade is held by the faces beside it.
+        if (plane.fade > 0.5 && (held || plane.penetration - way <= candidate.limit)) {
           note_lost(entities, candidate, plane, kLetGo, part);
         }
         continue;

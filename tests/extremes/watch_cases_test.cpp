@@ -1,6 +1,6 @@
 // Runs that go wrong by themselves and used to end with status 0 or in "nan" (tests/cases): energy
-// that nobody put in stops them, a step that collapses slowly is reported and stops them, and no row
-// holds what is no finite number.
+// that nobody put in stops them, a step that collapses slowly is reported and stops them, and no
+// row holds what is no finite number.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,7 +84,8 @@ TEST(WatchCases, AShearedBlockComesToItsEnd) {
   expect_numbers(run);
 }
 
-// Steps of a tenth are reported, and those below what the deck calls the least, a thirtieth, stop it.
+// Steps of a tenth are reported, and those below what the deck calls the least, a thirtieth, stop
+// it.
 TEST(WatchCases, AStepThatCollapsesSlowlyIsToldAndStops) {
   const auto run = simulate_case("shear-collapse", {"parameters.gamma=20", "time.min_step=19 ns"});
   EXPECT_LT(run.steps, 150000);

@@ -36,7 +36,7 @@ struct Simulation {
   std::map<std::string, BodyView> bodies;  ///< at the end
   std::map<std::string, LostReport> lost;  ///< by pair of bodies, where contacts did not hold
   std::vector<std::string> warnings;       ///< of contacts, reported while it ran
-  std::vector<RunWarning> reported;            ///< of energies, the step, artificial stress
+  std::vector<RunWarning> reported;        ///< of energies, the step, artificial stress
   std::vector<std::pair<std::string, Real>> step_margins;  ///< by body, of time.check_step
   Real created = 0;  ///< largest share of energy that nobody put in
   std::int64_t steps = 0;

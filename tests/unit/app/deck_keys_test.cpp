@@ -1,6 +1,7 @@
 // Wrong decks made from the schema: every key that a deck can have is misspelt, given a wrong
-// dimension, put out of range, given a wrong type, and left out. Each must be reported at the line and
-// the path of the key. The decks are two that hold every key, written one key a line by the echo.
+// dimension, put out of range, given a wrong type, and left out. Each must be reported at the line
+// and the path of the key. The decks are two that hold every key, written one key a line by the
+// echo.
 #include <gtest/gtest.h>
 
 #include <algorithm>

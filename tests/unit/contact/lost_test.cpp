@@ -1,7 +1,7 @@
 // Contacts that did not hold are reported. Sheets and particles have a prescribed
 // motion, by a known way each step, so that the step that brings them beyond their limit is known:
-// the depth of the elements for faces, three radii for a particle behind a rigid face. Not reported is
-// what turns back before, slides off, or was beyond the limit from when it came.
+// the depth of the elements for faces, three radii for a particle behind a rigid face. Not reported
+// is what turns back before, slides off, or was beyond the limit from when it came.
 #include <gtest/gtest.h>
 
 #include "tests/unit/contact/contact_scene.hpp"
