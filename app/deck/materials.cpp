@@ -33,16 +33,15 @@ void describe(Schema& s, Thermal& thermal) {
 }
 
 void describe(Schema& s, Material& material) {
-  static constexpr const char* kLater[] = {"damage"};
   s.real({"density", "mass density at rest", Need::required}, material.density,
          {"kg/m^3", positive(), between(1, 3e4)});
   s.object({"elastic", "E and nu, or K and G", Need::required}, material.elastic);
   s.one_of({"strength", "what limits the stress"}, material.strength);
   s.one_of({"eos", "pressure from volume"}, material.eos);
+  s.one_of({"damage", "how it fails"}, material.damage);
   s.real({"tensile_cutoff", "pressure never falls below minus this"}, material.tensile_cutoff,
          {"Pa", at_least(0), between(0, 1e11)});
   s.object({"thermal", "heat capacity and what plastic work gives"}, material.thermal);
-  s.later(kLater);
 }
 
 }  // namespace brunt::deck

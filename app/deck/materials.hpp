@@ -29,6 +29,7 @@ struct Material {
   ElasticConstants elastic;
   StrengthLaw strength;  ///< one of the catalogue
   EosLaw eos;
+  DamageChoice damage;
   std::optional<Real> tensile_cutoff;  ///< [Pa] positive: pressure never below minus this
   std::optional<Thermal> thermal;
 };

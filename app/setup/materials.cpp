@@ -28,6 +28,7 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
     material->strength = make_strength(given.strength, strength);
     material->eos = make_eos(given.eos, EosInputs{given.density, material->bulk});
     material->bulk = material->eos->bulk_modulus();
+    material->damage = make_damage(given.damage, {material->shear});
     materials.push_back(std::move(material));
   }
   return materials;

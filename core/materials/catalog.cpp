@@ -1,5 +1,7 @@
 #include "core/materials/catalog.hpp"
 
+#include "core/materials/softening.hpp"
+
 namespace brunt {
 
 namespace {
@@ -14,7 +16,16 @@ template <PressureLaw Law>
 std::unique_ptr<Strength> make(const Law& law, const StrengthInputs& inputs) {
   return std::make_unique<PressureReturn<Law>>(law, inputs);
 }
+std::unique_ptr<Damage> make(const NoDamage&, const DamageInputs&) { return nullptr; }
+template <DamageLaw Law>
+std::unique_ptr<Damage> make(const Law& law, const DamageInputs& inputs) {
+  return std::make_unique<Softening<Law>>(law, inputs);
+}
 }  // namespace
+
+std::unique_ptr<Damage> make_damage(const DamageChoice& law, const DamageInputs& inputs) {
+  return std::visit([&](const auto& chosen) { return make(chosen, inputs); }, law);
+}
 
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs) {
   return std::visit([&](const auto& chosen) { return make(chosen, inputs); }, law);

@@ -3,6 +3,7 @@
 /// neither return serves it (docs/adding.md).
 #include <variant>
 
+#include "core/materials/damage_laws.hpp"
 #include "core/materials/drucker_prager.hpp"
 #include "core/materials/elastic.hpp"
 #include "core/materials/eos_linear.hpp"
@@ -21,7 +22,14 @@ using StrengthLaw =
     std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan, DruckerPrager>;
 using EosLaw = std::variant<LinearEos, MieGruneisen>;
 
+/// The deck's `damage`.
+using DamageChoice = std::variant<NoDamage, JohnsonCookDamage, StrainDamage, CockcroftLatham,
+                                  PrincipalStressDamage, MeanTensionDamage>;
+
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs);
+
+/// Null where nothing fails.
+std::unique_ptr<Damage> make_damage(const DamageChoice& law, const DamageInputs& inputs);
 
 /// What an equation of state takes from its material.
 struct EosInputs {

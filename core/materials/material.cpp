@@ -2,33 +2,17 @@
 
 #include <algorithm>
 
+#include "core/materials/damage.hpp"
+#include "core/materials/tile_rows.hpp"
 #include "core/simd_math.hpp"
 
 namespace brunt {
 
 namespace {
 
-using Tensors = Real[6][kTile];
-
-void copy_deviator(const MaterialTile& tile, Tensors& copy) {
-  for (std::size_t c = 0; c < 6; ++c) {
-    const Real* component = tile.state->deviator[c].data() + tile.first;
-    std::copy_n(component, tile.count, copy[c]);
-  }
-}
-
-/// Work of the deviator in this step, 1/2 (J s before + J s after) : strain, J = V/V0.
-void deviatoric_work(const MaterialTile& tile, const Tensors& before, Real* work) {
-  for (int i = 0; i < tile.count; i += kLanes) {
-    const Pack half_old = 0.5 * load(tile.ratio_old + i), half = 0.5 * load(tile.ratio + i);
-    Pack sum{};
-    for (std::size_t c = 0; c < 6; ++c) {
-      const Real* after = tile.state->deviator[c].data() + tile.first + i;
-      const Pack mean = half_old * load(before[c] + i) + half * load(after);
-      sum = sum + (c < 3 ? 1.0 : 2.0) * (mean * load(tile.strain[c] + i));
-    }
-    store(work + i, sum);
-  }
+/// Work of the deviator of a tile in this step [J/m^3 reference].
+void find_deviatoric_work(const MaterialTile& tile, const DeviatorRows& before, Real* work) {
+  for (int i = 0; i < tile.count; i += kLanes) store(work + i, deviatoric_work(tile, before, i));
 }
 
 /// Holds the pressure above minus the cut-off. The equation of state has booked the work of the
@@ -45,16 +29,6 @@ void cut_off(MaterialTile& tile, Real cutoff) {
     const Pack energy = load(state.energy.data() + at) - (0.5 * (held - p)) * change;
     store(state.energy.data() + at, energy);
   }
-}
-
-/// A row of a tile.
-struct alignas(32) Row {
-  Real at[kTile];
-};
-Row copied(const Real* from, int count) {
-  Row row;
-  std::copy_n(from, count, row.at);
-  return row;
 }
 
 /// Sets `elastic` to volume ratios over the plastic volume and the opening of the state.
@@ -102,29 +76,50 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
     state.plastic_volume.assign(size, 1.0);
     state.opening.assign(size, 1.0);
   }
+  if (damage != nullptr) {
+    state.damage_index.assign(size, 0.0);
+    state.damage.assign(size, 0.0);
+    if (damage->regularised()) {
+      state.softening_work.assign(size, 0.0);
+      state.softening_limit.assign(size, 0.0);
+      state.length.assign(size, 1.0);
+    }
+  }
   return state;
 }
 
 void Material::update(MaterialTile& tile, Real dt) const {
+  if (damage == nullptr) {
+    find_stress(tile, dt, nullptr);
+  } else {
+    BeforeDamage before;
+    damage->begin(tile, before);
+    find_stress(tile, dt, &before);
+    damage->end(tile, before);
+  }
+  if (!tile.state->compression_heat.empty()) add_compression_heat(tile);
+}
+
+void Material::find_stress(MaterialTile& tile, Real dt, const BeforeDamage* before) const {
   if (strength->sees_pressure()) {
-    update_after_pressure(tile, dt);
+    find_stress_after_pressure(tile, dt, before);
     return;
   }
   alignas(32) Real work[kTile];
   if (eos->needs_energy()) {
-    alignas(32) Tensors before;
-    copy_deviator(tile, before);
+    const DeviatorRows deviator = copied_deviator(tile);
     strength->update(tile, dt);
-    deviatoric_work(tile, before, work);
+    find_deviatoric_work(tile, deviator, work);
   } else {
     strength->update(tile, dt);
   }
+  if (before != nullptr) damage->scale_heat(tile, *before);
   eos->update(tile, work);
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
-  if (!tile.state->compression_heat.empty()) add_compression_heat(tile);
 }
 
-void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
+void Material::find_stress_after_pressure(MaterialTile& tile, Real dt,
+                                          const BeforeDamage* before_damage) const {
   MaterialState& state = *tile.state;
   const bool energetic = eos->needs_energy(), plastic = strength->changes_volume();
   Real* const pressure = state.pressure.data() + tile.first;
@@ -133,12 +128,12 @@ void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
     std::copy_n(old.at, tile.count, tile.ratio_old);
     std::copy_n(now.at, tile.count, tile.ratio);
   };
-  alignas(32) Tensors before;
+  DeviatorRows before;
   Row work, pressure_old = copied(pressure, tile.count), energy_old, elastic_old;
   if (energetic) {
     energy_old = copied(state.energy.data() + tile.first, tile.count);
-    copy_deviator(tile, before);
-    deviatoric_work(tile, before, work.at);  // of the old deviator, for the time being
+    before = copied_deviator(tile);
+    find_deviatoric_work(tile, before, work.at);  // of the old deviator, for the time being
   }
   if (plastic) {
     divide_by_plastic(tile, whole_old, tile.ratio_old);
@@ -149,8 +144,9 @@ void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
   if (!plastic && tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
   if (plastic) show(whole_old, whole);
   strength->update(tile, dt);
+  if (before_damage != nullptr) damage->scale_heat(tile, *before_damage);
   if (!plastic && !energetic) return;
-  if (energetic) deviatoric_work(tile, before, work.at);
+  if (energetic) find_deviatoric_work(tile, before, work.at);
   const Row of_deviator = work;
   if (plastic) {
     show(elastic_old, whole);
@@ -168,7 +164,6 @@ void Material::update_after_pressure(MaterialTile& tile, Real dt) const {
     eos->update(tile, work.at);
   }
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
-  if (!state.compression_heat.empty()) add_compression_heat(tile);
   if (plastic) show(whole_old, whole);
 }
 

@@ -30,6 +30,11 @@ struct MaterialState {
   /// closes again: V/V0 over both is that of the elastic volume; empty unless flow changes volume
   std::vector<Real> plastic_volume, opening;
   std::vector<Real> bulk;  ///< [Pa] current tangent bulk modulus K_t
+  /// Of materials that fail: how far the way to failure is gone, 1 where it begins; the share of
+  /// the stress that is lost; and where softening takes energy the work since it began, that at
+  /// which nothing is left [J/m^3], and the size of the element or particle [m], which its owner
+  /// sets. docs/theory/materials.md (M18)
+  std::vector<Real> damage_index, damage, softening_work, softening_limit, length;
   std::size_t size() const { return pressure.size(); }
 };
 
@@ -89,6 +94,24 @@ class EquationOfState {
   virtual void isentropic_warming(const MaterialTile&, Real cutoff, Real* logarithm) const = 0;
 };
 
+struct BeforeDamage;
+
+/// How a material fails: around what an intact one does with a tile.
+class Damage {
+ public:
+  virtual ~Damage() = default;
+  /// Makes the deviator of a tile the effective one, and keeps what the step changes.
+  virtual void begin(MaterialTile& tile, BeforeDamage& before) const = 0;
+  /// After the strength: plastic work is done by what still carries, and so is its heat.
+  virtual void scale_heat(MaterialTile& tile, const BeforeDamage& before) const = 0;
+  /// After pressure and its cut-off: index, softening, nominal stress, and the energy of an
+  /// equation of state that has one.
+  virtual void end(MaterialTile& tile, const BeforeDamage& before) const = 0;
+  virtual bool needs_temperature() const = 0;
+  /// True where softening depends on the size of elements (MaterialState::length).
+  virtual bool regularised() const = 0;
+};
+
 /// A material as the kernels see it: density, elastic constants, strength, equation of state.
 struct Material {
   std::string name;
@@ -101,6 +124,7 @@ struct Material {
   Varying conductivity;        ///< [W/m/K] a constant, or a table over temperature
   std::unique_ptr<Strength> strength;
   std::unique_ptr<EquationOfState> eos;
+  std::unique_ptr<Damage> damage;  ///< null: it never fails
 
   Real modulus() const { return bulk + 4.0 / 3.0 * shear; }  ///< [Pa] M = K + 4G/3
   bool yields() const { return strength->yields(); }
@@ -121,9 +145,11 @@ struct Material {
   void update(MaterialTile& tile, Real dt) const;
 
  private:
+  /// What `update` does but for damage and heat of compression. before  null without damage
+  void find_stress(MaterialTile& tile, Real dt, const BeforeDamage* before) const;
   /// The order of a strength that sees the pressure: equation of state without plastic flow,
   /// strength, equation of state. docs/theory/materials.md (M13)
-  void update_after_pressure(MaterialTile& tile, Real dt) const;
+  void find_stress_after_pressure(MaterialTile& tile, Real dt, const BeforeDamage* before) const;
   /// dT = gamma0 T d(eta) + dw/(rho0 cp), eta = 1 - V/V0 and w the viscous work, where gamma rho
   /// is constant: T_new = (T_old g + w/(rho0 cp)) g, g = exp(gamma0 (eta_new - eta_old)/2), so that
   /// release returns what compression gave. A shock stands within some five steps: with w after all

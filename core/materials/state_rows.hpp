@@ -13,7 +13,8 @@ void visit_material_point(Row& row, State& state, std::size_t k) {
   row(state.bulk[k]);
   for (auto* field :
        {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat, &state.compression_heat,
-        &state.energy, &state.plastic_volume, &state.opening}) {
+        &state.energy, &state.plastic_volume, &state.opening, &state.damage_index, &state.damage,
+        &state.softening_work, &state.softening_limit, &state.length}) {
     if (!field->empty()) row((*field)[k]);
   }
 }
@@ -28,6 +29,8 @@ inline std::string fields_of(const MaterialState& state) {
   if (!state.compression_heat.empty()) text += ".compression";
   if (!state.energy.empty()) text += ".energy";
   if (!state.plastic_volume.empty()) text += ".volume";
+  if (!state.damage.empty()) text += ".damage";
+  if (!state.length.empty()) text += ".softening";
   return text;
 }
 
