@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/field_use.hpp"
 #include "core/materials/specific_heat.hpp"
 #include "core/types.hpp"
 
@@ -49,18 +50,51 @@ struct Points {
 
   LocalIndex size() const { return static_cast<LocalIndex>(x.size()); }
 
-  /// Makes room for n points, all owned; fields are zero.
+  /// Hands each field that the points have to f(field, use). All that is done with every field
+  /// reads it here: a new one is declared above and listed here. Rows of a checkpoint have this
+  /// order.
+  template <class AnyPoints, class F>
+  static void visit_fields(AnyPoints& points, const F& f) {
+    visit_mechanical(points, f);
+    visit_thermal(points, f);
+  }
+  template <class AnyPoints, class F>
+  static void visit_mechanical(AnyPoints& points, const F& f) {
+    constexpr FieldUse kMotion{.saved = true, .hashed = true, .copied = true};
+    f(points.id, {});
+    f(points.body, {});
+    f(points.piece, {});
+    f(points.mass, kSaved);
+    f(points.x, kMotion);
+    f(points.v, kMotion);
+    f(points.a, kState);
+    f(points.f, kSaved);
+    f(points.x_start, kSaved);
+    f(points.integration, kSaved);
+    f(points.x_rest, kSaved);
+  }
+  /// Temperatures follow from heat only while heat capacities are constant: both are saved.
+  template <class AnyPoints, class F>
+  static void visit_thermal(AnyPoints& points, const F& f) {
+    if (!points.conducts) return;
+    f(points.temperature, {.saved = true, .copied = true});
+    f(points.start_temperature, {});
+    f(points.capacity, {});
+    f(points.heat, kState);
+    f(points.heat_rate, {});
+    f(points.conductance, kSaved);
+    if (points.conduction_every > 1)
+      f(points.kept_rate, kState), f(points.kept_conductance, kState);
+    if (points.specific_heats.empty()) return;
+    f(points.specific_heat, {.blank = -1});
+    f(points.heated_mass, {});
+    f(points.start_enthalpy, {});
+  }
+
+  /// Makes room for n points, all owned; what is new is zero.
   void resize(LocalIndex n) {
     n_owned = n;
-    const auto count = static_cast<std::size_t>(n);
-    id.resize(count);
-    body.resize(count);
-    piece.resize(count);
-    mass.assign(count, 0.0);
-    integration.assign(count, 0.0);
-    for (auto* field : {&x, &x_rest, &v, &a, &f, &x_start}) {
-      field->assign(count, Vec<Dim>::Zero());
-    }
+    fit(static_cast<std::size_t>(n));
   }
 
   /// Moves point i by dx [m]; what rounding leaves out goes with the next move (Kahan, 1965).
@@ -75,14 +109,13 @@ struct Points {
   /// From now on the points have a temperature, capacities are 0 yet; [K] by point.
   void conduct(const std::vector<Real>& at_start) {
     conducts = true;
+    fit(x.size());
     temperature = start_temperature = at_start;
-    for (auto* field : {&capacity, &heat, &heat_rate, &conductance}) field->assign(x.size(), 0.0);
   }
   /// From now on conduction is evaluated at every `every`-th step, and acts as it was in between.
   void conduct_every(int every) {
     conduction_every = every;
-    if (every == 1) return;
-    for (auto* field : {&kept_rate, &kept_conductance}) field->assign(x.size(), 0.0);
+    fit(x.size());
   }
   /// True where step n [1] since time 0 evaluates conduction.
   bool evaluates_conduction(std::int64_t n) const { return n % conduction_every == 0; }
@@ -96,8 +129,7 @@ struct Points {
   /// From now on heat capacities of points may vary; none does yet.
   void vary_capacities(std::vector<SpecificHeat> varying) {
     specific_heats = std::move(varying);
-    specific_heat.assign(x.size(), -1);
-    for (auto* field : {&heated_mass, &start_enthalpy}) field->assign(x.size(), 0.0);
+    fit(x.size());
   }
   /// Point i consists of `of_mass` [kg] with one of specific_heats.
   void vary_capacity(std::size_t i, std::int32_t which, Real of_mass) {
@@ -128,49 +160,23 @@ struct Points {
     return heated_mass[i] * specific_heats[static_cast<std::size_t>(specific_heat[i])].least();
   }
 
-  /// The points at `places`, in that order; the first n_owned_then of them are owned.
+  /// Leaves the points at `places`, in that order; the first n_owned_then of them are owned.
+  void keep(std::span<const LocalIndex> places, LocalIndex n_owned_then) {
+    n_owned = n_owned_then;
+    visit_fields(*this, [&](auto& field, FieldUse) { keep_places(field, places); });
+  }
   Points subset(std::span<const LocalIndex> places, LocalIndex n_owned_then) const {
-    Points part;
-    const auto copy = [&](auto& to, const auto& from) {
-      to.reserve(places.size());
-      for (const LocalIndex i : places) to.push_back(from[static_cast<std::size_t>(i)]);
-    };
-    part.n_owned = n_owned_then;
-    copy(part.id, id), copy(part.body, body), copy(part.piece, piece), copy(part.mass, mass);
-    copy(part.x, x), copy(part.x_rest, x_rest), copy(part.v, v);
-    copy(part.a, a), copy(part.f, f);
-    copy(part.x_start, x_start), copy(part.integration, integration);
-    part.conducts = conducts;
-    if (!conducts) return part;
-    copy(part.temperature, temperature), copy(part.start_temperature, start_temperature);
-    copy(part.capacity, capacity), copy(part.heat, heat);
-    copy(part.heat_rate, heat_rate), copy(part.conductance, conductance);
-    part.conduction_every = conduction_every;
-    if (conduction_every > 1) {
-      copy(part.kept_rate, kept_rate), copy(part.kept_conductance, kept_conductance);
-    }
-    if (specific_heat.empty()) return part;
-    part.specific_heats = specific_heats;
-    copy(part.specific_heat, specific_heat), copy(part.heated_mass, heated_mass);
-    copy(part.start_enthalpy, start_enthalpy);
+    Points part = *this;
+    part.keep(places, n_owned_then);
     return part;
   }
 
   /// Adds a copy of a point of another rank; [kg], [m], [m/s]. Its temperature comes later.
   void append_ghost(GlobalId of, Label of_body, Label of_piece, Real m, const Vec<Dim>& at,
                     const Vec<Dim>& velocity) {
-    id.push_back(of), body.push_back(of_body), piece.push_back(of_piece), mass.push_back(m);
-    x.push_back(at), x_start.push_back(at), v.push_back(velocity);
-    for (auto* field : {&x_rest, &a, &f}) field->push_back(Vec<Dim>::Zero());
-    integration.push_back(0);
-    if (!conducts) return;
-    for (auto* field :
-         {&temperature, &start_temperature, &capacity, &heat, &heat_rate, &conductance}) {
-      field->push_back(0);
-    }
-    if (conduction_every > 1) kept_rate.push_back(0), kept_conductance.push_back(0);
-    if (specific_heat.empty()) return;
-    specific_heat.push_back(-1), heated_mass.push_back(0), start_enthalpy.push_back(0);
+    fit(x.size() + 1);
+    id.back() = of, body.back() = of_body, piece.back() = of_piece, mass.back() = m;
+    x.back() = x_start.back() = at, v.back() = velocity;
   }
 
   /// Ids of what is owned, ascending.
@@ -185,7 +191,11 @@ struct Points {
     if (at == middle || *at != wanted) at = std::lower_bound(middle, id.end(), wanted);
     return at == id.end() || *at != wanted ? -1 : static_cast<LocalIndex>(at - begin);
   }
+
+ private:
+  void fit(std::size_t n) {
+    visit_fields(*this, [n](auto& field, FieldUse use) { fit_field(field, use, n); });
+  }
 };
 
 }  // namespace brunt
-// Tested by tests/unit/core/state_test.cpp.

@@ -5,40 +5,20 @@
 
 namespace brunt {
 
-namespace detail {
-template <class Row, class AnyPoints>
-void visit_point(Row& row, AnyPoints& points, std::size_t i) {
-  row(points.mass[i]);
-  row(points.x[i]);
-  row(points.v[i]);
-  row(points.a[i]);
-  row(points.f[i]);
-  row(points.x_start[i]);
-  row(points.integration[i]);
-  row(points.x_rest[i]);
-}
-/// Temperatures follow from heat only while heat capacities are constant: both are kept.
-template <class Row, class AnyPoints>
-void visit_heat(Row& row, AnyPoints& points, std::size_t i) {
-  row(points.temperature[i]);
-  row(points.heat[i]);
-  row(points.conductance[i]);
-  if (points.conduction_every > 1) row(points.kept_rate[i]), row(points.kept_conductance[i]);
-}
-}  // namespace detail
-
 /// Rows of the owned points, and of their heat in the table "points.heat".
 template <int Dim>
 void save_points(const Points<Dim>& points, std::vector<StateTable>& tables) {
   save_rows(
       "points", static_cast<std::size_t>(points.n_owned),
       [&](std::size_t i) { return points.id[i]; },
-      [&](auto& row, std::size_t i) { detail::visit_point(row, points, i); }, tables);
+      [&](auto& row, std::size_t i) { Points<Dim>::visit_mechanical(points, saved_in(row, i)); },
+      tables);
   if (!points.conducts) return;
   save_rows(
       "points.heat", static_cast<std::size_t>(points.n_owned),
       [&](std::size_t i) { return points.id[i]; },
-      [&](auto& row, std::size_t i) { detail::visit_heat(row, points, i); }, tables);
+      [&](auto& row, std::size_t i) { Points<Dim>::visit_thermal(points, saved_in(row, i)); },
+      tables);
 }
 
 /// Every point takes its row, ghosts too. Throws StateError.
@@ -46,11 +26,13 @@ template <int Dim>
 void load_points(Points<Dim>& points, const StateTables& tables) {
   load_rows(
       "points", points.x.size(), [&](std::size_t i) { return points.id[i]; },
-      [&](auto& row, std::size_t i) { detail::visit_point(row, points, i); }, tables);
+      [&](auto& row, std::size_t i) { Points<Dim>::visit_mechanical(points, saved_in(row, i)); },
+      tables);
   if (!points.conducts) return;
   load_rows(
       "points.heat", points.x.size(), [&](std::size_t i) { return points.id[i]; },
-      [&](auto& row, std::size_t i) { detail::visit_heat(row, points, i); }, tables);
+      [&](auto& row, std::size_t i) { Points<Dim>::visit_thermal(points, saved_in(row, i)); },
+      tables);
 }
 
 /// Rows of what somebody keeps about chosen points, those of them that are owned.

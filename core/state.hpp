@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/field_use.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -121,6 +122,21 @@ class StateReader {
  private:
   const Real* at_;
 };
+
+/// Hands the saved ones of the values of an entity to its row.
+template <class Row>
+auto saved_in(Row& row) {
+  return [&row](auto& value, FieldUse use) {
+    if (use.saved) row(value);
+  };
+}
+/// The same of fields, of which entity k has a value.
+template <class Row>
+auto saved_in(Row& row, std::size_t k) {
+  return [&row, k](auto& field, FieldUse use) {
+    if (use.saved) row(field[k]);
+  };
+}
 
 /// Adds the table `name` with rows of the entities 0 .. n; none where n is 0.
 /// id(k)  its id;  visit(row, k)  hands every value that k carries to row

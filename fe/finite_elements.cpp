@@ -7,6 +7,7 @@
 #include "core/errors.hpp"
 #include "fe/conduction.hpp"
 #include "fe/element_check.hpp"
+#include "fe/element_values.hpp"
 #include "fe/outer_facets.hpp"
 
 namespace brunt {
@@ -33,22 +34,9 @@ void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather
 template <int Dim>
 std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
   EntityHash hash(block.id[e]);
-  const MaterialState& state = block.state;
-  for (int g = 0; g < block.gauss; ++g) {
-    const std::size_t k = block.point(e, g);
-    for (const auto& component : state.deviator) hash.add(component[k]);
-    hash.add(state.pressure[k]);
-    for (const auto* field : {&state.eps_p, &state.temperature, &state.compression_heat,
-                              &state.energy, &state.plastic_volume, &state.opening}) {
-      if (!field->empty()) hash.add((*field)[k]);
-    }
-  }
-  for (std::size_t k = static_cast<std::size_t>(e); k < block.hourglass.size();
-       k += static_cast<std::size_t>(block.n_padded)) {
-    hash.add(block.hourglass[k]);
-  }
-  hash.add(block.viscous_pressure[e]);
-  if (!block.volume_ratio.empty()) hash.add(block.volume_ratio[e]);
+  visit_element(block, static_cast<std::size_t>(e), [&](Real value, FieldUse use) {
+    if (use.hashed) hash.add(value);
+  });
   return hash.value();
 }
 

@@ -1,7 +1,7 @@
 /// What finite elements carry from step to step, as tables: points by their ids, elements by
 /// theirs.
-#include "core/materials/state_rows.hpp"
 #include "core/points_state.hpp"
+#include "fe/element_values.hpp"
 #include "fe/finite_elements.hpp"
 
 namespace brunt {
@@ -12,24 +12,6 @@ template <int Dim>
 std::string table_of(const ElementBlock<Dim>& block) {
   return "elements." + std::to_string(block.gauss) + fields_of(block.state) +
          (block.heat_given.empty() ? "" : ".given") + (block.volume_ratio.empty() ? "" : ".ratio");
-}
-
-template <class Row, class Block>
-void visit_element(Row& row, Block& block, std::size_t e) {
-  for (int g = 0; g < block.gauss; ++g) {
-    visit_material_point(row, block.state, block.point(static_cast<LocalIndex>(e), g));
-  }
-  for (std::size_t k = e; k < block.hourglass.size();
-       k += static_cast<std::size_t>(block.n_padded)) {
-    row(block.hourglass[k]);
-  }
-  row(block.viscous_pressure[e]);
-  row(block.stress_work[e]);
-  row(block.hourglass_work[e]);
-  row(block.viscous_work[e]);
-  row(block.stable_step[e]);
-  if (!block.heat_given.empty()) row(block.heat_given[e]);
-  if (!block.volume_ratio.empty()) row(block.volume_ratio[e]);
 }
 
 }  // namespace
@@ -44,7 +26,7 @@ void FiniteElements<Dim>::save_state(std::vector<StateTable>& tables) const {
     }
     save_rows(
         table_of(block), owned.size(), [&](std::size_t k) { return block.id[owned[k]]; },
-        [&](auto& row, std::size_t k) { visit_element(row, block, owned[k]); }, tables);
+        [&](auto& row, std::size_t k) { visit_element(block, owned[k], saved_in(row)); }, tables);
   }
 }
 
@@ -56,7 +38,7 @@ void FiniteElements<Dim>::load_state(const StateTables& tables) {
     load_rows(
         table_of(block), static_cast<std::size_t>(block.n_padded),
         [&](std::size_t e) { return block.id[e]; },
-        [&](auto& row, std::size_t e) { visit_element(row, block, e); }, tables);
+        [&](auto& row, std::size_t e) { visit_element(block, e, saved_in(row)); }, tables);
   }
 }
 

@@ -120,7 +120,7 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
   for (std::size_t r = 0; r < fill.size(); ++r) fill[r].resize(counts[r]);
   std::vector<LocalIndex> own(n);
   for (std::size_t i = 0; i < n; ++i) own[i] = static_cast<LocalIndex>(i);
-  points_ = points_.subset(own, points_.n_owned);
+  points_.keep(own, points_.n_owned);
   hold(n + arrived.size());
   for (std::size_t k = 0; k < arrived.size(); ++k) {
     const auto& one = arrived[k].one;

@@ -4,21 +4,11 @@
 
 #include "core/errors.hpp"
 #include "sph/correction.hpp"
-#include "sph/particles.hpp"
+#include "sph/particle_values.hpp"
 
 namespace brunt {
 
 namespace {
-
-/// Bits of the state of a slot.
-void add_state(const MaterialState& state, std::size_t slot, EntityHash& hash) {
-  for (const auto& component : state.deviator) hash.add(component[slot]);
-  for (const auto* field :
-       {&state.pressure, &state.bulk, &state.eps_p, &state.temperature, &state.heat,
-        &state.compression_heat, &state.energy, &state.plastic_volume, &state.opening}) {
-    if (!field->empty()) hash.add((*field)[slot]);
-  }
-}
 
 bool is_finite(Real value) { return value - value == 0; }
 
@@ -114,11 +104,13 @@ void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
     if (!points_.conducts) body.heat.add(plastic), body.heat.add(warmed);
   }
   EntityHash hash(points_.id[i]);
-  add_state(block.state, slot, hash);
-  for (const Real value : {state.ratio, state.stress_work, state.viscous_work,
-                           state.artificial_work, state.viscous_power}) {
-    hash.add(value);
-  }
+  const auto add = [&](const auto& value, FieldUse use) {
+    if constexpr (std::is_same_v<decltype(value), const Real&>) {
+      if (use.hashed) hash.add(value);
+    }
+  };
+  visit_slot(block, slot, add);
+  visit_particle(state, add);
   totals.state_hash += hash.value();
 }
 

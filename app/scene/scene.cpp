@@ -59,18 +59,21 @@ void Scene<Dim>::refresh_motion() {
   if (ranks->alone()) return;
   for (auto& solid : solids) {
     auto& points = solid->points();
+    const auto each_copied = [&](const auto& f) {
+      Points<Dim>::visit_fields(points, copied_in(f));
+    };
+    std::size_t width = 0;
+    each_copied([&](const auto& field) {
+      width += width_of(typename std::remove_cvref_t<decltype(field)>::value_type{});
+    });
     refresh_ghosts(
-        *ranks, solid->ghosts(), 2 * Dim,
+        *ranks, solid->ghosts(), width,
         [&](std::size_t i, Real* out) {
-          for (int c = 0; c < Dim; ++c) out[c] = points.x[i][c], out[Dim + c] = points.v[i][c];
+          each_copied([&](const auto& field) { out = write_value(field[i], out); });
         },
         [&](std::size_t i, const Real* in) {
-          for (int c = 0; c < Dim; ++c) points.x[i][c] = in[c], points.v[i][c] = in[Dim + c];
+          each_copied([&](auto& field) { in = read_value(in, field[i]); });
         });
-    if (!points.conducts) continue;
-    refresh_ghosts(
-        *ranks, solid->ghosts(), 1, [&](std::size_t i, Real* out) { *out = points.temperature[i]; },
-        [&](std::size_t i, const Real* in) { points.temperature[i] = *in; });
   }
 }
 
@@ -89,16 +92,11 @@ void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
     auto& body = totals.bodies[points.body[i]];
     const Real m = points.mass[i];
     EntityHash hash(points.id[i]);
-    for (int c = 0; c < Dim; ++c) {
-      hash.add(points.x[i][c]);
-      hash.add(points.v[i][c]);
-      hash.add(points.a[i][c]);
-    }
+    hash_values<Dim>(hash, [&](const auto& add) {
+      Points<Dim>::visit_fields(points,
+                                [&](const auto& field, FieldUse use) { add(field[i], use); });
+    });
     if (points.conducts) {
-      hash.add(points.heat[i]);
-      if (points.conduction_every > 1) {
-        hash.add(points.kept_rate[i]), hash.add(points.kept_conductance[i]);
-      }
       body.heat.add(points.heat[i]);
       totals.heat.stored.add(points.heat[i]);
     }

@@ -1,22 +1,34 @@
 #pragma once
 /// The state of a material point as values of a row.
+#include "core/field_use.hpp"
 #include "core/materials/material.hpp"
 #include "core/state.hpp"
 
 namespace brunt {
 
-/// Hands all that point k of a state carries to row.
-template <class Row, class State>
-void visit_material_point(Row& row, State& state, std::size_t k) {
-  for (auto& component : state.deviator) row(component[k]);
-  row(state.pressure[k]);
-  row(state.bulk[k]);
-  for (auto* field :
-       {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat, &state.compression_heat,
-        &state.energy, &state.plastic_volume, &state.opening, &state.damage_index, &state.damage,
-        &state.softening_work, &state.softening_limit, &state.length}) {
-    if (!field->empty()) row((*field)[k]);
+/// Hands all that point k of a state carries to f(value, use); what is empty is not there.
+/// of_particles  use of what particles hash and elements do not
+template <class State, class F>
+void visit_material_point(State& state, std::size_t k, FieldUse of_particles, const F& f) {
+  const auto optional = [&](auto& field, FieldUse use) {
+    if (!field.empty()) f(field[k], use);
+  };
+  for (auto& component : state.deviator) f(component[k], kState);
+  f(state.pressure[k], kState);
+  f(state.bulk[k], of_particles);
+  optional(state.eps_p, kState);
+  optional(state.strain_rate, kSaved);
+  optional(state.temperature, kState);
+  optional(state.heat, of_particles);
+  optional(state.compression_heat, kState);
+  optional(state.energy, kState);
+  optional(state.plastic_volume, kState);
+  optional(state.opening, kState);
+  for (auto* field : {&state.damage_index, &state.damage, &state.softening_work}) {
+    optional(*field, kState);
   }
+  optional(state.softening_limit, kSaved);
+  optional(state.length, kSaved);
 }
 
 /// The optional fields of a state, for the name of a table: states with the same text have rows of

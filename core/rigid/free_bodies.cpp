@@ -226,6 +226,25 @@ StepLimit FreeBodies<Dim>::stable_step() const {
   return step_limit;
 }
 
+namespace {
+/// Hands every value that a body carries from step to step to f(value, use). Rows of a checkpoint
+/// have this order.
+template <class AnyBody, class F>
+void visit_free_body(AnyBody& body, const F& f) {
+  auto& state = body.state;
+  f(state.x, kState), f(state.v, kState), f(state.a, kState);
+  f(state.turn.coeffs(), kState), f(state.momentum, kState), f(state.torque, kState);
+  f(body.force, kSaved), f(body.torque, kSaved);
+  f(body.point_force, kSaved), f(body.point_torque, kSaved), f(body.reaction, kSaved);
+  f(body.integration, kSaved), f(body.boundary, kSaved);
+}
+/// The same of one of its points.
+template <class Group, class F>
+void visit_point_of_body(Group& group, std::size_t k, const F& f) {
+  f(group.last_force[k], kSaved), f(group.work[k], kSaved);
+}
+}  // namespace
+
 template <int Dim>
 void FreeBodies<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& group : groups_) {
@@ -246,11 +265,7 @@ void FreeBodies<Dim>::add_body_totals(Real dt, Totals<Dim>& totals) const {
     sums.mass.add(state.mass);
     sums.kinetic.add(state.kinetic(dt));
     EntityHash hash(body.piece);
-    for (int c = 0; c < 3; ++c) {
-      hash.add(state.x[c]), hash.add(state.v[c]), hash.add(state.a[c]);
-      hash.add(state.momentum[c]), hash.add(state.torque[c]);
-    }
-    for (int c = 0; c < 4; ++c) hash.add(state.turn.coeffs()[c]);
+    hash_values<3>(hash, [&](const auto& add) { visit_free_body(body, add); });
     totals.state_hash += hash.value();
     for (int c = 0; c < Dim; ++c) {
       sums.mass_position[static_cast<std::size_t>(c)].add(state.mass * state.x[c]);
@@ -262,32 +277,15 @@ void FreeBodies<Dim>::add_body_totals(Real dt, Totals<Dim>& totals) const {
   }
 }
 
-namespace {
-template <class Row, class AnyBody>
-void visit_body(Row& row, AnyBody& body) {
-  auto& state = body.state;
-  row(state.x), row(state.v), row(state.a);
-  row(state.turn.coeffs()), row(state.momentum), row(state.torque);
-  row(body.force), row(body.torque);
-  row(body.point_force), row(body.point_torque), row(body.reaction);
-  row(body.integration), row(body.boundary);
-}
-
-template <class Row, class Group>
-void visit_point(Row& row, Group& group, std::size_t k) {
-  row(group.last_force[k]), row(group.work[k]);
-}
-}  // namespace
-
 template <int Dim>
 void FreeBodies<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
-      [&](auto& row, std::size_t b) { visit_body(row, bodies_[b]); }, tables);
+      [&](auto& row, std::size_t b) { visit_free_body(bodies_[b], saved_in(row)); }, tables);
   for (const auto& group : groups_) {
     save_chosen(
         "rigid.points", *group.points, group.chosen,
-        [&](auto& row, std::size_t k) { visit_point(row, group, k); }, tables);
+        [&](auto& row, std::size_t k) { visit_point_of_body(group, k, saved_in(row)); }, tables);
   }
 }
 
@@ -295,11 +293,11 @@ template <int Dim>
 void FreeBodies<Dim>::load_state(const StateTables& tables) {
   load_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
-      [&](auto& row, std::size_t b) { visit_body(row, bodies_[b]); }, tables);
+      [&](auto& row, std::size_t b) { visit_free_body(bodies_[b], saved_in(row)); }, tables);
   for (auto& group : groups_) {
     load_chosen(
         "rigid.points", *group.points, group.chosen,
-        [&](auto& row, std::size_t k) { visit_point(row, group, k); }, tables);
+        [&](auto& row, std::size_t k) { visit_point_of_body(group, k, saved_in(row)); }, tables);
   }
   start();
 }

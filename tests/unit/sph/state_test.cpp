@@ -65,7 +65,7 @@ TEST(SphParticlesState, AParticleWithoutARowIsRefused) {
   std::vector<StateTable> tables;
   solid->save_state(tables);
   for (auto& table : tables) {
-    if (table.name == "particles") table.id.front() = 4711;
+    if (table.name == "particles.state") table.id.front() = 4711;
   }
   EXPECT_THROW(solid->load_state(StateTables(std::move(tables))), StateError);
 }
