@@ -12,7 +12,7 @@ namespace {
 
 Hourglass resolved(const Hourglass& hourglass, const Material& material) {
   if (!std::holds_alternative<AutomaticHourglass>(hourglass)) return hourglass;
-  if (material.yields()) return ViscousHourglass{};
+  if (material.yields() || material.shear == 0) return ViscousHourglass{};
   return AssumedStrainHourglass{};
 }
 

@@ -27,11 +27,11 @@ struct AssumedStrainHourglass {
       "bends right with few elements through a thickness; for elastic materials";
   Real coefficient = 1;
 };
-/// What the material asks for: viscous 0.1 where it yields, else assumed strain 1.
+/// What the material asks for: viscous 0.1 where it yields or flows, else assumed strain 1.
 struct AutomaticHourglass {
   static constexpr const char* deck_name = "auto";
   static constexpr const char* deck_help =
-      "viscous 0.1 where the material yields, else assumed_strain 1";
+      "viscous 0.1 where the material yields or is a fluid, else assumed_strain 1";
 };
 using Hourglass =
     std::variant<AutomaticHourglass, ViscousHourglass, StiffnessHourglass, AssumedStrainHourglass>;

@@ -30,8 +30,7 @@ constexpr Real kMostStrain = 3;
 Real stopping_strain(const deck::Material& material, Real speed) {
   const Real energy = 0.5 * material.density * speed * speed;
   if (std::holds_alternative<NoStrength>(material.strength)) {
-    const auto& elastic = material.elastic;
-    const Real modulus = elastic.bulk_modulus() + 4.0 / 3 * elastic.shear_modulus();
+    const Real modulus = material.bulk_modulus() + 4.0 / 3 * material.shear_modulus();
     return std::min(kMostStrain, speed * std::sqrt(material.density / modulus));
   }
   constexpr Real kStep = 1e-3;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "io/mesh/catalog.hpp"
+
 namespace brunt::deck {
 
 namespace {
@@ -45,6 +47,8 @@ Real smallest_size(const Body& body) {
   return *std::min_element(body.size->begin(), body.size->end()) / ratio;
 }
 
+bool has_mesh_file(const Body& body) { return mesh_reader(body.file) != nullptr; }
+
 bool follows_forces(const Body& body) {
   if (!body.rigid) return false;
   if (!body.motion) return !body.material.empty();
@@ -74,24 +78,35 @@ void describe(Schema& s, Motion& motion) {
 }
 
 namespace {
+/// Keys beside `file` that contradict it.
+void require_consistent_file(Schema& s, const Body& body) {
+  const bool is_sph = body.method == Method::sph, is_mesh = has_mesh_file(body);
+  const bool is_stl = body.file.size() > 4 && body.file.substr(body.file.size() - 4) == ".stl";
+  s.require(body.file.empty() || is_stl || is_mesh, "file",
+            "is read as .stl, triangles of a surface, or as a mesh: " + mesh_formats());
+  s.require(!is_stl || body.rigid || is_sph, "file",
+            "triangles are the surface of a body with rigid: true, or what particles fill with "
+            "method: sph; elements need a shape or a mesh");
+  s.require(!is_stl || s.geometry() == Geometry::three_d, "file", "only for geometry: 3d");
+  s.require(body.part.empty() || is_mesh, "part", "is a set of a mesh file; this is none");
+  s.require(!is_mesh || is_sph || (!body.size && !body.cells), body.size ? "size" : "cells",
+            "the elements are those of the file: take it out");
+  s.require(!is_mesh || body.grading.empty(), "grading",
+            "the elements are those of the file: take it out");
+}
+
 /// Keys of a body that contradict each other.
 void require_consistent(Schema& s, const Body& body) {
   const bool is_sph = body.method == Method::sph;
-  const bool is_stl = body.file.size() > 4 && body.file.substr(body.file.size() - 4) == ".stl";
-  s.require(body.file.empty() || is_stl, "file",
-            "only .stl is read in this version: write the surface as triangles");
-  s.require(body.file.empty() || body.rigid || is_sph, "file",
-            "triangles are the surface of a body with rigid: true, or what particles fill with "
-            "method: sph; elements need a shape");
-  s.require(body.file.empty() || s.geometry() == Geometry::three_d, "file",
-            "only for geometry: 3d");
+  require_consistent_file(s, body);
   s.require(!body.rigid || !is_sph, "rigid",
             "a rigid body of particles is not in this version; take method: sph out");
   s.require(!follows_forces(body) || !body.material.empty(), "motion",
             "a component that is free follows its forces, and that takes a mass: name a material");
   s.require(!follows_forces(body) || !std::holds_alternative<Plane>(body.shape.kind), "shape",
             "a plane has no volume and no mass to move by: take the material out, and it is held");
-  s.require(body.rigid || is_sph || body.size.has_value() != body.cells.has_value(),
+  s.require(body.rigid || is_sph || has_mesh_file(body) ||
+                body.size.has_value() != body.cells.has_value(),
             body.cells ? "cells" : "",
             body.cells ? "stands beside size: keep one of them"
                        : "needs size, the length of an element, or cells, their numbers");
@@ -112,7 +127,8 @@ void describe(Schema& s, Body& body) {
   const bool is_sph = body.method == Method::sph;
   s.text({"material", "name of a material", body.rigid ? Need::optional : Need::required},
          body.material);
-  s.text({"file", "an STL file of triangles, from the deck's folder, instead of a shape"},
+  s.text({"file",
+          "an STL file of triangles or a mesh file, from the deck's folder, instead of a shape"},
          body.file);
   s.section(body.file.empty(), "only without file", [&](Schema& shaped) {
     shaped.object({"shape", "where the body is at time 0", Need::required}, body.shape);
@@ -120,6 +136,7 @@ void describe(Schema& s, Body& body) {
   s.section(!body.file.empty(), "only beside file", [&](Schema& read) {
     read.real({"scale", "length that a unit of the file stands for"}, body.scale,
               {"m", positive(), between(1e-6, 1e3)});
+    read.text({"part", "named set of a mesh file; default: all of its elements"}, body.part);
     read.object({"rotate", "turns what the file holds"}, body.shape.rotate);
     read.list({"translate", "moves it, after it was turned"}, body.shape.translate, kPlace,
               Schema::kVector);

@@ -34,7 +34,8 @@ struct Body {
   bool rigid = false;
   std::string material;  ///< name in Deck::materials; empty: none (rigid only)
   Shape shape;           ///< of a body from a file: rotate and translate alone
-  std::string file;      ///< of triangles, instead of a shape; from the deck's folder
+  std::string file;      ///< of triangles or of a mesh, instead of a shape; from the deck's folder
+  std::string part;      ///< named set of a mesh file; empty: all of its elements
   Real scale = 1;        ///< [m] that a unit of length of the file stands for
   std::optional<std::vector<Real>> size;  ///< [m] element size or particle spacing, along each axis
   std::optional<std::vector<int>> cells;  ///< number of cells along each axis; FE only
@@ -51,6 +52,9 @@ struct Body {
 
 /// The smallest element size or spacing that the body is given [m]; 0 where it has `cells` or none.
 Real smallest_size(const Body& body);
+
+/// True where the body is taken from a mesh file; false: from a shape, or from a surface.
+bool has_mesh_file(const Body& body);
 
 /// True for a rigid body of which something follows its forces.
 bool follows_forces(const Body& body);

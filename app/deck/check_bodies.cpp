@@ -165,8 +165,28 @@ void check_rigid(Geometry geometry, const std::string& path, const Body& body, F
   }
 }
 
+/// Elements of a fluid resist no shear.
+void check_fluid(const Deck& deck, const std::string& path, const Body& body, Findings& findings) {
+  if (body.method != Method::fe) return;
+  const auto material =
+      std::find_if(deck.materials.begin(), deck.materials.end(),
+                   [&](const auto& candidate) { return candidate.name == body.material; });
+  if (material == deck.materials.end() || !findings.sound("materials." + material->name)) return;
+  if (material->value.shear_modulus() > 0) return;
+  const Hourglass& hourglass = body.element.hourglass;
+  if (std::holds_alternative<StiffnessHourglass>(hourglass) ||
+      std::holds_alternative<AssumedStrainHourglass>(hourglass)) {
+    findings.wrong(path + ".element.hourglass", "takes a shear modulus, and '" + material->name +
+                                                    "' is a fluid: take it out, or write viscous");
+  }
+  findings.warn(path + ".material",
+                "is a fluid, and its elements resist no shear: they hold where it is pressed, and "
+                "turn over where it flows; method: sph flows");
+}
+
 void check_element(const Deck& deck, const std::string& path, const Body& body,
                    Findings& findings) {
+  check_fluid(deck, path, body, findings);
   const Hourglass& hourglass = body.element.hourglass;
   if (std::holds_alternative<AutomaticHourglass>(hourglass)) return;
   if (body.element.integration != Integration::one_point) {

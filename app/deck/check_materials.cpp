@@ -56,7 +56,7 @@ void check_equation_of_state(const Named<Material>& material, Findings& findings
                                     " %; s is 1 to 2 for solids, such as 1.49 for copper");
   }
   const Real from_shock = material.value.density * eos->c0 * eos->c0;
-  const Real from_elastic = material.value.elastic.bulk_modulus();
+  const Real from_elastic = material.value.bulk_modulus();
   constexpr Real kFar = 2;
   if (from_shock > kFar * from_elastic || from_elastic > kFar * from_shock) {
     findings.warn(path + ".c0", "density c0^2 = " + short_text(from_shock / 1e9) +
@@ -71,7 +71,8 @@ void check_sound_speed(const Named<Material>& material, Findings& findings) {
   const auto reported = [&](const char* key) { return findings.warned(path + key); };
   if (reported(".density") || reported(".elastic")) return;  // of the same value
   constexpr Range kUsual{50, 20'000}, kSolid{300, 13'000};
-  const ElasticConstants& elastic = material.value.elastic;
+  if (!material.value.elastic) return;  // of fluids: laws bound their own sound speeds
+  const ElasticConstants& elastic = *material.value.elastic;
   const Real modulus = elastic.bulk_modulus() + 4.0 / 3 * elastic.shear_modulus();
   const Real density = material.value.density;
   const auto speed = [&](Real stiffer, Real denser) {

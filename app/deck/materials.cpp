@@ -9,12 +9,18 @@ Real ElasticConstants::bulk_modulus() const { return K ? *K : *E / (3 * (1 - 2 *
 
 Real ElasticConstants::shear_modulus() const { return G ? *G : *E / (2 * (1 + *nu)); }
 
+Real Material::bulk_modulus() const {
+  return elastic ? elastic->bulk_modulus() : make_eos(eos, {density, 0})->bulk_modulus();
+}
+
+Real Material::shear_modulus() const { return elastic ? elastic->shear_modulus() : 0; }
+
 void describe(Schema& s, ElasticConstants& elastic) {
   constexpr Quantity kModulus{"Pa", positive(), between(1e3, 2e12)};
   s.real({"E", "Young's modulus"}, elastic.E, kModulus);
   s.real({"nu", "Poisson's ratio"}, elastic.nu, {"1", {-1, 0.5, true, true}, between(0, 0.4999)});
   s.real({"K", "bulk modulus"}, elastic.K, kModulus);
-  s.real({"G", "shear modulus"}, elastic.G, kModulus);
+  s.real({"G", "shear modulus; 0: a fluid"}, elastic.G, {"Pa", at_least(0), between(0, 2e12)});
   const bool technical = elastic.E && elastic.nu && !elastic.K && !elastic.G;
   const bool theoretical = elastic.K && elastic.G && !elastic.E && !elastic.nu;
   s.require(technical || theoretical, "", "needs E and nu, or K and G, and not both pairs");
@@ -35,13 +41,22 @@ void describe(Schema& s, Thermal& thermal) {
 void describe(Schema& s, Material& material) {
   s.real({"density", "mass density at rest", Need::required}, material.density,
          {"kg/m^3", positive(), between(1, 3e4)});
-  s.object({"elastic", "E and nu, or K and G", Need::required}, material.elastic);
+  s.object({"elastic", "E and nu, or K and G; fluids with an eos of their own need none"},
+           material.elastic);
   s.one_of({"strength", "what limits the stress"}, material.strength);
   s.one_of({"eos", "pressure from volume"}, material.eos);
   s.one_of({"damage", "how it fails"}, material.damage);
   s.real({"tensile_cutoff", "pressure never falls below minus this"}, material.tensile_cutoff,
          {"Pa", at_least(0), between(0, 1e11)});
   s.object({"thermal", "heat capacity and what plastic work gives"}, material.thermal);
+  s.require(material.elastic || is_fluid(material.eos), "elastic",
+            "is missing: E and nu, or K and G");
+  s.require(!material.elastic || !material.elastic->complete() ||
+                material.elastic->shear_modulus() > 0 ||
+                std::holds_alternative<NoStrength>(material.strength),
+            "strength", "takes a shear modulus above 0: a fluid has no strength");
+  s.require(material.elastic || std::holds_alternative<NoStrength>(material.strength), "strength",
+            "takes a shear modulus: add `elastic`, or take the strength out of a fluid");
 }
 
 }  // namespace brunt::deck

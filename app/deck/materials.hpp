@@ -10,10 +10,11 @@ namespace brunt::deck {
 
 /// E and nu, or K and G: one pair is there.
 struct ElasticConstants {
-  std::optional<Real> E;       ///< [Pa] Young's modulus
-  std::optional<Real> nu;      ///< Poisson's ratio
-  std::optional<Real> K;       ///< [Pa] bulk modulus
-  std::optional<Real> G;       ///< [Pa] shear modulus
+  std::optional<Real> E;   ///< [Pa] Young's modulus
+  std::optional<Real> nu;  ///< Poisson's ratio
+  std::optional<Real> K;   ///< [Pa] bulk modulus
+  std::optional<Real> G;   ///< [Pa] shear modulus
+  bool complete() const { return (E && nu) || (K && G); }
   Real bulk_modulus() const;   ///< [Pa]
   Real shear_modulus() const;  ///< [Pa]
 };
@@ -25,13 +26,15 @@ struct Thermal {
 };
 
 struct Material {
-  Real density = 0;  ///< [kg/m^3]
-  ElasticConstants elastic;
-  StrengthLaw strength;  ///< one of the catalogue
+  Real density = 0;                         ///< [kg/m^3]
+  std::optional<ElasticConstants> elastic;  ///< none: a fluid
+  StrengthLaw strength;                     ///< one of the catalogue
   EosLaw eos;
   DamageChoice damage;
   std::optional<Real> tensile_cutoff;  ///< [Pa] positive: pressure never below minus this
   std::optional<Thermal> thermal;
+  Real bulk_modulus() const;   ///< [Pa] of the elastic constants, or of the equation of state
+  Real shear_modulus() const;  ///< [Pa] 0: a fluid
 };
 
 void describe(Schema& s, ElasticConstants& elastic);

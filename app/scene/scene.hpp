@@ -28,7 +28,9 @@ struct Scene {
   Real depth;                           ///< [m] plane strain
   Vec<Dim> origin;                      ///< [m] positions are relative to it
   std::vector<std::string> body_names;  ///< by label
-  std::vector<Label> sum_of_body;       ///< first of the bodies whose particles share one sum
+  /// [m] by label: the smallest size of its elements or particles; 0: it has none
+  std::vector<Real> body_size;
+  std::vector<Label> sum_of_body;  ///< first of the bodies whose particles share one sum
   std::vector<std::unique_ptr<Material>> materials;
   std::vector<std::unique_ptr<Solid<Dim>>> solids;
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch

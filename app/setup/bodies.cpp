@@ -6,6 +6,7 @@
 
 #include "app/deck/findings.hpp"
 #include "app/setup/heat.hpp"
+#include "app/setup/mesh_bodies.hpp"
 #include "core/geometry/mesh.hpp"
 #include "core/geometry/one_side.hpp"
 #include "core/geometry/placement.hpp"
@@ -70,12 +71,17 @@ void require_one_side_of_axis(const BodyGeometry<Dim>& body, Geometry geometry) 
                               ": x is the radius and never negative; a full bar begins at x = 0");
 }
 
-/// The surface in an STL file, scaled. A file is named from the deck's folder.
-StlSurface read_surface(const LoadedDeck& loaded, const Named<deck::Body>& named) {
+/// A body's file, which is named from the deck's folder.
+std::string file_of(const LoadedDeck& loaded, const Named<deck::Body>& named) {
   const std::filesystem::path deck_file =
       loaded.places.place("bodies." + named.name + ".file").file;
-  StlSurface surface = read_stl((deck_file.parent_path() / named.value.file).string());
-  for (Vec3& x : surface.nodes) x *= named.value.scale;
+  return (deck_file.parent_path() / named.value.file).string();
+}
+
+/// The surface in an STL file, scaled.
+StlSurface read_surface(const std::string& path, const deck::Body& body) {
+  StlSurface surface = read_stl(path);
+  for (Vec3& x : surface.nodes) x *= body.scale;
   return surface;
 }
 
@@ -107,24 +113,45 @@ void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
   place_all<3>(body.shape, geometry.points);
 }
 
+/// A body from a file: elements of a mesh, or a surface.
+template <int Dim>
+void take_file(const LoadedDeck& loaded, const Named<deck::Body>& named, bool conducts,
+               MeshFiles& files, BodyGeometry<Dim>& geometry, std::vector<Label>& piece) {
+  const deck::Body& body = named.value;
+  const int max_cells = loaded.deck.max_cells;
+  const std::string path = file_of(loaded, named);
+  const bool is_mesh = deck::has_mesh_file(body), is_surface = body.rigid && !conducts;
+  if (is_mesh && !is_surface && body.method == deck::Method::fe) {
+    take_mesh_elements<Dim>(body, files.read(path), max_cells, geometry, piece);
+    return;
+  }
+  if (!is_mesh && body.rigid && conducts) {
+    throw std::invalid_argument(
+        "is a surface, and has no elements inside that could conduct heat: take k out of the "
+        "material, or fill a `shape` instead");
+  }
+  if (is_mesh && is_surface) {
+    take_mesh_facets<Dim>(body, files.read(path), geometry);
+  } else if constexpr (Dim == 3) {
+    take_surface(body, is_mesh ? mesh_surface(body, files.read(path)) : read_surface(path, body),
+                 max_cells, geometry);
+  } else {
+    throw std::invalid_argument("particles fill a file in geometry: 3d alone: write a `shape`");
+  }
+  geometry.piece_names = {""};
+  piece.assign(body.rigid ? geometry.facets.size() : geometry.points.size(), 0);
+}
+
 template <int Dim>
 BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& named, bool conducts,
-                            Label& next_piece) {
+                            MeshFiles& files, Label& next_piece) {
   const Deck& deck = loaded.deck;
   const deck::Body& body = named.value;
   BodyGeometry<Dim> geometry;
   const Sizing sizing{body.size, body.cells, body.grading};
   std::vector<Label> piece;
   if (!body.file.empty()) {
-    if (body.rigid && conducts) {
-      throw std::invalid_argument(
-          "is a surface, and has no elements inside that could conduct heat: take k out of the "
-          "material, or fill a `shape` instead");
-    }
-    if constexpr (Dim == 3)
-      take_surface(body, read_surface(loaded, named), deck.max_cells, geometry);
-    geometry.piece_names = {""};
-    piece.assign(body.rigid ? geometry.facets.size() : geometry.points.size(), 0);
+    take_file<Dim>(loaded, named, conducts, files, geometry, piece);
   } else if (body.rigid && !conducts) {
     auto surface = surface_of_shape<Dim>(body.shape, sizing, deck.geometry);
     geometry.points = std::move(surface.nodes);
@@ -164,6 +191,7 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
                                            std::vector<DeckProblem>& problems) {
   std::vector<BodyGeometry<Dim>> bodies;
   Label next_piece = 0;
+  MeshFiles files;
   for (std::size_t b = 0; b < loaded.deck.bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[b];
     if (const auto wrong = heat_problem(body, name); !wrong.empty()) {
@@ -172,7 +200,7 @@ std::vector<BodyGeometry<Dim>> make_bodies(const LoadedDeck& loaded,
     }
     try {
       const bool conducts = heat_mode(loaded.deck, body, name) == HeatMode::conducts;
-      bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], conducts, next_piece));
+      bodies.push_back(make_body<Dim>(loaded, loaded.deck.bodies[b], conducts, files, next_piece));
       bodies.back().label = static_cast<Label>(b);
     } catch (const GradingError& error) {
       problems.push_back(loaded.places.problem("bodies." + name + ".grading", error.what()));

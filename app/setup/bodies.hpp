@@ -20,6 +20,12 @@ struct BodyElements {
   std::size_t n() const { return static_cast<std::size_t>(type->corners); }
 };
 
+/// Points of a body by the name that its mesh file gives them.
+struct NamedPoints {
+  std::string name;
+  std::vector<int> points;  ///< of the body, ascending
+};
+
 /// The geometry of one named body, absolute coordinates, before groups are formed.
 template <int Dim>
 struct BodyGeometry {
@@ -30,8 +36,11 @@ struct BodyGeometry {
   std::vector<Label> piece;                                 ///< of each element, particle or facet
   std::vector<std::string> piece_names;                     ///< at least one
   std::vector<Real> spacing;                                ///< [m] particles: one an axis
-  Real volume = 0;           ///< [m^Dim] of the shape: particles' mass is exact
-  std::size_t left_out = 0;  ///< triangles without area in the file
+  Real volume = 0;                 ///< [m^Dim] of the shape: particles' mass is exact
+  std::size_t left_out = 0;        ///< triangles without area in the file
+  Real shortest_edge = 0;          ///< [m] of elements from a file; elsewhere 0
+  std::vector<NamedPoints> sets;   ///< of a mesh file
+  std::vector<std::string> notes;  ///< for the log
 };
 
 /// Meshes or fills every body of the deck; problems are collected, not thrown.

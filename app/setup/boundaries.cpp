@@ -226,7 +226,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     if (!solid) continue;
     auto& points = solid->points();
     const Choose<Dim> choose{points, solid->surface(), scene.origin, label,
-                             0.1 * deck::smallest_size(body)};
+                             0.1 * scene.body_size[label]};
     const auto chosen = std::visit(choose, boundary.where);
     if (chosen.empty()) {
       problems.push_back(loaded.places.problem(

@@ -108,6 +108,16 @@ bool is_adiabatic(const Deck& deck, const Named<deck::Body>& body) {
   return heat_mode(deck, body.value, body.name) == HeatMode::adiabatic;
 }
 
+/// A body's element options; elements from a file are of the kind that they are there.
+template <int Dim>
+ElementOptions element_options(const deck::Body& body, const BodyElements& elements) {
+  ElementOptions options = body.element;
+  const auto& types = ElementCatalog<Dim>::types;
+  options.type =
+      static_cast<int>(std::find(types.begin(), types.end(), elements.type) - types.begin());
+  return options;
+}
+
 bool same_element(const ElementOptions& a, const ElementOptions& b) {
   const auto coefficient = [](const Hourglass& hourglass) {
     if (const auto* viscous = std::get_if<ViscousHourglass>(&hourglass))
@@ -153,15 +163,16 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     const auto& body = loaded.deck.bodies[geometry.label].value;
     const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
     const Material* material = material_of(loaded.deck, scene.materials, body);
+    const ElementOptions options = element_options<Dim>(body, geometry.elements);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ElementSet<Dim>& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
-             same_element(s.options, body.element);
+             same_element(s.options, options);
     });
     if (set == sets.end()) {
       sets.emplace_back();
       set = sets.end() - 1;
-      set->material = material, set->options = body.element;
+      set->material = material, set->options = options;
       set->temperature = temperature, set->adiabatic = adiabatic;
       set->conducts = kind.conducts, set->held = kind.held, set->rigid = kind.rigid;
     }

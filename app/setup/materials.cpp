@@ -10,8 +10,7 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
     auto material = std::make_unique<Material>();
     material->name = name;
     material->density = given.density;
-    material->shear = given.elastic.shear_modulus();
-    material->bulk = given.elastic.bulk_modulus();
+    material->shear = given.shear_modulus();
     material->tensile_cutoff = given.tensile_cutoff.value_or(kInfinity);
     material->thermal = given.thermal.has_value();
     StrengthInputs strength;
@@ -26,7 +25,7 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
       strength.taylor_quinney = given.thermal->taylor_quinney;
     }
     material->strength = make_strength(given.strength, strength);
-    material->eos = make_eos(given.eos, EosInputs{given.density, material->bulk});
+    material->eos = make_eos(given.eos, EosInputs{given.density, given.bulk_modulus()});
     material->bulk = material->eos->bulk_modulus();
     material->damage = make_damage(given.damage, {material->shear});
     materials.push_back(std::move(material));

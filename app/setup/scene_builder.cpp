@@ -122,6 +122,20 @@ void add_contact(const Deck& deck, Scene<Dim>& scene) {
                         " pairs of bodies may touch: history.csv has columns of those that "
                         "`contact: {pairs: ...}` names");
 }
+
+/// What only the files of bodies know: sizes of their elements, and what was found in them.
+template <int Dim>
+void take_from_files(const Deck& deck, const std::vector<BodyGeometry<Dim>>& bodies,
+                     Scene<Dim>& scene) {
+  for (const auto& body : bodies) {
+    const std::string& name = deck.bodies[body.label].name;
+    if (body.shortest_edge > 0) scene.body_size[body.label] = body.shortest_edge;
+    for (const auto& note : body.notes) scene.notes.push_back(name + ": " + note);
+    if (body.left_out == 0) continue;
+    scene.notes.push_back(name + ": " + std::to_string(body.left_out) +
+                          " triangles of its file have no area and were left out");
+  }
+}
 }  // namespace
 
 template <int Dim>
@@ -140,14 +154,11 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
                                             deck.depth);
   for (const auto& body : deck.bodies) {
     scene->body_names.push_back(body.name);
+    scene->body_size.push_back(deck::smallest_size(body.value));
   }
   scene->sum_of_body = first_bonded(deck);
   scene->materials = make_materials(deck);
-  for (const auto& body : bodies) {
-    if (body.left_out == 0) continue;
-    scene->notes.push_back(deck.bodies[body.label].name + ": " + std::to_string(body.left_out) +
-                           " triangles of its file have no area and were left out");
-  }
+  take_from_files(deck, bodies, *scene);
 
   NextIds next;
   for (const GroupKind kind : kGroupKinds) {

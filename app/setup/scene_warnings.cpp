@@ -46,7 +46,7 @@ void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene,
     const deck::Body& given = loaded.deck.bodies[label].value;
     if (given.rigid) return;  // its surface alone has points
     const Real far = find_place(scene.view(label), at).point_distance;
-    if (far > deck::smallest_size(given)) {
+    if (far > scene.body_size[label]) {
       warn(path, "lies outside of '" + body + "': values of its nearest point are taken, " +
                      deck::length_text(far) + " away");
     }

@@ -45,18 +45,17 @@ std::string find_probe(const deck::Probe& given, const BodyView& view, Probe& pr
 }
 
 /// Points within a tenth of the body's size behind the plane lie on it, and before the section.
-Real tolerance_of(const deck::Body& body, Real at) {
+Real tolerance_of(Real size, Real at) {
   constexpr Real kRounding = 1e-9;
-  const Real size = deck::smallest_size(body);
   return size > 0 ? 0.1 * size : kRounding * std::fabs(at);
 }
 
 template <int Dim>
-std::string find_section(const deck::Section& given, const deck::Body& body,
+std::string find_section(const deck::Section& given, const deck::Body& body, Real size,
                          const Scene<Dim>& scene, MaterialSection<Dim>& section) {
   if (body.rigid) return "'" + given.body + "' is rigid: no stress of it is known";
   section.axis = static_cast<int>(given.plane.axis);
-  section.at = given.plane.at + tolerance_of(body, given.plane.at) - scene.origin[section.axis];
+  section.at = given.plane.at + tolerance_of(size, given.plane.at) - scene.origin[section.axis];
   std::size_t before = 0, beyond = 0;
   for (std::size_t s = 0; s < scene.solids.size(); ++s) {
     const auto& points = scene.solids[s]->points();
@@ -92,7 +91,8 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
     if (!body) continue;  // reported by the deck's own checks
     MaterialSection<Dim> section;
     section.name = name, section.body = *body;
-    const auto wrong = find_section(given, deck.bodies[*body].value, scene, section);
+    const auto wrong =
+        find_section(given, deck.bodies[*body].value, scene.body_size[*body], scene, section);
     if (tell("sections." + name + ".plane", wrong)) continue;
     scene.sections.add(std::move(section));
   }

@@ -21,6 +21,17 @@ template <DamageLaw Law>
 std::unique_ptr<Damage> make(const Law& law, const DamageInputs& inputs) {
   return std::make_unique<Softening<Law>>(law, inputs);
 }
+
+std::unique_ptr<EquationOfState> make(const LinearEos&, const EosInputs& inputs) {
+  return std::make_unique<LinearEquation>(inputs.bulk);
+}
+std::unique_ptr<EquationOfState> make(const MieGruneisen& law, const EosInputs& inputs) {
+  return std::make_unique<MieGruneisenEquation>(law, inputs.density);
+}
+template <EosFormula Law>
+std::unique_ptr<EquationOfState> make(const Law& law, const EosInputs& inputs) {
+  return std::make_unique<PrintedEquation<Law>>(law, inputs);
+}
 }  // namespace
 
 std::unique_ptr<Damage> make_damage(const DamageChoice& law, const DamageInputs& inputs) {
@@ -31,14 +42,16 @@ std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthIn
   return std::visit([&](const auto& chosen) { return make(chosen, inputs); }, law);
 }
 
-std::unique_ptr<EquationOfState> make_eos(const LinearEos&, const EosInputs& inputs) {
-  return std::make_unique<LinearEquation>(inputs.bulk);
+bool is_fluid(const EosLaw& law) {
+  return std::visit(
+      [](const auto& chosen) {
+        return requires { chosen.kFluid; };
+      },
+      law);
 }
-std::unique_ptr<EquationOfState> make_eos(const MieGruneisen& law, const EosInputs& inputs) {
-  return std::make_unique<MieGruneisenEquation>(law, inputs.density);
-}
+
 std::unique_ptr<EquationOfState> make_eos(const EosLaw& law, const EosInputs& inputs) {
-  return std::visit([&](const auto& chosen) { return make_eos(chosen, inputs); }, law);
+  return std::visit([&](const auto& chosen) { return make(chosen, inputs); }, law);
 }
 
 }  // namespace brunt

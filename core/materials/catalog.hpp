@@ -1,18 +1,21 @@
 #pragma once
-/// The list of models. A new one: its file, its name in a list here, and make_* in catalog.cpp if
-/// neither return serves it (docs/adding.md).
+/// The list of models. A new one: its file, its name in a list here, and make in catalog.cpp where
+/// it is not made of a printed formula (docs/adding.md).
 #include <variant>
 
 #include "core/materials/damage_laws.hpp"
 #include "core/materials/drucker_prager.hpp"
 #include "core/materials/elastic.hpp"
 #include "core/materials/eos_linear.hpp"
+#include "core/materials/ideal_gas.hpp"
 #include "core/materials/j2.hpp"
 #include "core/materials/johnson_cook.hpp"
 #include "core/materials/mie_gruneisen.hpp"
+#include "core/materials/polynomial.hpp"
 #include "core/materials/pressure_return.hpp"
 #include "core/materials/radial_return.hpp"
 #include "core/materials/steinberg_guinan.hpp"
+#include "core/materials/tait.hpp"
 #include "core/materials/zerilli_armstrong.hpp"
 
 namespace brunt {
@@ -20,7 +23,10 @@ namespace brunt {
 /// The deck's `strength` and `eos`, in the order of the manual; the first is the default.
 using StrengthLaw =
     std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan, DruckerPrager>;
-using EosLaw = std::variant<LinearEos, MieGruneisen>;
+using EosLaw = std::variant<LinearEos, MieGruneisen, Tait, Polynomial, IdealGas>;
+
+/// True of laws of fluids, which need no elastic constants: `static constexpr bool kFluid = true`.
+bool is_fluid(const EosLaw& law);
 
 /// The deck's `damage`.
 using DamageChoice = std::variant<NoDamage, JohnsonCookDamage, StrainDamage, CockcroftLatham,
@@ -31,13 +37,6 @@ std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthIn
 /// Null where nothing fails.
 std::unique_ptr<Damage> make_damage(const DamageChoice& law, const DamageInputs& inputs);
 
-/// What an equation of state takes from its material.
-struct EosInputs {
-  Real density = 0;  ///< [kg/m^3] rho0
-  Real bulk = 0;     ///< [Pa] K of the elastic constants; laws with a sound speed have their own
-};
-std::unique_ptr<EquationOfState> make_eos(const LinearEos& law, const EosInputs& inputs);
-std::unique_ptr<EquationOfState> make_eos(const MieGruneisen& law, const EosInputs& inputs);
 std::unique_ptr<EquationOfState> make_eos(const EosLaw& law, const EosInputs& inputs);
 
 }  // namespace brunt

@@ -1,7 +1,7 @@
 #pragma once
 /// Materials that fail. A law says how far a point is on its way: its index is 1 where failure
 /// begins. From then on the point softens and keeps (1 - damage) of its stress, pressure excepted
-/// that compresses: what has opened closes again. docs/theory/materials.md (M18)
+/// that compresses: what has opened closes again. docs/theory/materials.md (M21)
 #include "core/materials/principal_stress.hpp"
 #include "core/materials/tile_rows.hpp"
 
@@ -28,7 +28,7 @@ concept DamageLaw = requires(const Law& law, const DamagePoint<Real>& at) {
   /// It reads the largest principal stress, which costs some twenty operations.
   { Law::kNeedsPrincipal } -> std::convertible_to<bool>;
   { law.needs_temperature() } -> std::same_as<bool>;
-  /// [J/m^2] taken by a crack of what carries no more, as (M18); 0: it fails in one step.
+  /// [J/m^2] taken by a crack of what carries no more, as (M21); 0: it fails in one step.
   { law.energy } -> std::convertible_to<Real>;
 };
 

@@ -60,7 +60,7 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
   const std::size_t size = (n + kTile - 1) / kTile * kTile;
   MaterialState state;
   for (auto& component : state.deviator) component.assign(size, 0.0);
-  state.pressure.assign(size, 0.0);
+  state.pressure.assign(size, eos->initial_pressure());
   state.bulk.assign(size, eos->bulk_modulus());
   if (yields()) {
     state.eps_p.assign(size, 0.0);
@@ -71,7 +71,7 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
     if (yields()) state.heat.assign(size, 0.0);
     if (warms_by_compression()) state.compression_heat.assign(size, 0.0);
   }
-  if (eos->needs_energy()) state.energy.assign(size, 0.0);
+  if (eos->needs_energy()) state.energy.assign(size, eos->initial_energy());
   if (strength->changes_volume()) {
     state.plastic_volume.assign(size, 1.0);
     state.opening.assign(size, 1.0);

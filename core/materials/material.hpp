@@ -33,7 +33,7 @@ struct MaterialState {
   /// Of materials that fail: how far the way to failure is gone, 1 where it begins; the share of
   /// the stress that is lost; and where softening takes energy the work since it began, that at
   /// which nothing is left [J/m^3], and the size of the element or particle [m], which its owner
-  /// sets. docs/theory/materials.md (M18)
+  /// sets. docs/theory/materials.md (M21)
   std::vector<Real> damage_index, damage, softening_work, softening_limit, length;
   std::size_t size() const { return pressure.size(); }
 };
@@ -78,6 +78,12 @@ class Strength {
                            Real fixed_temperature) const = 0;
 };
 
+/// What an equation of state takes from its material.
+struct EosInputs {
+  Real density = 0;  ///< [kg/m^3] rho0
+  Real bulk = 0;     ///< [Pa] K of the elastic constants; laws with a sound speed have their own
+};
+
 /// The equation of state: updates pressure, tangent bulk modulus and energy of a tile.
 class EquationOfState {
  public:
@@ -86,6 +92,9 @@ class EquationOfState {
   virtual void update(MaterialTile& tile, const Real* deviatoric_work) const = 0;
   virtual bool needs_energy() const = 0;
   virtual Real bulk_modulus() const = 0;  ///< [Pa] at the reference state
+  /// [J/m^3] and [Pa] at the reference state, in which points start.
+  virtual Real initial_energy() const { return 0; }
+  virtual Real initial_pressure() const { return 0; }
   /// V/V0 below which the law is held and no longer resists as printed; 0: never.
   virtual Real densest_ratio() const { return 0; }
   /// Writes ln(T_new/T_old) [1] of the step at constant entropy, tile-indexed; asked only of laws

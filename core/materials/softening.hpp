@@ -4,7 +4,7 @@
 
 namespace brunt {
 
-/// (M18): damage that grows with the work w [J/m^3] that the intact part has taken since the index
+/// (M22): damage that grows with the work w [J/m^3] that the intact part has taken since the index
 /// reached 1,
 ///   d = w/w_f,  w_f = 2 (G_f/L - psi),
 /// L [m] the size of the element and psi [J/m^3] the elastic energy at that moment. With d linear
@@ -153,7 +153,7 @@ Pack Softening<Law>::soften(const MaterialTile& tile, const Four& four, Pack ind
       s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
   const Pack tension = vmin(four.pressure, zero);
   const Pack elastic =
-      square * (0.25 / inputs_.shear) + 0.5 * tension * tension / load(state.bulk.data() + at);
+      square * (inputs_.shear > 0 ? 0.25 / inputs_.shear : 0.0) + 0.5 * tension * tension / load(state.bulk.data() + at);
   Real* const limit_at = state.softening_limit.data() + at;
   const Pack room = 2.0 * (law_.energy / load(state.length.data() + at) - elastic);
   const Pack limit = select(fresh, vmax(room, zero), load(limit_at));

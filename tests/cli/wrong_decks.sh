@@ -10,7 +10,7 @@ brunt=$1
 decks=$2/tests/wrong
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp "$decks"/*.yaml "$decks"/*.stl "$work"
+cp "$decks"/*.yaml "$decks"/*.stl "$decks"/*.msh "$work"
 cd "$work"
 export OMP_NUM_THREADS=1
 failures=0

@@ -23,6 +23,17 @@ def tetrahedron():
     return text + "endsolid tool\n"
 
 
+def bracket():
+    """Two hexahedra of 10 mm in Gmsh's format: the group "plate", and below it the faces "bed", upwards."""
+    nodes = [(10 * i, 10 * j, 10 * k) for k in (0, 1) for j in (0, 1) for i in (0, 1, 2)]
+    cells = [(5, 2, "%d %d %d %d %d %d %d %d" % tuple(n + i for n in (1, 2, 5, 4, 7, 8, 11, 10))) for i in (0, 1)]
+    cells += [(3, 1, "%d %d %d %d" % tuple(n + i for n in (1, 4, 5, 2))) for i in (0, 1)]
+    text = '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 "bed"\n3 2 "plate"\n$EndPhysicalNames\n'
+    text += "$Nodes\n12\n" + "".join("%d %g %g %g\n" % (i, *x) for i, x in enumerate(nodes, 1)) + "$EndNodes\n"
+    lines = ("%d %d 2 %d 1 %s\n" % (i, kind, group, corners) for i, (kind, group, corners) in enumerate(cells, 1))
+    return text + "$Elements\n4\n" + "".join(lines) + "$EndElements\n"
+
+
 def blocks(page):
     return re.findall(r"^```yaml\n(.*?)^```", page.read_text(), re.M | re.S)
 
@@ -58,6 +69,7 @@ def main():
         folder = pathlib.Path(folder)
         (folder / "curve.csv").write_text(CURVE)
         (folder / "tool.stl").write_text(tetrahedron())
+        (folder / "bracket.msh").write_text(bracket())
         for page in sorted((source / "docs/guide").glob("*.md")) + [source / "README.md"]:
             all_blocks = blocks(page)
             if not all_blocks:

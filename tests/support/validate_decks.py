@@ -25,7 +25,8 @@ NOT_SEEN = {
         boundary-does-nothing grading-of-a-wall grading-of-particles particles-of-three-spacings
         element-options-on-particles particle-options-on-elements plane-that-deforms
         measure-temperature-of-a-cold-body measures-wrong only-rigid bonded-elements
-        wall-courses-upwards""",
+        wall-courses-upwards fluid-with-strength fluid-hourglass-stiffness material-without-elastic
+        mesh-beside-size""",
     "the geometry decides": """
         axis-out-of-plane axisymmetric-across-the-axis axisymmetric-cylinder-off-the-axis
         axisymmetric-particles axisymmetric-spin boundary-axis-z-in-2d cells-of-three-dimensions
@@ -36,7 +37,7 @@ NOT_SEEN = {
         history-column-unknown include-cycle include-not-found library-unknown
         material-unknown parameter-unknown-and-unused""",
     "a mesh or a surface": """
-        bodies-overlap boundary-of-no-points grading-of-one-cell
+        bodies-overlap boundary-of-no-points grading-of-one-cell mesh-wrong
         ogive-of-elements open-surface particles-in-one-place particles-larger-than-the-shape
         particles-overlap polygon-crosses-itself polygon-folds-over polygon-of-no-area
         polygon-without-corners rod-inside-a-tube-too-narrow size-far-too-small

@@ -86,8 +86,8 @@ TEST(Deck, HoldsValuesInSi) {
   EXPECT_EQ(std::get<JohnsonCook>(copper.strength).C, 0);
   EXPECT_EQ(std::get<MieGruneisen>(copper.eos).c0, 3940);
   // K = E/(3(1 - 2 nu)), G = E/(2(1 + nu)) of 124 GPa and 0.34.
-  EXPECT_DOUBLE_EQ(copper.elastic.bulk_modulus(), 124e9 / 0.96);
-  EXPECT_DOUBLE_EQ(copper.elastic.shear_modulus(), 124e9 / 2.68);
+  EXPECT_DOUBLE_EQ(copper.bulk_modulus(), 124e9 / 0.96);
+  EXPECT_DOUBLE_EQ(copper.shear_modulus(), 124e9 / 2.68);
   const auto& bar = deck.bodies[0].value;
   EXPECT_EQ(std::get<Cylinder>(bar.shape.kind).radius, 3.81e-3);
   EXPECT_EQ(bar.size, (std::vector<Real>{0.4e-3, 0.4e-3, 0.4e-3}));
