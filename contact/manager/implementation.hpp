@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/contacts/lost.hpp"
+#include "contact/contacts/memory.hpp"
 #include "contact/evaluate/evaluate.hpp"
 #include "contact/manager/manager.hpp"
 #include "contact/search/near_bodies.hpp"
@@ -37,14 +37,8 @@ struct ContactManager<Dim>::Implementation {
   /// Records and step limits of the lists at the present motion; friction goes on from its past, or
   /// is left out where there is none: at time 0, and where the last evaluation is repeated.
   void evaluate(Real dt, const StepLimit& longest, Real ahead, FrictionHistory<Dim>* past);
-  /// Remembers the contacts that the evaluation at `time` after a step dt has lost.
-  void remember_lost(Real dt, Real time);
-  void save_lost(std::vector<StateTable>& tables) const;
-  void load_lost(const StateTables& tables);
   /// Reads what friction asks of materials at the start of the step. Collective among neighbours.
   void read_materials();
-  /// Makes the records of the last step the past of this one, and books their work at nodes.v.
-  void begin_friction(Real dt);
   /// Remembers a coefficient of friction that is no number at least 0, and allows no step.
   void refuse_friction(const ContactRecord<Dim>& record, const Friction<Dim>& friction);
   /// Books what friction did in this step, and what the faces carry from now on. Collective.
@@ -52,25 +46,9 @@ struct ContactManager<Dim>::Implementation {
   /// Where bodies press at time 0: accelerations of their points, and what the springs hold, from
   /// the records. Collective.
   void press_at_start();
-  /// Tables of what pairs keep from time 0, as those of friction.
-  void save_touches(std::vector<StateTable>& tables) const;
-  void load_touches(const StateTables& tables);
   /// Puts together what both sides of each contact of particles leave for heat. Collective among
   /// neighbours.
   void complete_pair_heat();
-  /// Finds the nodes of all records in new tables at the same positions.
-  void name_nodes();
-  /// Tables of what contacts remember: one for each place of a contact among those of its lower
-  /// face, or of its particle.
-  void save_friction(std::vector<StateTable>& tables) const;
-  /// Gives the records of an evaluation without friction what they remembered. Collective.
-  void load_friction(const StateTables& tables);
-  /// Mixed bits of what all contacts remember, in any order.
-  std::uint64_t friction_hash() const;
-  std::uint64_t touch_hash() const;
-  /// How the areas of faces grew in the last step.
-  void save_growths(std::vector<StateTable>& tables) const;
-  void load_growths(const StateTables& tables);
   /// What each face carries, from the records of all ranks. Collective.
   void sum_tractions();
 
@@ -87,11 +65,8 @@ struct ContactManager<Dim>::Implementation {
   Records<Dim> records;
   std::vector<ParticleLoad> loads;  // by particle; empty where no row of pairs is there
   std::vector<PairSide> sides;      // by candidate of pairs; empty where nothing conducts
-  FrictionHistory<Dim> history;
-  std::vector<EndedHeat> ended_heat;    // of the step under way
-  FirstTouches touches;                 // as the last evaluation left them
-  LostContacts<Dim> lost;               // since time 0
-  std::vector<DeepParticle<Dim>> deep;  // of the last evaluation
+  ContactMemory<Dim> memory;
+  std::vector<EndedHeat> ended_heat;  // of the step under way
   /// The first coefficient of friction of the last evaluation that is none, with its contact.
   std::optional<PhysicsFailure> wrong_friction;
   Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]
@@ -101,15 +76,6 @@ struct ContactManager<Dim>::Implementation {
   bool started = false;  // forces have been evaluated
   WallTime list_time;    // within add_forces, not taken yet
 };
-
-/// The node to which the energies of a contact are booked; its evaluator owns it.
-template <int Dim>
-std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
-  const LocalIndex node = key.of_particle
-                              ? entities.particles[entities.particle_with(key.first)].node
-                              : entities.faces[entities.face_with(key.first)].node[0];
-  return static_cast<std::size_t>(node);
-}
 
 }  // namespace brunt
 // Tested by tests/unit/contact/manager_test.cpp.

@@ -75,7 +75,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepLimit& lon
   const bool repeated = past == nullptr;
   const EvaluationStep step{dt,
                             ahead,
-                            {&touches, repeated && !started, repeated && started},
+                            {&memory.touches(), repeated && !started, repeated && started},
                             entities.longest_step,
                             rigid.step_limit.step,
                             candidates.way_of_faces(entities) > 0};
@@ -105,7 +105,7 @@ void ContactManager<Dim>::Implementation::evaluate(Real dt, const StepLimit& lon
                         evaluate_pairs<Dim>(entities, chosen, section, step, past, part);
                       });
   }
-  records.collect_touches(touches);
+  memory.keep_touches(records);
   step_limit = longest;
   step_limit.take(records.step_limit());
 }
@@ -152,7 +152,7 @@ void ContactManager<Dim>::rearrange() {
   auto& own = *implementation_;
   if (own.started) {
     own.renew(own.ahead_last, false);
-    own.name_nodes();
+    own.records.name_nodes(own.entities);
     return;
   }
   own.entities.refresh_planes();
@@ -181,7 +181,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
     own.entities.refresh_planes();
   };
   read_motion();
-  own.begin_friction(dt);
+  own.memory.begin_step(own.records, nodes, dt);
   StepLimit longest = own.longest_after(dt);
   const Real ahead = own.look_ahead(dt, longest);
   {
@@ -199,8 +199,8 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
   }
   own.imports.refresh_tractions(own.entities);
   own.read_materials();
-  own.evaluate(dt, longest, ahead, &own.history);
-  own.remember_lost(dt, time);
+  own.evaluate(dt, longest, ahead, &own.memory.past());
+  own.memory.keep_lost(own.records, own.entities, dt, time);
   const auto elsewhere = own.imports.send_home(own.records, nodes);
   apply<Dim>(own.records, elsewhere, dt, own.surfaces, nodes);
   own.end_friction();
@@ -262,8 +262,7 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
     totals.add(Column::contact_spring, record.stored);
     totals.add(Column::contact_pairs, -record.stored);
   });
-  if (nodes.has_friction) totals.state_hash += implementation_->friction_hash();
-  totals.state_hash += implementation_->touch_hash();
+  totals.state_hash += implementation_->memory.hash(implementation_->records);
 }
 
 template <int Dim>

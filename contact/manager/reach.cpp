@@ -47,9 +47,9 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
   }
   own.records.visit([&](const ContactRecord<Dim>& record) {
     auto& touch = all.touches.emplace_back();
-    touch.of_particle = record.of_particle;
-    touch.evaluator = record.of_particle ? entities.particle_with(record.first)
-                                         : entities.face_with(record.first);
+    touch.kind = record.kind;
+    touch.evaluator = record.kind == ContactKind::face_face ? entities.face_with(record.first)
+                                                            : entities.particle_with(record.first);
     for (std::size_t i = 0; i < static_cast<std::size_t>(record.n_nodes); ++i) {
       touch.node.push_back(name_of(entities.nodes, record.node[i]));
     }

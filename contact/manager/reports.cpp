@@ -228,7 +228,7 @@ template <int Dim>
 std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) const {
   const auto& own = *implementation_;
   std::map<std::size_t, LostReport> found;
-  for (const auto& contact : own.lost.all()) {
+  for (const auto& contact : own.memory.lost()) {
     const auto pair = own.pairs.find(contact.lower_body, contact.upper_body);
     if (!pair) continue;
     const auto is = [&](std::uint32_t how) { return contact.key.ordinal == how ? 1 : 0; };
@@ -263,7 +263,7 @@ ContactView ContactManager<Dim>::view() const {
   ContactView view;
   own.records.visit_whole([&](const WholeRecord<Dim>& whole) {
     const auto& record = whole.record;
-    if (record.of_particle) {
+    if (record.kind != ContactKind::face_face) {
       append<Dim>(view.position, record.point);
       view.polygon_size.push_back(1);
     } else {
@@ -276,7 +276,7 @@ ContactView ContactManager<Dim>::view() const {
     view.body_a.push_back(record.lower_body);
     view.body_b.push_back(record.upper_body);
     const auto key = key_of(record);
-    view.key.push_back({key.of_particle, key.first, key.second, key.ordinal});
+    view.key.push_back({static_cast<GlobalId>(key.kind), key.first, key.second, key.ordinal});
   });
   return view;
 }

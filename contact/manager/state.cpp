@@ -62,10 +62,8 @@ void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
         table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
-  if (nodes.has_friction) own.save_friction(tables);
   own.near.save_state(tables);
-  own.save_touches(tables);
-  own.save_lost(tables);
+  own.memory.save(own.records, own.entities, tables);
 }
 
 template <int Dim>
@@ -86,15 +84,19 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   own.started = common.started != 0;
   if (!own.started) return rearrange();
   own.near.load_state(tables);
-  own.load_touches(tables);
-  own.load_lost(tables);
+  own.memory.load(own.entities, tables);
   rearrange();
   const StepLimit longest = own.longest_after(own.dt_last);
   own.ahead_last = own.look_ahead(own.dt_last, longest);
   own.renew(own.ahead_last, false);
   own.evaluate(own.dt_last, longest, own.ahead_last, nullptr);
-  own.records.collect_deep(own.deep);
-  if (nodes.has_friction) own.load_friction(tables);
+  own.memory.keep_deep(own.records);
+  if (!nodes.has_friction) return;
+  load_friction(own.entities, tables, own.records);
+  own.sum_tractions();
+  KeyedMemory<FaceGrowth> growths;
+  growths.load(own.entities, tables);
+  take_growths(growths, own.entities);
 }
 
 template void ContactManager<2>::save_state(std::vector<StateTable>&) const;
