@@ -11,8 +11,16 @@ void ContactMemory<Dim>::begin_step(const Records<Dim>& records, const ContactNo
 }
 
 template <int Dim>
-void ContactMemory<Dim>::keep_touches(const Records<Dim>& records) {
+void ContactMemory<Dim>::end_step(const Records<Dim>& records, const Entities<Dim>& entities,
+                                  Real dt, Real time) {
   records.collect_touches(touches_);
+  keep_lost(records, entities, dt, time);
+}
+
+template <int Dim>
+void ContactMemory<Dim>::take_repeated(const Records<Dim>& records) {
+  records.collect_touches(touches_);
+  records.collect_deep(deep_);
 }
 
 /// What the evaluation noted itself, and of the particles that were deep in the one before those

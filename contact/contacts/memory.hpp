@@ -14,13 +14,13 @@ class ContactMemory {
   /// Makes the frictions of the last evaluation the past of a step of dt [s], whose motion nodes.v
   /// is.
   void begin_step(const Records<Dim>& records, const ContactNodes<Dim>& nodes, Real dt);
-  /// Takes in how the contacts of an evaluation met.
-  void keep_touches(const Records<Dim>& records);
-  /// Takes in what an evaluation at `time` [s], after a step dt [s], has lost, and what is deep
-  /// now.
-  void keep_lost(const Records<Dim>& records, const Entities<Dim>& entities, Real dt, Real time);
-  /// Takes in what is deep alone, of an evaluation that is repeated.
-  void keep_deep(const Records<Dim>& records) { records.collect_deep(deep_); }
+  /// Takes in how the contacts of an evaluation at `time` [s], after a step dt [s], met, what it
+  /// has lost, and what is deep now.
+  void end_step(const Records<Dim>& records, const Entities<Dim>& entities, Real dt, Real time);
+  /// The same at time 0, where nothing was before.
+  void begin(const Records<Dim>& records) { records.collect_touches(touches_); }
+  /// The same of the last evaluation, repeated.
+  void take_repeated(const Records<Dim>& records);
 
   const FirstTouches& touches() const { return touches_; }
   const LostContacts<Dim>& lost() const { return lost_; }
@@ -36,6 +36,8 @@ class ContactMemory {
   void load(const Entities<Dim>& entities, const StateTables& tables);
 
  private:
+  void keep_lost(const Records<Dim>& records, const Entities<Dim>& entities, Real dt, Real time);
+
   FrictionHistory<Dim> past_;
   FirstTouches touches_;                 // as the last evaluation left them
   LostContacts<Dim> lost_;               // since time 0
@@ -47,3 +49,4 @@ template <int Dim>
 void load_friction(const Entities<Dim>& entities, const StateTables& tables, Records<Dim>& records);
 
 }  // namespace brunt
+// Tested by tests/unit/contact/lost_test.cpp.
