@@ -20,7 +20,7 @@ std::string lost_text(const LostPair& pair, int dim) {
   const std::string remedy =
       " try finer elements, a higher contact `stiffness`, a smaller `time.safety`, or a "
       "`strength` where elements have none";
-  if (lost.key.of_particle == 1) {
+  if (lost.key.kind == ContactKind::particle_face) {
     return "a particle came " + depth + " behind a face and is given up since " + where +
            ": it goes through; try a higher contact `stiffness`, a smaller `time.safety`, or "
            "particles and elements of more equal size";

@@ -1,7 +1,5 @@
 #pragma once
-#include <vector>
-
-#include "contact/contacts/friction.hpp"
+#include "contact/contacts/keyed_memory.hpp"
 
 namespace brunt {
 
@@ -24,34 +22,37 @@ struct FirstTouch {
 
   static constexpr GlobalId kNoEntry = ~GlobalId{0};
   static constexpr Real kHeldFrom = 0.75;
+  static constexpr const char* kTable = "contact.first";
 
   /// False once nothing is left that would make the force unlike that of any other contact.
   bool matters() const { return overlap > 0 || bonded || side != 0 || entry != kNoEntry; }
+  /// bonded, slips, side and held in one word.
+  std::uint64_t flags() const {
+    return static_cast<std::uint64_t>(bonded ? 1 : 0) + (slips ? 2 : 0) +
+           4 * static_cast<std::uint64_t>(side + 1) + (held ? 16 : 0);
+  }
+  template <class Visitor, class Touch>
+  static void visit(Visitor& visitor, Touch& touch) {
+    visitor.carry(touch.overlap, touch.bonded, touch.slips, touch.side, touch.held, touch.entry);
+    visitor.hash(touch.overlap, touch.flags());
+    if (touch.entry != kNoEntry) visitor.hash(touch.entry);
+  }
 };
 
 /// Names the surface that the pieces of a body show to particles.
 inline GlobalId surface_of(Label body, Label piece) {
   return (static_cast<GlobalId>(body) << 32) | piece;
 }
+/// The keys of first touches: of a particle and a surface, or of two faces or particles.
+inline ContactKey touch_key(GlobalId particle, Label body, Label piece) {
+  return {ContactKind::particle_face, 0, particle, surface_of(body, piece)};
+}
+inline ContactKey touch_key(ContactKind kind, GlobalId lower, GlobalId upper) {
+  return {kind, 0, lower, upper};
+}
 
-/// Every first touch whose contact is evaluated here, in the order of keys.
-class FirstTouches {
- public:
-  bool empty() const { return touches_.empty(); }
-  void clear() { touches_.clear(); }
-  /// In the order of keys.
-  void add(const FirstTouch& touch) { touches_.push_back(touch); }
-  /// nullptr where there is none.
-  const FirstTouch* of_faces(GlobalId lower, GlobalId upper) const;
-  const FirstTouch* of_particles(GlobalId lower, GlobalId upper) const;
-  const FirstTouch* of_particle(GlobalId particle, Label body, Label piece) const;
-  std::vector<FirstTouch>& all() { return touches_; }
-  const std::vector<FirstTouch>& all() const { return touches_; }
-
- private:
-  const FirstTouch* find(const ContactKey& key) const;
-  std::vector<FirstTouch> touches_;
-};
+/// Every first touch whose contact is evaluated here.
+using FirstTouches = KeyedMemory<FirstTouch>;
 
 /// How a step finds the touches of time 0, or makes them.
 struct TouchStep {

@@ -171,12 +171,12 @@ template <int Dim>
 const FrictionMemory<Dim>* FrictionHistory<Dim>::of_particle(const ContactKey& key, Label body,
                                                              Label piece, const Vec<Dim>& normal,
                                                              std::size_t& from) {
-  from = place_of({1, 0, key.first, 0}, from);
+  from = place_of({ContactKind::particle_face, 0, key.first, 0}, from);
   std::size_t found = past_.size();
   Real nearest = 0;  // only normals less than a right angle apart are the same surface
   for (std::size_t i = from; i < past_.size(); ++i) {
     const auto& one = past_[i];
-    if (one.key.of_particle != 1 || one.key.first != key.first) break;
+    if (one.key.kind != ContactKind::particle_face || one.key.first != key.first) break;
     if (used_[i] || one.body != body || one.piece != piece) continue;
     const Real along = one.normal.dot(normal);
     const bool same_face = one.key.second == key.second;
@@ -238,7 +238,8 @@ Vec<Dim> sticking_drag(const FrictionStep<Dim>& step, const Vec<Dim>& traction,
 template <int Dim>
 Vec<Dim> place_of(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
                   const Corners<Dim>& lower, const Corners<Dim>& upper) {
-  return record.of_particle ? step.point : Vec<Dim>(0.5 * (lower.point + upper.point));
+  return record.kind != ContactKind::face_face ? step.point
+                                               : Vec<Dim>(0.5 * (lower.point + upper.point));
 }
 }  // namespace
 

@@ -1,26 +1,14 @@
 #pragma once
 #include <algorithm>
 #include <span>
-#include <tuple>
 #include <vector>
 
+#include "contact/contacts/keyed_memory.hpp"
 #include "contact/geometry/body_turn.hpp"
 #include "contact/law/options.hpp"
 #include "contact/surfaces/entities.hpp"
 
 namespace brunt {
-
-/// The place of a contact in every sum.
-struct ContactKey {
-  std::uint32_t of_particle = 0;  ///< 0: two faces; 1: a particle and a face; 2: two particles
-  std::uint32_t ordinal = 0;
-  GlobalId first = 0, second = 0;  ///< lower and upper face or particle, or particle and face
-  bool operator<(const ContactKey& other) const {
-    return std::tie(of_particle, first, second, ordinal) <
-           std::tie(other.of_particle, other.first, other.second, other.ordinal);
-  }
-  bool operator==(const ContactKey&) const = default;
-};
 
 /// What the spring-slider of one contact remembers from step to step.
 /// A particle counts its forces instead of tractions: its area is its share [1].
@@ -65,6 +53,16 @@ struct Friction : FrictionMemory<Dim> {
   std::array<LocalIndex, kNodes> node{};
   std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
   std::array<Real, kNodes> warms{};    ///< [1] share of its heat that goes to each node
+
+  static constexpr const char* kTable = "contact.friction";
+  template <class Visitor, class AnyFriction>
+  static void visit(Visitor& visitor, AnyFriction& one) {
+    visitor.carry(one.body, one.piece, one.normal, one.point, one.traction, one.drag, one.area,
+                  one.stiffness, one.n_nodes, one.slips, one.warmth, one.heat);
+    for (auto& on_node : one.force) visitor.carry(on_node);
+    for (auto& share : one.warms) visitor.carry(share);
+    visitor.hash(one.area, one.traction);
+  }
 };
 
 /// Heat of friction that has ended, for one point. By its name: new lists may not have it any more.

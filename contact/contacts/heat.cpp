@@ -20,7 +20,7 @@ HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& u
                         const CommonPlane<Dim>& plane, const ContactHeat& heat, Real pressed,
                         Real pressure) {
   HeatFlow<Dim> flow;
-  flow.key = {0, plane.ordinal, lower.id, upper.id};
+  flow.key = {ContactKind::face_face, plane.ordinal, lower.id, upper.id};
   flow.lower_body = lower.body, flow.upper_body = upper.body;
   flow.lower = {lower.capacity * plane.area, lower.surface, lower.specific_heat};
   flow.upper = {upper.capacity * plane.area, upper.surface, upper.specific_heat};
@@ -45,7 +45,7 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
                         const ContactHeat& heat) {
   const auto& [particle, face, hit, area, pressure, contacts] = touch;
   HeatFlow<Dim> flow;
-  flow.key = {1, 0, particle.id, face.id};
+  flow.key = {ContactKind::particle_face, 0, particle.id, face.id};
   flow.lower_body = face.body, flow.upper_body = particle.body;
   flow.node[0] = particle.node, flow.weight[0] = 1;
   for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {

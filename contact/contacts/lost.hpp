@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "contact/contacts/friction.hpp"
+#include "contact/contacts/keyed_memory.hpp"
 
 namespace brunt {
 
@@ -21,6 +21,11 @@ struct LostContact {
   Real time = 0;                      ///< [s]
   Real depth = 0;                     ///< [m]
   Vec<Dim> point = Vec<Dim>::Zero();  ///< [m]
+  static constexpr const char* kTable = "contact.lost";
+  template <class Visitor, class Lost>
+  static void visit(Visitor& visitor, Lost& lost) {
+    visitor.carry(lost.lower_body, lost.upper_body, lost.time, lost.depth, lost.point);
+  }
 };
 
 /// A particle that a face still holds, which the next step may bring farther behind it than that.
@@ -33,17 +38,9 @@ struct DeepParticle {
   Real limit = 0;                        ///< [m]
 };
 
-/// Every lost contact that was evaluated here, in the order of keys, each with its first time.
+/// Every lost contact that was evaluated here, each with its first time.
 template <int Dim>
-class LostContacts {
- public:
-  void add(const LostContact<Dim>& contact);
-  std::vector<LostContact<Dim>>& all() { return contacts_; }
-  const std::vector<LostContact<Dim>>& all() const { return contacts_; }
-
- private:
-  std::vector<LostContact<Dim>> contacts_;
-};
+using LostContacts = KeyedMemory<LostContact<Dim>>;
 
 /// Contacts of a pair of bodies that did not hold, since time 0, each counted once; of the first of
 /// them where and when.
@@ -59,3 +56,4 @@ struct LostReport {
 };
 
 }  // namespace brunt
+// Tested by tests/unit/contact/lost_test.cpp.

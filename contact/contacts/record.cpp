@@ -97,6 +97,40 @@ void Records<Dim>::collect_deep(std::vector<DeepParticle<Dim>>& deep) const {
   for (const auto& part : parts_) deep.insert(deep.end(), part.deep.begin(), part.deep.end());
 }
 
+namespace {
+template <int Dim>
+void name_nodes_of(const Entities<Dim>& entities, ContactRecord<Dim>& record) {
+  std::size_t n = 0;
+  const auto add = [&](GlobalId id, bool particle, LocalIndex& place) {
+    const std::size_t at = particle ? entities.particle_with(id) : entities.face_with(id);
+    place = static_cast<LocalIndex>(at);
+    if (particle) {
+      record.node[n++] = entities.particles[at].node;
+      return;
+    }
+    const auto& face = entities.faces[at];
+    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+      record.node[n++] = face.node[c];
+    }
+  };
+  add(record.first, record.kind != ContactKind::face_face, record.first_place);
+  add(record.second, record.kind == ContactKind::particle_particle, record.second_place);
+}
+}  // namespace
+
+template <int Dim>
+void Records<Dim>::name_nodes(const Entities<Dim>& entities) {
+  for (auto& part : parts_) {
+    for (auto* records : {&part.face_on_face, &part.particle_on_face, &part.two_particles}) {
+      for (auto& record : *records) {
+        name_nodes_of(entities, record);
+        if (record.friction < 0) continue;
+        part.frictions[static_cast<std::size_t>(record.friction)].node = record.node;
+      }
+    }
+  }
+}
+
 template <int Dim>
 std::size_t Records<Dim>::size() const {
   std::size_t n = 0;

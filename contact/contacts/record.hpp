@@ -21,9 +21,8 @@ struct ContactRecord {
   ContactRecord() {}               // NOLINT(modernize-use-equals-default)
   GlobalId first = 0, second = 0;  ///< key: lower and upper face or particle, or particle and face
   LocalIndex first_place = 0, second_place = 0;  ///< among the faces or particles of the tables
-  bool of_particle = false;                      ///< the first is a particle
-  bool of_two_particles = false;                 ///< the second too
-  std::uint32_t ordinal = 0;                     ///< of the planes between two faces
+  ContactKind kind = ContactKind::face_face;
+  std::uint32_t ordinal = 0;  ///< of the planes between two faces
   Label lower_body = 0, upper_body = 0;
   Vec<Dim> normal;
   Vec<Dim> point;              ///< [m]
@@ -101,6 +100,13 @@ class Records {
   void visit_with_friction(const Visit& visit) const {
     visit_whole([&](const WholeRecord<Dim>& whole) { visit(whole.record, whole.friction); });
   }
+  /// visit(friction) of each contact that has some.
+  template <class Visit>
+  void visit_frictions(const Visit& visit) const {
+    visit_whole([&](const WholeRecord<Dim>& whole) {
+      if (whole.friction != nullptr) visit(*whole.friction);
+    });
+  }
   /// visit(whole record).
   template <class Visit>
   void visit_whole(const Visit& visit) const {
@@ -157,19 +163,8 @@ class Records {
   void collect_deep(std::vector<DeepParticle<Dim>>& deep) const;
   /// What pairs keep from time 0, in the order of keys.
   void collect_touches(FirstTouches& touches) const;
-  /// name(record) names the nodes and places of each contact anew.
-  template <class Name>
-  void name_nodes(const Name& name) {
-    for (auto& part : parts_) {
-      for (auto* records : {&part.face_on_face, &part.particle_on_face, &part.two_particles}) {
-        for (auto& record : *records) {
-          name(record);
-          if (record.friction < 0) continue;
-          part.frictions[static_cast<std::size_t>(record.friction)].node = record.node;
-        }
-      }
-    }
-  }
+  /// Names the nodes and places of each contact anew, as they stand in tables that are new.
+  void name_nodes(const Entities<Dim>& entities);
   /// Gives every contact whose friction find(key) knows that friction, as it stands.
   template <class Find>
   void attach(const Find& find);
@@ -182,8 +177,16 @@ class Records {
 
 template <int Dim>
 ContactKey key_of(const ContactRecord<Dim>& record) {
-  const std::uint32_t kind = record.of_two_particles ? 2 : record.of_particle ? 1 : 0;
-  return {kind, record.ordinal, record.first, record.second};
+  return {record.kind, record.ordinal, record.first, record.second};
+}
+
+/// The node to which the energies of a contact are booked; its evaluator owns it.
+template <int Dim>
+std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
+  const LocalIndex node = key.kind == ContactKind::face_face
+                              ? entities.faces[entities.face_with(key.first)].node[0]
+                              : entities.particles[entities.particle_with(key.first)].node;
+  return static_cast<std::size_t>(node);
 }
 
 /// What a contact that another rank evaluated gives to one node of this rank.

@@ -62,8 +62,12 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
   if (is_sliver(entities, candidate, plane)) return;
-  part.lost.push_back(
-      {{0, how, lower.id, upper.id}, lower.body, upper.body, 0, plane.penetration, plane.point});
+  part.lost.push_back({{ContactKind::face_face, how, lower.id, upper.id},
+                       lower.body,
+                       upper.body,
+                       0,
+                       plane.penetration,
+                       plane.point});
 }
 
 /// Notes two faces that go through each other deeper than contacts are held, though nothing here
@@ -77,8 +81,12 @@ void note_crossing(const Entities<Dim>& entities, const FaceCandidate& candidate
   if (!entities.boxes[l].meets(entities.boxes[u])) return;
   if (!find_crossing(entities.planes[l], entities.planes[u], candidate.limit, found)) return;
   const auto &lower = entities.faces[l], &upper = entities.faces[u];
-  part.lost.push_back(
-      {{0, kCrossed, lower.id, upper.id}, lower.body, upper.body, 0, found.depth, found.point});
+  part.lost.push_back({{ContactKind::face_face, kCrossed, lower.id, upper.id},
+                       lower.body,
+                       upper.body,
+                       0,
+                       found.depth,
+                       found.point});
 }
 
 /// A face as it was at the last evaluation.
@@ -278,11 +286,12 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
-    const GlobalId first = entities.faces[l].id, second = entities.faces[u].id;
+    const ContactKey key =
+        touch_key(ContactKind::face_face, entities.faces[l].id, entities.faces[u].id);
     FirstTouch touch;
     if (step.touches.time_zero) {
       touch = first_touch(lower, upper, section, candidate);
-    } else if (const auto* before = step.touches.before->of_faces(first, second)) {
+    } else if (const auto* before = step.touches.before->find(key)) {
       touch = *before;
     }
     int n = step.touches.time_zero && !candidate.presses
@@ -321,7 +330,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     if (!step.touches.time_zero || candidate.presses) {
       add_blades(entities, candidate, step, part);
     }
-    touch.key = {0, 0, first, second};
+    touch.key = key;
     if (touch.matters() || touch.held) part.face_touches.push_back(touch);
     const bool free = part.face_on_face.size() == ends.record && !touch.matters();
     if (free) note_crossing<Dim>(entities, candidate, part);

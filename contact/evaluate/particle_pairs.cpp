@@ -52,7 +52,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const PresentPair<Di
                              Real& damper) {
   const auto& [candidate, first, second, meeting, mass, breadth, spring] = pair;
   ContactRecord<Dim> record;
-  record.of_particle = record.of_two_particles = true;
+  record.kind = ContactKind::particle_particle;
   record.first = first.id, record.second = second.id;
   record.first_place = candidate.particle, record.second_place = candidate.other;
   record.lower_body = first.body, record.upper_body = second.body;
@@ -112,7 +112,7 @@ template <int Dim>
 PairHeatPath<Dim> heat_path(const PresentPair<Dim>& pair, std::size_t candidate, Real pressure) {
   const auto &first = pair.first, &second = pair.second;
   PairHeatPath<Dim> heat;
-  heat.flow.key = {2, 0, first.id, second.id};
+  heat.flow.key = {ContactKind::particle_particle, 0, first.id, second.id};
   heat.flow.lower_body = first.body, heat.flow.upper_body = second.body;
   heat.flow.lower = {0, first.surface, first.specific_heat};
   heat.flow.upper = {0, second.surface, second.specific_heat};
@@ -131,16 +131,16 @@ PairHeatPath<Dim> heat_path(const PresentPair<Dim>& pair, std::size_t candidate,
 template <int Dim>
 Real overlap_kept(const TouchStep& step, const PresentPair<Dim>& pair,
                   std::vector<FirstTouch>& touches) {
-  const GlobalId first = pair.first.id, second = pair.second.id;
+  const ContactKey key = touch_key(ContactKind::particle_particle, pair.first.id, pair.second.id);
   const Real overlap = std::max(pair.meeting.overlap, 0.0);
   Real kept = 0;
   if (step.time_zero) {
     const bool only_rounding = overlap <= kTouchingGap * 2 * pair.spring.radius;
     kept = pair.candidate.presses || only_rounding ? 0.0 : overlap;
-  } else if (const auto* before = step.before->of_particles(first, second)) {
+  } else if (const auto* before = step.before->find(key)) {
     kept = std::min(before->overlap, overlap);
   }
-  if (kept > 0) touches.push_back({{2, 0, first, second}, kept, false, false, 0});
+  if (kept > 0) touches.push_back({key, kept});
   return kept;
 }
 

@@ -11,11 +11,11 @@ namespace {
 /// surfaces.
 FirstTouch& touch_of(GlobalId particle, GlobalId surface, std::size_t first,
                      std::vector<FirstTouch>& touches) {
-  const ContactKey key{1, 0, particle, surface};
+  const ContactKey key{ContactKind::particle_face, 0, particle, surface};
   auto at = touches.begin() + static_cast<std::ptrdiff_t>(first);
   while (at != touches.end() && at->key < key) ++at;
   if (at == touches.end() || !(at->key == key)) {
-    at = touches.insert(at, {key, 0, false, false, 0});
+    at = touches.insert(at, FirstTouch{key});
   }
   return *at;
 }
@@ -26,7 +26,7 @@ void recall_entries(const Entities<Dim>& entities, const ContactParticle& partic
                     const TouchStep& step, std::vector<ParticleHit<Dim>>& hits) {
   constexpr Real kOtherSide = -0.5;  // cosine between normals
   for (const auto& own : hits) {
-    const auto* before = step.before->of_particle(particle.id, own.body, own.piece);
+    const auto* before = step.before->find(touch_key(particle.id, own.body, own.piece));
     const GlobalId id = entities.faces[static_cast<std::size_t>(own.face)].id;
     if (before == nullptr || before->entry != id) continue;
     for (auto& hit : hits) {
@@ -77,16 +77,15 @@ void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const To
     // A smaller overlap is rounding.
     const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
     if (presses || hit.overlap <= least) continue;
-    if (!step.time_zero && !step.before->of_particle(particle.id, hit.body, hit.piece)) continue;
+    if (!step.time_zero && !step.before->find(touch_key(particle.id, hit.body, hit.piece)))
+      continue;
     auto& touch = touch_of(particle.id, surface_of(hit.body, hit.piece), first, touches);
     touch.overlap = std::max(touch.overlap, hit.overlap);
   }
   for (std::size_t i = first; i < touches.size(); ++i) {
     auto& touch = touches[i];
     if (!step.time_zero) {
-      const auto* before =
-          step.before->of_particle(particle.id, static_cast<Label>(touch.key.second >> 32),
-                                   static_cast<Label>(touch.key.second));
+      const auto* before = step.before->find(touch.key);
       touch.overlap = std::min(touch.overlap, before->overlap);
     }
     for (auto& hit : part.hits) {

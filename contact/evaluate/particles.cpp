@@ -50,7 +50,7 @@ Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, cons
 /// Where the particle belongs at an open surface, as it was at the last evaluation; 0: not known.
 template <int Dim>
 int side_of(const TouchStep& step, const ContactParticle& particle, const ContactFace<Dim>& face) {
-  const auto* before = step.before->of_particle(particle.id, face.body, face.piece);
+  const auto* before = step.before->find(touch_key(particle.id, face.body, face.piece));
   return before == nullptr ? 0 : before->side;
 }
 
@@ -173,7 +173,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
                  ContactRecord<Dim>& record) {
   const auto& nodes = entities.nodes;
   const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
-  record.of_particle = true;
+  record.kind = ContactKind::particle_face;
   record.first = now.particle.id, record.second = face.id;
   record.first_place = now.place, record.second_place = hit.face;
   record.lower_body = face.body, record.upper_body = now.particle.body;

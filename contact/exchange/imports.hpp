@@ -4,20 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "contact/contacts/record.hpp"
+#include "contact/contacts/face_tractions.hpp"
 #include "contact/surfaces/entities.hpp"
 #include "core/parallel/ghosts.hpp"
 #include "core/parallel/packing.hpp"
 
 namespace brunt {
-
-/// What one contact leaves on its upper face.
-template <int Dim>
-struct TractionShare {
-  ContactKey key;
-  Real area;        ///< [m^2]
-  Real force[Dim];  ///< [N]
-};
 
 /// What ranks show each other to find what they must import [m].
 template <int Dim>

@@ -155,7 +155,7 @@ std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
   if (ranks().alone()) return received;
   std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
-    if (friction == nullptr || record.of_particle) return;
+    if (friction == nullptr || record.kind != ContactKind::face_face) return;
     const auto& upper = entities.faces[static_cast<std::size_t>(record.second_place)];
     if (upper.owned || upper.rigid()) return;
     TractionShare<Dim> share{friction->key, friction->area, {}};

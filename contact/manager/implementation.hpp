@@ -1,115 +1,30 @@
 #pragma once
-#include "contact/contacts/lost.hpp"
-#include "contact/evaluate/evaluate.hpp"
+#include "contact/contacts/friction_books.hpp"
+#include "contact/contacts/memory.hpp"
+#include "contact/manager/evaluation.hpp"
 #include "contact/manager/manager.hpp"
-#include "contact/search/near_bodies.hpp"
-#include "core/errors.hpp"
 
 namespace brunt {
 
-/// What the manager holds.
-template <int Dim>
-struct ContactManager<Dim>::Implementation {
-  Implementation(const ContactOptions& of_options, const Section& of_section, PairTable of_pairs,
-                 std::vector<Surface<Dim>*> of_surfaces, const ContactRanks& of_ranks)
-      : options(of_options),
-        section(of_section),
-        ranks(of_ranks),
-        surfaces(std::move(of_surfaces)),
-        pairs(std::move(of_pairs)),
-        entities(surfaces, pairs, section, ranks, rigid),
-        imports(ranks, surfaces),
-        candidates(options.search, options.skin) {}
-
-  /// Tables anew with what free rigid bodies say of steps. Collective.
-  void take_rigid(const RigidSprings& of_scene);
-  /// The longest step that may follow one of dt, 0 for the first: that of the springs, and four
-  /// times dt where particles must look ahead.
-  StepLimit longest_after(Real dt) const;
-  /// How far ahead [s] speed limits look after a step of dt: the same on all ranks.
-  Real look_ahead(Real dt, const StepLimit& longest) const;
-  /// Finds the bodies that may touch others; true where they are not the same as before.
-  /// Collective.
-  bool find_near_bodies(Real ahead);
-  /// Tables and lists anew at the present positions; what is booked stays with the points' ids.
-  /// with_motion: velocities are those of the step under way, else of the last evaluation.
-  void renew(Real ahead, bool with_motion);
-  /// Records and step limits of the lists at the present motion; friction goes on from its past, or
-  /// is left out where there is none: at time 0, and where the last evaluation is repeated.
-  void evaluate(Real dt, const StepLimit& longest, Real ahead, FrictionHistory<Dim>* past);
-  /// Remembers the contacts that the evaluation at `time` after a step dt has lost.
-  void remember_lost(Real dt, Real time);
-  void save_lost(std::vector<StateTable>& tables) const;
-  void load_lost(const StateTables& tables);
-  /// Reads what friction asks of materials at the start of the step. Collective among neighbours.
-  void read_materials();
-  /// Makes the records of the last step the past of this one, and books their work at nodes.v.
-  void begin_friction(Real dt);
-  /// Remembers a coefficient of friction that is no number at least 0, and allows no step.
-  void refuse_friction(const ContactRecord<Dim>& record, const Friction<Dim>& friction);
-  /// Books what friction did in this step, and what the faces carry from now on. Collective.
-  void end_friction();
-  /// Where bodies press at time 0: accelerations of their points, and what the springs hold, from
-  /// the records. Collective.
-  void press_at_start();
-  /// Tables of what pairs keep from time 0, as those of friction.
-  void save_touches(std::vector<StateTable>& tables) const;
-  void load_touches(const StateTables& tables);
-  /// Puts together what both sides of each contact of particles leave for heat. Collective among
-  /// neighbours.
-  void complete_pair_heat();
-  /// Finds the nodes of all records in new tables at the same positions.
-  void name_nodes();
-  /// Tables of what contacts remember: one for each place of a contact among those of its lower
-  /// face, or of its particle.
-  void save_friction(std::vector<StateTable>& tables) const;
-  /// Gives the records of an evaluation without friction what they remembered. Collective.
-  void load_friction(const StateTables& tables);
-  /// Mixed bits of what all contacts remember, in any order.
-  std::uint64_t friction_hash() const;
-  std::uint64_t touch_hash() const;
-  /// How the areas of faces grew in the last step.
-  void save_growths(std::vector<StateTable>& tables) const;
-  void load_growths(const StateTables& tables);
-  /// What each face carries, from the records of all ranks. Collective.
-  void sum_tractions();
-
-  ContactOptions options;
-  Section section;
-  ContactRanks ranks;
-  std::vector<Surface<Dim>*> surfaces;
-  PairTable pairs;
-  RigidSprings rigid;  // of all ranks
-  Entities<Dim> entities;
-  ContactImports<Dim> imports;
-  NearBodies<Dim> near;
-  Candidates<Dim> candidates;
-  Records<Dim> records;
-  std::vector<ParticleLoad> loads;  // by particle; empty where no row of pairs is there
-  std::vector<PairSide> sides;      // by candidate of pairs; empty where nothing conducts
-  FrictionHistory<Dim> history;
-  std::vector<EndedHeat> ended_heat;    // of the step under way
-  FirstTouches touches;                 // as the last evaluation left them
-  LostContacts<Dim> lost;               // since time 0
-  std::vector<DeepParticle<Dim>> deep;  // of the last evaluation
-  /// The first coefficient of friction of the last evaluation that is none, with its contact.
-  std::optional<PhysicsFailure> wrong_friction;
-  Vec<Dim> wrong_friction_at = Vec<Dim>::Zero();  // [m]
-  StepLimit step_limit;
-  Real dt_last = 0;      // [s] of the last evaluation
-  Real ahead_last = 0;   // [s] that the lists had to serve at the last evaluation
-  bool started = false;  // forces have been evaluated
-  WallTime list_time;    // within add_forces, not taken yet
+/// When contact was last evaluated.
+struct LastEvaluation {
+  Real dt = 0;           ///< [s] of the step that led there
+  Real ahead = 0;        ///< [s] that the lists had to serve
+  bool started = false;  ///< forces have been evaluated
 };
 
-/// The node to which the energies of a contact are booked; its evaluator owns it.
+/// What the manager holds: each changes in verbs of its own.
 template <int Dim>
-std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
-  const LocalIndex node = key.of_particle
-                              ? entities.particles[entities.particle_with(key.first)].node
-                              : entities.faces[entities.face_with(key.first)].node[0];
-  return static_cast<std::size_t>(node);
-}
+struct ContactManager<Dim>::Implementation {
+  explicit Implementation(ContactSetup<Dim> of_setup) : setup(std::move(of_setup)), search(setup) {}
+
+  ContactSetup<Dim> setup;
+  ContactSearch<Dim> search;
+  Evaluation<Dim> evaluation;
+  ContactMemory<Dim> memory;
+  FrictionCheck<Dim> friction_check;
+  LastEvaluation last;
+};
 
 }  // namespace brunt
 // Tested by tests/unit/contact/manager_test.cpp.

@@ -15,12 +15,12 @@ ContactNodeName name_of(const ContactNodes<Dim>& nodes, LocalIndex node) {
 template <int Dim>
 ContactReaches<Dim> ContactManager<Dim>::reaches() const {
   const auto& own = *implementation_;
-  const auto& entities = own.entities;
+  const auto& entities = own.search.entities();
   ContactReaches<Dim> all;
   for (std::size_t f = 0; f < entities.faces.size(); ++f) {
     const auto& face = entities.faces[f];
     auto& one = all.faces.emplace_back();
-    one.box = own.candidates.box_of_face(entities, f);
+    one.box = own.search.candidates().box_of_face(entities, f);
     one.id = face.id, one.rigid = face.everywhere, one.n_nodes = face.n_nodes;
     for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
       one.node[c] = name_of(entities.nodes, face.node[c]);
@@ -29,27 +29,27 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
   for (std::size_t p = 0; p < entities.particles.size(); ++p) {
     const auto& particle = entities.particles[p];
     auto& one = all.particles.emplace_back();
-    one.box = own.candidates.box_of_particle(entities, p);
+    one.box = own.search.candidates().box_of_particle(entities, p);
     one.id = particle.id, one.n_nodes = 1;
     one.node[0] = name_of(entities.nodes, particle.node);
   }
-  for (const auto& pair : own.candidates.faces()) {
+  for (const auto& pair : own.search.candidates().faces()) {
     ++all.faces[static_cast<std::size_t>(pair.lower)].candidates;
   }
-  const ParticleRows rows = own.candidates.particle_rows(own.pairs, own.ahead_last);
+  const ParticleRows rows = own.search.candidates().particle_rows(own.setup.pairs, own.last.ahead);
   for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
     const auto [first, last] = rows.range(row);
     all.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)].candidates +=
         last - first;
   }
-  for (const auto& pair : own.candidates.pairs()) {
+  for (const auto& pair : own.search.candidates().pairs()) {
     ++all.particles[static_cast<std::size_t>(pair.particle)].candidates;
   }
-  own.records.visit([&](const ContactRecord<Dim>& record) {
+  own.evaluation.records().visit([&](const ContactRecord<Dim>& record) {
     auto& touch = all.touches.emplace_back();
-    touch.of_particle = record.of_particle;
-    touch.evaluator = record.of_particle ? entities.particle_with(record.first)
-                                         : entities.face_with(record.first);
+    touch.kind = record.kind;
+    touch.evaluator = record.kind == ContactKind::face_face ? entities.face_with(record.first)
+                                                            : entities.particle_with(record.first);
     for (std::size_t i = 0; i < static_cast<std::size_t>(record.n_nodes); ++i) {
       touch.node.push_back(name_of(entities.nodes, record.node[i]));
     }

@@ -2,6 +2,8 @@
 #include <array>
 #include <vector>
 
+#include "contact/contacts/key.hpp"
+
 #include "core/search/search.hpp"
 #include "core/surface.hpp"
 
@@ -29,7 +31,7 @@ struct ContactReach {
 template <int Dim>
 struct ContactTouch {
   std::size_t evaluator = 0;  ///< among faces, or among particles
-  bool of_particle = false;
+  ContactKind kind = ContactKind::face_face;
   std::vector<ContactNodeName> node;
 };
 

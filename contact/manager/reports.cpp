@@ -169,17 +169,17 @@ PairReport report_of(const PairSums& sums, const std::string& name) {
 template <int Dim>
 std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) const {
   const auto& own = *implementation_;
-  const auto& reported = own.pairs.reported();
+  const auto& reported = own.setup.pairs.reported();
   std::map<std::pair<Label, Label>, std::size_t> place;
-  for (std::size_t p = 0; p < reported.size(); ++p) place[own.pairs.pairs()[reported[p]]] = p;
+  for (std::size_t p = 0; p < reported.size(); ++p) place[own.setup.pairs.pairs()[reported[p]]] = p;
   std::vector<PairSums> sums(reported.size());
   std::vector<Real> temperature;
-  if (own.entities.nodes.conduct) {
-    temperature = own.entities.nodes.present_temperatures(own.surfaces);
-    own.imports.refresh_temperatures(temperature);
+  if (own.search.entities().nodes.conduct) {
+    temperature = own.search.entities().nodes.present_temperatures(own.setup.surfaces);
+    own.search.imports().refresh_temperatures(temperature);
   }
-  const auto& nodes = own.entities.nodes;
-  own.records.visit_whole([&](const WholeRecord<Dim>& whole) {
+  const auto& nodes = own.search.entities().nodes;
+  own.evaluation.records().visit_whole([&](const WholeRecord<Dim>& whole) {
     const auto& record = whole.record;
     const Label first = std::min(record.lower_body, record.upper_body);
     const Label second = std::max(record.lower_body, record.upper_body);
@@ -187,39 +187,39 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     auto& sum = sums[known->second];
     // A body exerts no force on itself as a whole.
-    const Label told = own.pairs.reported_body(reported[known->second]);
+    const Label told = own.setup.pairs.reported_body(reported[known->second]);
     const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
     const Vec<Dim> force = force_of(nodes, whole);
     for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
-    if (own.section.geometry != Geometry::axisymmetric) {
+    if (own.setup.section.geometry != Geometry::axisymmetric) {
       const Vec3 torque = torque_of(nodes, whole, origin);
       for (int c = 0; c < 3; ++c) {
         sum.torque[static_cast<std::size_t>(c)].add(sign * torque[c]);
       }
     }
-    if (whole.friction != nullptr && own.dt_last > 0) {
-      sum.heat.add(whole.friction->heat / own.dt_last);
+    if (whole.friction != nullptr && own.last.dt > 0) {
+      sum.heat.add(whole.friction->heat / own.last.dt);
     }
     sum.area.add(record.area);
     sum.max_penetration = std::max(sum.max_penetration, record.penetration);
     ++sum.planes;
     if (!temperature.empty()) add_temperatures(record, temperature, sum.touching);
   });
-  own.records.visit_heat([&](const HeatFlow<Dim>& flow) {
+  own.evaluation.records().visit_heat([&](const HeatFlow<Dim>& flow) {
     const Label first = std::min(flow.lower_body, flow.upper_body);
     const Label second = std::max(flow.lower_body, flow.upper_body);
     const auto known = place.find({first, second});
     if (known == place.end()) return;
     if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
     if (first == second) return;
-    const Label told = own.pairs.reported_body(reported[known->second]);
+    const Label told = own.setup.pairs.reported_body(reported[known->second]);
     sums[known->second].through.add(flow.upper_body == told ? flow.through : -flow.through);
   });
-  own.ranks.all->reduce_all(std::span(sums),
-                            [](PairSums& into, const PairSums& from) { merge(into, from); });
+  own.setup.ranks.all->reduce_all(std::span(sums),
+                                  [](PairSums& into, const PairSums& from) { merge(into, from); });
   std::vector<PairReport> reports;
   for (std::size_t p = 0; p < sums.size(); ++p) {
-    reports.push_back(report_of(sums[p], own.pairs.name(reported[p])));
+    reports.push_back(report_of(sums[p], own.setup.pairs.name(reported[p])));
   }
   return reports;
 }
@@ -228,8 +228,8 @@ template <int Dim>
 std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) const {
   const auto& own = *implementation_;
   std::map<std::size_t, LostReport> found;
-  for (const auto& contact : own.lost.all()) {
-    const auto pair = own.pairs.find(contact.lower_body, contact.upper_body);
+  for (const auto& contact : own.memory.lost()) {
+    const auto pair = own.setup.pairs.find(contact.lower_body, contact.upper_body);
     if (!pair) continue;
     const auto is = [&](std::uint32_t how) { return contact.key.ordinal == how ? 1 : 0; };
     LostReport one{is(kLetGo), is(kFromBehind), is(kCrossed), contact.time, contact.depth,
@@ -242,7 +242,7 @@ std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) co
   Packer mine;
   for (const auto& [pair, report] : found) mine << pair << report;
   std::map<std::size_t, LostReport> of_all;
-  for (const Bytes& bytes : own.ranks.all->all_gather(mine.take())) {
+  for (const Bytes& bytes : own.setup.ranks.all->all_gather(mine.take())) {
     Unpacker from(bytes);
     while (!from.done()) {
       std::size_t pair = 0;
@@ -253,7 +253,7 @@ std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) co
   }
   std::vector<LostPair> lost;
   lost.reserve(of_all.size());
-  for (const auto& [pair, report] : of_all) lost.push_back({own.pairs.name(pair), report});
+  for (const auto& [pair, report] : of_all) lost.push_back({own.setup.pairs.name(pair), report});
   return lost;
 }
 
@@ -261,22 +261,22 @@ template <int Dim>
 ContactView ContactManager<Dim>::view() const {
   const auto& own = *implementation_;
   ContactView view;
-  own.records.visit_whole([&](const WholeRecord<Dim>& whole) {
+  own.evaluation.records().visit_whole([&](const WholeRecord<Dim>& whole) {
     const auto& record = whole.record;
-    if (record.of_particle) {
+    if (record.kind != ContactKind::face_face) {
       append<Dim>(view.position, record.point);
       view.polygon_size.push_back(1);
     } else {
-      append_polygon(own.entities, own.section, record, view);
+      append_polygon(own.search.entities(), own.setup.section, record, view);
     }
     append<Dim>(view.normal, record.normal);
-    append<Dim>(view.force, force_of(own.entities.nodes, whole));
+    append<Dim>(view.force, force_of(own.search.entities().nodes, whole));
     view.pressure.push_back((record.spring + record.damping) / record.area);
     view.penetration.push_back(record.penetration);
     view.body_a.push_back(record.lower_body);
     view.body_b.push_back(record.upper_body);
     const auto key = key_of(record);
-    view.key.push_back({key.of_particle, key.first, key.second, key.ordinal});
+    view.key.push_back({static_cast<GlobalId>(key.kind), key.first, key.second, key.ordinal});
   });
   return view;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "contact/manager/implementation.hpp"
+#include "core/state_hash.hpp"
 
 namespace brunt {
 namespace {
@@ -52,51 +53,90 @@ void visit_common(Row& row, AnyCommon& common) {
 template <int Dim>
 void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
   const auto& own = *implementation_;
-  const Common common{own.dt_last, own.started ? 1u : 0u};
+  const Common common{own.last.dt, own.last.started ? 1u : 0u};
   save_row(
       "contact", [&](auto& row) { visit_common(row, common); }, tables);
-  const auto& nodes = own.entities.nodes;
-  for (std::size_t s = 0; s < own.surfaces.size(); ++s) {
+  const auto& entities = own.search.entities();
+  const auto& nodes = entities.nodes;
+  for (std::size_t s = 0; s < own.setup.surfaces.size(); ++s) {
     const auto chosen = nodes_of(nodes, s, true);
     save_rows(
         table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
-  if (nodes.has_friction) own.save_friction(tables);
-  own.near.save_state(tables);
-  own.save_touches(tables);
-  own.save_lost(tables);
+  own.search.save_state(tables);
+  own.memory.save(own.evaluation.records(), entities, tables);
 }
 
 template <int Dim>
 void ContactManager<Dim>::load_state(const StateTables& tables) {
-  auto& own = *implementation_;
+  auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
+  auto& entities = search.entities();
   Common common;
   load_row(
       "contact", [&](auto& row) { visit_common(row, common); }, tables);
-  auto& nodes = own.entities.nodes;
-  for (std::size_t s = 0; s < own.surfaces.size(); ++s) {
+  auto& nodes = entities.nodes;
+  for (std::size_t s = 0; s < setup.surfaces.size(); ++s) {
     const auto chosen = nodes_of(nodes, s, false);
     load_rows(
         table_of(s), chosen.size(), [&](std::size_t k) { return nodes.id[chosen[k]]; },
         [&](auto& row, std::size_t k) { visit_node(row, nodes, chosen[k]); }, tables);
   }
   std::fill(nodes.pressed.begin(), nodes.pressed.end(), char{1});  // it may be: forces are known
-  own.dt_last = common.dt_last;
-  own.started = common.started != 0;
-  if (!own.started) return rearrange();
-  own.near.load_state(tables);
-  own.load_touches(tables);
-  own.load_lost(tables);
+  last.dt = common.dt_last;
+  last.started = common.started != 0;
+  if (!last.started) return rearrange();
+  search.load_state(tables);
+  memory.load(entities, tables);
   rearrange();
-  const StepLimit longest = own.longest_after(own.dt_last);
-  own.ahead_last = own.look_ahead(own.dt_last, longest);
-  own.renew(own.ahead_last, false);
-  own.evaluate(own.dt_last, longest, own.ahead_last, nullptr);
-  own.records.collect_deep(own.deep);
-  if (nodes.has_friction) own.load_friction(tables);
+  const LookAhead ahead = search.look_ahead(last.dt);
+  last.ahead = ahead.time;
+  search.renew(ahead.time, true, false);
+  evaluation.run(setup, search, last.dt, ahead, {&memory.touches(), false, true}, nullptr);
+  memory.take_repeated(evaluation.records());
+  if (!nodes.has_friction) return;
+  load_friction(entities, tables, evaluation.records());
+  search.sum_tractions(evaluation.records());
+  KeyedMemory<FaceGrowth> growths;
+  growths.load(entities, tables);
+  take_growths(growths, entities);
 }
 
+template <int Dim>
+void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
+  const auto& nodes = implementation_->search.entities().nodes;
+  const auto add = [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!nodes.owned[i]) continue;
+      part.add(Column::contact_pairs, nodes.spring_work[i]);
+      part.add(Column::contact_damping, nodes.damping_energy[i]);
+      EntityHash hash(nodes.id[i]);
+      hash.add(static_cast<std::uint64_t>(nodes.surface[i]));
+      hash.add(nodes.spring_work[i]);
+      hash.add(nodes.damping_energy[i]);
+      for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
+      part.state_hash += hash.value();
+      if (nodes.conduct) part.heat.friction.add(nodes.friction_given[i]);
+      if (!nodes.has_friction) continue;
+      part.add(Column::contact_friction, nodes.friction_heat[i]);
+      part.add(Column::contact_spring, nodes.friction_stored[i]);
+      part.add(Column::contact_damping, nodes.friction_damped[i]);
+      part.add(Column::contact_pairs, nodes.pair_energy[i]);
+    }
+  };
+  add_in_shares(nodes.size(), totals, add);
+  const auto& records = implementation_->evaluation.records();
+  // Springs hold what their overlaps say. What their forces have taken from motion beyond that went
+  // with contacts that began or ended in the middle of it, or changed in place, area or direction.
+  records.visit([&](const ContactRecord<Dim>& record) {
+    totals.add(Column::contact_spring, record.stored);
+    totals.add(Column::contact_pairs, -record.stored);
+  });
+  totals.state_hash += implementation_->memory.hash(records);
+}
+
+template void ContactManager<2>::add_totals(Totals<2>&) const;
+template void ContactManager<3>::add_totals(Totals<3>&) const;
 template void ContactManager<2>::save_state(std::vector<StateTable>&) const;
 template void ContactManager<3>::save_state(std::vector<StateTable>&) const;
 template void ContactManager<2>::load_state(const StateTables&);

@@ -272,9 +272,9 @@ template <int Dim>
 void Counter<Dim>::add_letters(const ContactReaches<Dim>& reaches, const std::vector<int>& owner) {
   std::vector<std::pair<int, int>> letters;  // from, to
   for (const auto& touch : reaches.touches) {
-    const int from = touch.of_particle
-                         ? partition_.of(reaches.particles[touch.evaluator].node[0].point)
-                         : owner[touch.evaluator];
+    const int from = touch.kind == ContactKind::face_face
+                         ? owner[touch.evaluator]
+                         : partition_.of(reaches.particles[touch.evaluator].node[0].point);
     for (const auto& node : touch.node) {
       const int to = partition_.of(node.point);
       if (to != from) letters.emplace_back(from, to);

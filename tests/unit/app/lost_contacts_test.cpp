@@ -22,12 +22,14 @@ bool has(const std::string& text, const std::string& part) {
 TEST(LostContactWarnings, TellOfEachPairOnce) {
   LostContactWarnings warnings(3);
   EXPECT_TRUE(warnings.take({}).empty());
-  const auto first = warnings.take({pair_with("a-b", 1, 0, {0, kLetGo, 1, 2})});
+  const auto first =
+      warnings.take({pair_with("a-b", 1, 0, {ContactKind::face_face, kLetGo, 1, 2})});
   ASSERT_EQ(first.size(), 1u);
   EXPECT_TRUE(has(first[0], "a-b: faces came 1.02 mm into each other")) << first[0];
   EXPECT_TRUE(has(first[0], "t = 12.5 us, at (0.001, -0.002, 0.003) m")) << first[0];
-  const auto second = warnings.take(
-      {pair_with("a-b", 5, 2, {0, kLetGo, 1, 2}), pair_with("a-c", 0, 1, {0, kFromBehind, 1, 3})});
+  const auto second =
+      warnings.take({pair_with("a-b", 5, 2, {ContactKind::face_face, kLetGo, 1, 2}),
+                     pair_with("a-c", 0, 1, {ContactKind::face_face, kFromBehind, 1, 3})});
   ASSERT_EQ(second.size(), 1u);
   EXPECT_TRUE(has(second[0], "a-c: faces that had gone through each other")) << second[0];
   const auto all = warnings.all();
@@ -40,7 +42,8 @@ TEST(LostContactWarnings, TellOfEachPairOnce) {
 
 TEST(LostContactWarnings, TellOfEdgesThatCross) {
   LostContactWarnings warnings(3);
-  const auto reported = warnings.take({pair_with("a-b", 0, 0, {0, kCrossed, 1, 2}, 3)});
+  const auto reported =
+      warnings.take({pair_with("a-b", 0, 0, {ContactKind::face_face, kCrossed, 1, 2}, 3)});
   ASSERT_EQ(reported.size(), 1u);
   EXPECT_TRUE(has(reported[0], "a-b: faces came 1.02 mm through each other at t")) << reported[0];
   const auto all = warnings.all();
@@ -49,7 +52,8 @@ TEST(LostContactWarnings, TellOfEdgesThatCross) {
 
 TEST(LostContactWarnings, NameParticlesAndAsManyCoordinatesAsThereAre) {
   LostContactWarnings warnings(2);
-  const auto reported = warnings.take({pair_with("shot-wall", 1, 0, {1, kLetGo, 1, 2})});
+  const auto reported =
+      warnings.take({pair_with("shot-wall", 1, 0, {ContactKind::particle_face, kLetGo, 1, 2})});
   ASSERT_EQ(reported.size(), 1u);
   EXPECT_TRUE(has(reported[0], "shot-wall: a particle came 1.02 mm behind a face")) << reported[0];
   EXPECT_TRUE(has(reported[0], "at (0.001, -0.002) m")) << reported[0];

@@ -1,0 +1,53 @@
+#include "contact/contacts/friction_books.hpp"
+
+#include <utility>
+
+namespace brunt {
+
+namespace {
+/// What ended gives its spring's energy away. Its forces acted for the first half of the step: heat
+/// where it was slipping and did not turn back, shared as that of the step before.
+template <int Dim>
+void book_ended(const FrictionHistory<Dim>& past, Entities<Dim>& entities) {
+  auto& nodes = entities.nodes;
+  past.visit_ended([&](const FrictionMemory<Dim>& friction) {
+    const std::size_t at = book_of(entities, friction.key);
+    nodes.friction_stored[at] -= friction.energy();
+    const Real heat = friction.last_heat();
+    nodes.pair_energy[at] += friction.energy();
+    nodes.pair_energy[at] += friction.taken - heat;
+    nodes.friction_heat[at] += heat;
+    if (friction.slips && nodes.conduct) nodes.friction_given[at] += friction.warmth * heat;
+  });
+}
+}  // namespace
+
+template <int Dim>
+void book_friction(const Records<Dim>& records, const FrictionHistory<Dim>& past,
+                   const PairTable& pairs, std::vector<TractionShare<Dim>> elsewhere,
+                   FrictionCheck<Dim>& check, Entities<Dim>& entities) {
+  auto& nodes = entities.nodes;
+  // One pass for all: of a million faces, reading records takes longer than what is done with them.
+  TractionSum<Dim> tractions(entities, std::move(elsewhere));
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+    if (friction == nullptr) return;
+    check.see(pairs, record, *friction);
+    const auto at = static_cast<std::size_t>(record.node[0]);
+    nodes.friction_heat[at] += friction->heat;
+    if (friction->warmth > 0) nodes.friction_given[at] += friction->warmth * friction->heat;
+    nodes.friction_stored[at] += friction->stored;
+    nodes.friction_damped[at] += friction->damped;
+    nodes.pair_energy[at] += friction->pairs;
+    tractions.add(record, *friction);
+  });
+  tractions.finish();
+  book_ended(past, entities);
+}
+
+template void book_friction<2>(const Records<2>&, const FrictionHistory<2>&, const PairTable&,
+                               std::vector<TractionShare<2>>, FrictionCheck<2>&, Entities<2>&);
+template void book_friction<3>(const Records<3>&, const FrictionHistory<3>&, const PairTable&,
+                               std::vector<TractionShare<3>>, FrictionCheck<3>&, Entities<3>&);
+
+}  // namespace brunt
+// Tested by tests/unit/contact/friction_heat_test.cpp.

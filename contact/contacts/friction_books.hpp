@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "contact/contacts/face_tractions.hpp"
+#include "contact/contacts/friction_check.hpp"
+
+namespace brunt {
+
+/// Books what friction did in a step (docs/theory/contact.md (C33)) to the nodes of its evaluators,
+/// with what ended in it, sums what the faces carry from now on, and shows every coefficient to
+/// `check`. elsewhere  what contacts of other ranks leave on faces here, sorted by key
+template <int Dim>
+void book_friction(const Records<Dim>& records, const FrictionHistory<Dim>& past,
+                   const PairTable& pairs, std::vector<TractionShare<Dim>> elsewhere,
+                   FrictionCheck<Dim>& check, Entities<Dim>& entities);
+
+}  // namespace brunt

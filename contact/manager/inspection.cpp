@@ -1,0 +1,134 @@
+/// What the manager shows of its work, and of how the bodies of a scene stand to each other.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "contact/manager/implementation.hpp"
+
+namespace brunt {
+
+template <int Dim>
+std::size_t ContactManager<Dim>::n_pairs() const {
+  return implementation_->setup.pairs.pairs().size();
+}
+
+template <int Dim>
+std::size_t ContactManager<Dim>::n_facets() const {
+  std::size_t n = 0;
+  for (const auto* surface : implementation_->setup.surfaces) n += surface->facets.size();
+  return n;
+}
+
+template <int Dim>
+ContactWork ContactManager<Dim>::work() const {
+  const auto& own = *implementation_;
+  const auto& candidates = own.search.candidates();
+  return {candidates.builds(),
+          candidates.faces().size() + candidates.n_particles() + candidates.pairs().size(),
+          own.evaluation.records().size(), candidates.skin(),
+          own.search.entities().near_faces.size()};
+}
+
+template <int Dim>
+std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
+  // [ns] of a candidate, near or far alike (docs/performance.md); only their ratio matters.
+  constexpr Real kFacePair = 1500, kParticleOnFace = 400, kParticlePair = 50;
+  const auto& own = *implementation_;
+  const auto& entities = own.search.entities();
+  const auto& candidates = own.search.candidates();
+  const auto& nodes = entities.nodes;
+  std::vector<std::vector<Real>> work;
+  for (const auto* surface : own.setup.surfaces) {
+    work.emplace_back(static_cast<std::size_t>(surface->points->n_owned), 0.0);
+  }
+  const auto add = [&](LocalIndex node, Real cost) {
+    const auto i = static_cast<std::size_t>(node);
+    if (!nodes.owned[i] || nodes.point[i] < 0) return;
+    auto& of_surface = work[static_cast<std::size_t>(nodes.surface[i])];
+    const auto point = static_cast<std::size_t>(nodes.point[i]);
+    if (point < of_surface.size()) of_surface[point] += cost;
+  };
+  for (const auto& pair : candidates.faces()) {
+    const auto& face = entities.faces[static_cast<std::size_t>(pair.lower)];
+    for (int c = 0; c < face.n_nodes; ++c) {
+      add(face.node[static_cast<std::size_t>(c)], kFacePair / face.n_nodes);
+    }
+  }
+  const ParticleRows rows = candidates.particle_rows(own.setup.pairs, own.last.ahead);
+  for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
+    const auto [first, last] = rows.range(row);
+    const auto particle = static_cast<std::size_t>(rows.row_clearances[row].entity);
+    add(entities.particles[particle].node, kParticleOnFace * static_cast<Real>(last - first));
+  }
+  for (const auto& pair : candidates.pairs()) {
+    add(entities.particles[static_cast<std::size_t>(pair.particle)].node, kParticlePair);
+  }
+  return work;
+}
+
+template <int Dim>
+std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
+  const auto& own = *implementation_;
+  std::map<std::size_t, InitialOverlaps> by_pair;
+  const auto bodies_of = [&](const ContactKey& key) -> std::pair<Label, Label> {
+    const auto& entities = own.search.entities();
+    const auto body_of = [&](GlobalId particle) {
+      return entities.particles[entities.particle_with(particle)].body;
+    };
+    if (key.kind == ContactKind::particle_particle) {
+      return std::minmax(body_of(key.first), body_of(key.second));
+    }
+    if (key.kind == ContactKind::particle_face) {
+      return std::minmax(body_of(key.first), static_cast<Label>(key.second >> 32));
+    }
+    return std::minmax(entities.faces[entities.face_with(key.first)].body,
+                       entities.faces[entities.face_with(key.second)].body);
+  };
+  for (const auto& touch : own.memory.touches()) {
+    if (!(touch.overlap > 0)) continue;
+    const auto [a, b] = bodies_of(touch.key);
+    const std::size_t pair = own.setup.pairs.find(a, b).value();
+    auto& overlaps = by_pair[pair];
+    overlaps.name = own.setup.pairs.name(pair);
+    ++overlaps.contacts;
+    overlaps.deepest = std::max(overlaps.deepest, touch.overlap);
+  }
+  std::vector<InitialOverlaps> found;
+  found.reserve(by_pair.size());
+  for (const auto& [pair, overlaps] : by_pair) found.push_back(overlaps);
+  return found;
+}
+
+template <int Dim>
+std::vector<OneSidedPair> ContactManager<Dim>::one_sided_pairs() const {
+  const auto& own = *implementation_;
+  std::set<Label> with_faces, open;
+  for (const auto& face : own.search.entities().faces) {
+    with_faces.insert(face.body);
+    if (face.open) open.insert(face.body);
+  }
+  std::vector<OneSidedPair> found;
+  for (std::size_t k = 0; k < own.setup.pairs.pairs().size(); ++k) {
+    const auto [a, b] = own.setup.pairs.pairs()[k];
+    if (with_faces.count(a) == 0 || with_faces.count(b) == 0) continue;
+    if (open.count(a) != 0) found.push_back({own.setup.pairs.name(k), a});
+    if (open.count(b) != 0 && b != a) found.push_back({own.setup.pairs.name(k), b});
+  }
+  return found;
+}
+
+template std::vector<OneSidedPair> ContactManager<2>::one_sided_pairs() const;
+template std::vector<OneSidedPair> ContactManager<3>::one_sided_pairs() const;
+template std::vector<InitialOverlaps> ContactManager<2>::initial_overlaps() const;
+template std::vector<InitialOverlaps> ContactManager<3>::initial_overlaps() const;
+template std::size_t ContactManager<2>::n_pairs() const;
+template std::size_t ContactManager<3>::n_pairs() const;
+template std::size_t ContactManager<2>::n_facets() const;
+template std::size_t ContactManager<3>::n_facets() const;
+template ContactWork ContactManager<2>::work() const;
+template ContactWork ContactManager<3>::work() const;
+template std::vector<std::vector<Real>> ContactManager<2>::point_work() const;
+template std::vector<std::vector<Real>> ContactManager<3>::point_work() const;
+
+}  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.

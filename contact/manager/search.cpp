@@ -1,0 +1,134 @@
+#include "contact/manager/search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace brunt {
+
+namespace {
+/// How much longer than the last a step may be where particles look ahead for what is near. That is
+/// a step limit: of less than half a step's it leaves room for twice the step.
+Real step_growth(Real safety) { return std::max(4.0, 2 / safety); }
+
+template <int Dim>
+Entities<Dim> entities_of(const ContactSetup<Dim>& setup) {
+  return Entities<Dim>(setup.surfaces, setup.pairs, setup.section, setup.ranks, setup.rigid);
+}
+}  // namespace
+
+template <int Dim>
+ContactSearch<Dim>::ContactSearch(const ContactSetup<Dim>& setup)
+    : setup_(setup),
+      entities_(entities_of(setup)),
+      imports_(setup.ranks, setup.surfaces),
+      candidates_(setup.options.search, setup.options.skin) {}
+
+template <int Dim>
+void ContactSearch<Dim>::take_rigid() {
+  if (!setup_.rigid.neighbours.empty()) entities_ = entities_of(setup_);
+}
+
+template <int Dim>
+void ContactSearch<Dim>::refresh_motion() {
+  entities_.nodes.read_motion(setup_.surfaces);
+  imports_.refresh_motion(entities_.nodes);
+  entities_.refresh_planes();
+}
+
+template <int Dim>
+void ContactSearch<Dim>::refresh_friction() {
+  imports_.refresh_tractions(entities_);
+  auto& nodes = entities_.nodes;
+  if (!nodes.needs_material) return;
+  entities_.read_materials(setup_.surfaces);
+  imports_.refresh_materials(entities_.materials);
+  nodes.read_temperatures(setup_.surfaces);
+  imports_.refresh_temperatures(nodes.temperature);
+}
+
+template <int Dim>
+StepLimit ContactSearch<Dim>::longest_after(Real dt) const {
+  StepLimit longest = entities_.stiffness_limit();
+  longest.take(setup_.rigid.step_limit);
+  if (dt > 0 && !entities_.particles.empty()) {
+    const auto& first = entities_.particles.front();
+    const Real grown = step_growth(setup_.options.safety) * dt;
+    longest.take({grown, "contact look-ahead", first.body, first.id});
+  }
+  return longest;
+}
+
+template <int Dim>
+LookAhead ContactSearch<Dim>::look_ahead(Real dt) const {
+  const StepLimit longest = longest_after(dt);
+  if (dt > 0) return {longest, step_growth(setup_.options.safety) * dt};
+  // Where nothing is near no face bounds the step: the elements behind them do.
+  const Real mine = std::min(longest.step, entities_.longest_step);
+  return {longest, -setup_.ranks.all->max(-mine)};
+}
+
+template <int Dim>
+LookAhead ContactSearch<Dim>::renew_if_due(Real dt, bool inherits) {
+  LookAhead ahead = look_ahead(dt);
+  const WallTimer timer(list_time_, *setup_.ranks.all);
+  const bool complete = candidates_.complete(entities_, ahead.time, *setup_.ranks.all);
+  const Real speed = candidates_.speed();
+  // Without a step nobody knows how points have come to where they are.
+  const bool look = near_.due(speed * dt, speed * ahead.time) || dt == 0;
+  const bool others = look && find_near_bodies(ahead.time);
+  if (others || !complete) {
+    renew(ahead.time, inherits, true);
+    refresh_motion();
+    ahead.longest = longest_after(dt);
+  }
+  return ahead;
+}
+
+template <int Dim>
+LookAhead ContactSearch<Dim>::begin() {
+  entities_.refresh_planes();
+  const Real ahead = look_ahead(0).time;
+  renew(ahead, false, false);
+  if (find_near_bodies(ahead)) renew(ahead, false, false);
+  return {longest_after(0), ahead};
+}
+
+template <int Dim>
+void ContactSearch<Dim>::renew(Real ahead, bool inherits, bool with_motion) {
+  Entities<Dim> fresh = entities_of(setup_);
+  if (inherits) fresh.nodes.inherit(entities_.nodes);
+  std::swap(entities_, fresh);
+  entities_.longest_step = std::min(entities_.longest_step, setup_.rigid.step_limit.step);
+  entities_.choose(near_.near());
+  if (with_motion) entities_.nodes.read_motion(setup_.surfaces);
+  entities_.refresh_planes();
+  candidates_.build(entities_, setup_.pairs, ahead, imports_);
+  if (inherits) entities_.inherit_tractions(fresh);
+}
+
+/// Finds the bodies that may touch others; true where they are not the same as before. Collective.
+template <int Dim>
+bool ContactSearch<Dim>::find_near_bodies(Real ahead) {
+  return near_.look(setup_.surfaces, entities_, setup_.pairs, candidates_.speed() * ahead,
+                    *setup_.ranks.all);
+}
+
+template <int Dim>
+void ContactSearch<Dim>::sum_tractions(const Records<Dim>& records) {
+  TractionSum<Dim> sum(entities_, imports_.send_tractions(records, entities_));
+  records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
+    if (friction != nullptr) sum.add(record, *friction);
+  });
+  sum.finish();
+}
+
+template <int Dim>
+WallTime ContactSearch<Dim>::take_list_time() {
+  return std::exchange(list_time_, {});
+}
+
+template class ContactSearch<2>;
+template class ContactSearch<3>;
+
+}  // namespace brunt
+// Tested by tests/unit/contact/rebuild_test.cpp.
