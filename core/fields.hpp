@@ -28,6 +28,7 @@ inline constexpr std::array kFields{
     FieldInfo{"strain_rate", 1, "1/s", "equivalent plastic strain rate, of materials that yield"},
     FieldInfo{"plastic_volume", 1, "1", "volumetric plastic strain, of laws that have any"},
     FieldInfo{"opening", 1, "1", "volumetric strain beyond the tension that a law can bear"},
+    FieldInfo{"damage", 1, "1", "share of the stress that is lost, of materials that fail"},
     FieldInfo{"density", 1, "kg/m^3", "of the present volume"},
     FieldInfo{"piece", 1, "1", "number of the piece of its body, of bodies of several"},
     FieldInfo{"id", 1, "1", "number of the node, element or particle, the same on any ranks"}};

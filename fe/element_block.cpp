@@ -117,6 +117,11 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.state =
       set.material->initial_state(padded * static_cast<std::size_t>(block.gauss), set.temperature,
                                   set.adiabatic || (set.conducts && warms));
+  for (LocalIndex e = 0; e < block.n_padded && !block.state.length.empty(); ++e) {
+    for (int g = 0; g < block.gauss; ++g) {
+      block.state.length[block.point(e, g)] = block.reference_size[e];
+    }
+  }
   if (block.conducts) {
     block.heat_share = corner_shares(block, points, thickness);
     if (warms) block.heat_given.assign(padded, 0.0);

@@ -63,6 +63,9 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
     const bool warms = material.yields() || material.warms_by_compression();
     MaterialState state = material.initial_state(set.particle.size(), set.temperature,
                                                  set.adiabatic || (set.conducts && warms));
+    for (std::size_t slot = 0; slot < set.particle.size() && !state.length.empty(); ++slot) {
+      state.length[slot] = spacing[static_cast<std::size_t>(set.particle[slot])];
+    }
     std::vector<Real> given;
     if (set.conducts && warms) given.assign(set.particle.size(), 0.0);
     blocks_.push_back({std::move(set), std::move(state), std::move(given)});

@@ -62,6 +62,7 @@ void add_material(FieldList& fields, const MaterialState& state, std::size_t slo
     fields.add("plastic_volume", {state.plastic_volume[slot]});
     fields.add("opening", {state.opening[slot]});
   }
+  if (!state.damage.empty()) fields.add("damage", {state.damage[slot]});
   if (has_temperature) return;
   if (!state.temperature.empty()) fields.add("temperature", {state.temperature[slot]});
 }

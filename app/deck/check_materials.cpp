@@ -65,6 +65,26 @@ void check_equation_of_state(const Named<Material>& material, Findings& findings
   }
 }
 
+/// Damage counts plastic strain, or is refused where another law lets the point open.
+void check_damage(const Named<Material>& material, Findings& findings) {
+  const auto& law = material.value.damage;
+  const std::string path = "materials." + material.name + ".damage";
+  if (std::holds_alternative<NoDamage>(law)) return;
+  const bool counts_strain = std::holds_alternative<JohnsonCookDamage>(law) ||
+                             std::holds_alternative<StrainDamage>(law) ||
+                             std::holds_alternative<CockcroftLatham>(law);
+  if (counts_strain && std::holds_alternative<NoStrength>(material.value.strength)) {
+    findings.wrong(path,
+                   "counts plastic strain, and without `strength` there is none: add one, or "
+                   "write damage: {principal_stress: ...} or {mean_tension: ...}");
+  }
+  if (std::holds_alternative<DruckerPrager>(material.value.strength)) {
+    findings.wrong(path,
+                   "drucker-prager has a tension limit of its own: leave `damage` out, or "
+                   "write tensile_cutoff");
+  }
+}
+
 /// c = sqrt((K + 4/3 G) / rho) [m/s] of all that is solid is 50 to 20,000; beyond, a unit is wrong.
 void check_sound_speed(const Named<Material>& material, Findings& findings) {
   const std::string path = "materials." + material.name;
@@ -109,6 +129,7 @@ void check_materials(const Deck& deck, Findings& findings) {
     check_melting(deck, material, findings);
     check_heat(deck, material, findings);
     check_equation_of_state(material, findings);
+    check_damage(material, findings);
     check_sound_speed(material, findings);
   }
   const auto conducts = [](const auto& material) {

@@ -95,6 +95,7 @@ std::string reason_for(const std::string& field) {
   if (field == "plastic_volume" || field == "opening") {
     return " (plastic flow of its material keeps the volume)";
   }
+  if (field == "damage") return " (its material has no `damage`)";
   return "";
 }
 }  // namespace

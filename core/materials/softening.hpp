@@ -152,8 +152,8 @@ Pack Softening<Law>::soften(const MaterialTile& tile, const Four& four, Pack ind
   const Pack square =
       s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
   const Pack tension = vmin(four.pressure, zero);
-  const Pack elastic =
-      square * (inputs_.shear > 0 ? 0.25 / inputs_.shear : 0.0) + 0.5 * tension * tension / load(state.bulk.data() + at);
+  const Pack elastic = square * (inputs_.shear > 0 ? 0.25 / inputs_.shear : 0.0) +
+                       0.5 * tension * tension / load(state.bulk.data() + at);
   Real* const limit_at = state.softening_limit.data() + at;
   const Pack room = 2.0 * (law_.energy / load(state.length.data() + at) - elastic);
   const Pack limit = select(fresh, vmax(room, zero), load(limit_at));
