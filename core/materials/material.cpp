@@ -82,6 +82,7 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
     if (damage->regularised()) {
       state.softening_work.assign(size, 0.0);
       state.softening_limit.assign(size, 0.0);
+      state.softening_energy.assign(size, 0.0);
       state.length.assign(size, 1.0);
     }
   }

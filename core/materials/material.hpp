@@ -32,9 +32,10 @@ struct MaterialState {
   std::vector<Real> bulk;  ///< [Pa] current tangent bulk modulus K_t
   /// Of materials that fail: how far the way to failure is gone, 1 where it begins; the share of
   /// the stress that is lost; and where softening takes energy the work since it began, that at
-  /// which nothing is left [J/m^3], and the size of the element or particle [m], which its owner
-  /// sets. docs/theory/materials.md (M21)
-  std::vector<Real> damage_index, damage, softening_work, softening_limit, length;
+  /// which nothing is left, the largest elastic energy [J/m^3], and the size of the element or
+  /// particle [m], which its owner sets. docs/theory/materials.md (M21)
+  std::vector<Real> damage_index, damage;
+  std::vector<Real> softening_work, softening_limit, softening_energy, length;
   std::size_t size() const { return pressure.size(); }
 };
 

@@ -4,13 +4,12 @@
 
 namespace brunt {
 
-/// (M22): damage that grows with the work w [J/m^3] that the intact part has taken since the index
-/// reached 1,
-///   d = w/w_f,  w_f = 2 (G_f/L - psi),
-/// L [m] the size of the element and psi [J/m^3] the elastic energy at that moment. With d linear
-/// in the work of the effective stress a crack takes psi L + w_f L/2 = G_f, whatever the shape of
-/// the stress-strain curve and the size of the element (crack band: Bazant & Oh, Mater. Struct. 16,
-/// 1983).
+/// (M22): 1 - d = m (1 - w/w_f), m = sqrt(psi_0/psi), from the step on in which the index
+/// reaches 1. psi [J/m^3] is the largest elastic energy of the intact part since then, psi_0 the
+/// one that it had in that step: m holds a stress that still grows at the strength. w = int m s :
+/// d(eps) [J/m^3] is the work of what is held so, and w_f = 2 (G_f/L - psi_0), L [m] the size of
+/// the element. A crack takes psi_0 L + w_f L/2 = G_f then, whatever the shape of the stress-strain
+/// curve and the size of the element (crack band: Bazant & Oh, Mater. Struct. 16, 1983).
 template <DamageLaw Law>
 class Softening final : public Damage {
  public:
@@ -32,6 +31,7 @@ class Softening final : public Damage {
   Four effective(const MaterialTile& tile, const BeforeDamage& before, int i) const;
   Pack index_of(const MaterialTile& tile, const BeforeDamage& before, const Four& four,
                 int i) const;
+  Pack elastic_energy(const Four& four, Pack bulk) const;
   Pack soften(const MaterialTile& tile, const Four& four, Pack index_before, Pack index,
               int i) const;
   void store_nominal(MaterialTile& tile, const BeforeDamage& before, const Four& four, Pack damage,
@@ -133,6 +133,16 @@ Pack Softening<Law>::index_of(const MaterialTile& tile, const BeforeDamage& befo
   return law_.index(point, load(state.damage_index.data() + at));
 }
 
+/// Elastic energy [J/m^3] of four points, that of pressure that compresses left out.
+template <DamageLaw Law>
+Pack Softening<Law>::elastic_energy(const Four& four, Pack bulk) const {
+  const auto& s = four.deviator;
+  const Pack square =
+      s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
+  const Pack tension = vmin(four.pressure, broadcast<Pack>(0.0));
+  return square * (inputs_.shear > 0 ? 0.25 / inputs_.shear : 0.0) + 0.5 * tension * tension / bulk;
+}
+
 /// Damage after the step.
 template <DamageLaw Law>
 Pack Softening<Law>::soften(const MaterialTile& tile, const Four& four, Pack index_before,
@@ -148,21 +158,24 @@ Pack Softening<Law>::soften(const MaterialTile& tile, const Four& four, Pack ind
     store(state.damage.data() + at, failed);
     return failed;
   }
-  const auto& s = four.deviator;
-  const Pack square =
-      s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
-  const Pack tension = vmin(four.pressure, zero);
-  const Pack elastic = square * (inputs_.shear > 0 ? 0.25 / inputs_.shear : 0.0) +
-                       0.5 * tension * tension / load(state.bulk.data() + at);
+  const Pack tiny = broadcast<Pack>(1e-300);
+  const Pack whole = law_.energy / load(state.length.data() + at);
+  const Pack energy = elastic_energy(four, load(state.bulk.data() + at));
   Real* const limit_at = state.softening_limit.data() + at;
-  const Pack room = 2.0 * (law_.energy / load(state.length.data() + at) - elastic);
-  const Pack limit = select(fresh, vmax(room, zero), load(limit_at));
+  const Pack limit = select(fresh, vmax(2.0 * (whole - energy), zero), load(limit_at));
   store(limit_at, limit);
+  Real* const largest_at = state.softening_energy.data() + at;
+  const Pack before = select(fresh, energy, load(largest_at)), largest = vmax(before, energy);
+  store(largest_at, select(begun, largest, zero));
+  const Pack first = vmax(whole - 0.5 * limit, tiny);
+  const auto held = [&](Pack most) { return vsqrt(vmin(first / vmax(most, tiny), one)); };
   Real* const work_at = state.softening_work.data() + at;
-  const Pack work = load(work_at) + select(begun & !fresh, four.work, zero);
+  const Pack done = 0.5 * (held(before) + held(largest)) * four.work;
+  const Pack work = load(work_at) + select(begun & !fresh, done, zero);
   store(work_at, work);
-  const Pack grown = select(limit > 0.0, work / vmax(limit, broadcast<Pack>(1e-300)), one);
-  const Pack after = select(begun, vmax(damage, vmin(grown, one)), damage);
+  const Pack left =
+      select(limit > 0.0, vmax(1.0 - vmax(work, zero) / vmax(limit, tiny), zero), zero);
+  const Pack after = select(begun, vmax(damage, 1.0 - held(largest) * left), damage);
   store(state.damage.data() + at, after);
   return after;
 }

@@ -28,6 +28,7 @@ void visit_material_point(State& state, std::size_t k, FieldUse of_particles, co
     optional(*field, kState);
   }
   optional(state.softening_limit, kSaved);
+  optional(state.softening_energy, kSaved);
   optional(state.length, kSaved);
 }
 

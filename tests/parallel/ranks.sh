@@ -62,6 +62,7 @@ cases=(
   "decks/fast 30_us"
   "decks/flight 0.2_ms"
   "decks/thin 4_us"
+  "decks/failing 17_us"
   "decks/lost 0.14_ms"
 )
 status=0
