@@ -130,12 +130,13 @@ void check_flow_stress(const Deck& deck, const std::string& path, const PairOpti
   const auto yielding = [&](const std::string& name) { return yields(deck, name); };
   if (!findings.sound("materials") || std::any_of(bodies.begin(), bodies.end(), yielding)) return;
   const std::string who = bodies.size() == 1 ? "no body" : "neither body";
-  const bool asks =
-      pair.friction && pair.friction->over == Varying::Over::sliding && pair.friction->depends[1];
+  const bool asks = pair.coulomb.friction &&
+                    pair.coulomb.friction->over == Varying::Over::sliding &&
+                    pair.coulomb.friction->depends[1];
   if (asks && findings.stands(path + ".friction")) {
     findings.warn(path + ".friction", "`yield` is infinite: " + who + " has a `strength`");
   }
-  if (pair.shear_limit && findings.stands(path + ".shear_limit")) {
+  if (pair.coulomb.shear_limit && findings.stands(path + ".shear_limit")) {
     findings.warn(path + ".shear_limit", "limits nothing: " + who + " has a `strength`");
   }
 }

@@ -203,26 +203,15 @@ void begin(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
   friction.stiffness = step.stiffness;
 }
 
-/// The force [N] at which the contact slips: of the coefficient at its pressure and speed, with
-/// cohesion where it is bonded, and no more than the shear limit. friction: state and coefficient
-/// out. speed [m/s]
+/// The force [N] at which the contact slips. friction: state and coefficient out. speed [m/s]
 template <int Dim>
 Real sliding_limit(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step, Real speed,
                    Friction<Dim>& friction) {
   const Real push = record.spring + record.damping;
-  const Real normal_force = step.bonded ? push : std::max(push, 0.0);
   const Real pressure = std::max(push, 0.0) / step.pressed;
-  friction.state = {step.material.temperature, step.material.flow_stress, pressure, speed};
-  // A coefficient may be infinite at no pressure: c/p, a friction that does not depend on it.
-  if (pressure > 0 || step.bonded) {
-    friction.coefficient = step.options->coefficient(friction.state);
-  }
-  Real limit = friction.coefficient * normal_force;
-  if (step.bonded) limit = std::max(limit + step.options->cohesion * step.pressed, 0.0);
-  if (step.options->shear_limit) {
-    limit = std::min(limit, step.material.flow_stress / std::sqrt(3.0) * step.pressed);
-  }
-  return limit;
+  friction.state = {
+      step.material.temperature, step.material.flow_stress, pressure, speed, push, step.pressed};
+  return step.laws->slip_limit(friction.state, step.bonded, friction.coefficient);
 }
 
 /// The traction [Pa] of the damper where friction sticks; with the spring's no more than the limit

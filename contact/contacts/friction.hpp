@@ -5,7 +5,7 @@
 
 #include "contact/contacts/keyed_memory.hpp"
 #include "contact/geometry/body_turn.hpp"
-#include "contact/law/options.hpp"
+#include "contact/law/pair_laws.hpp"
 #include "contact/surfaces/entities.hpp"
 
 namespace brunt {
@@ -47,7 +47,7 @@ struct Friction : FrictionMemory<Dim> {
   Real stored = 0;                    ///< [J] gained by the spring in the last step
   Real pairs = 0;                     ///< [J] what changes of the contact itself took from motion
   Real coefficient = 0;               ///< [1] of the last step
-  Sliding state;                      ///< at which `coefficient` was found
+  ContactState state;                 ///< at which `coefficient` was found
   Vec<Dim> point = Vec<Dim>::Zero();  ///< [m] where the force acts
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
@@ -127,18 +127,18 @@ struct ContactRecord;
 /// What friction needs to know of a contact besides its record.
 template <int Dim>
 struct FrictionStep {
-  const PairOptions* options = nullptr;
+  const PairLaws* laws = nullptr;  ///< with friction
   ContactSide lower, upper;
   std::array<Real, Friction<Dim>::kNodes> weight{};  ///< of the nodes, each side's sum to one
   Vec<Dim> point = Vec<Dim>::Zero();                 ///< [m] where the force acts
   Real area = 0;        ///< [m^2] that carries traction; of a particle its share [1]
   Real pressed = 0;     ///< [m^2] area under pressure
-  bool bonded = false;  ///< cohesion adds to the limit, and a pull counts against it
+  bool bonded = false;  ///< its bond holds
   Real stiffness = 0;   ///< [Pa/m] of the tangential spring; of a particle [N/m]
   Real damping = 0;     ///< [Pa s/m] where it sticks; of a particle [N s/m]
   Real dt = 0;          ///< [s]
   /// Of both sides together: their mean temperature, and the flow stress of the softer one. Set
-  /// where the options ask for it.
+  /// where the laws need it.
   SurfaceMaterial material;
   const FrictionMemory<Dim>* before = nullptr;
   Real kept = 1;  ///< [1] part of the past traction that is left once its area has changed

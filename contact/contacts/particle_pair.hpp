@@ -33,9 +33,7 @@ struct PairCandidate {
   Real stiffness = 0;      ///< [N/m] per breadth
   Real barrier = 0;        ///< [N/m] per breadth
   Real zeta = 0;
-  const PairOptions* friction = nullptr;  ///< the pair's options where it has friction
-  const ContactHeat* heat = nullptr;      ///< how heat passes, where both take any
-  bool presses = false;                   ///< an overlap at time 0 is felt at once
+  PairLaws laws{};
 };
 
 /// What stands behind one side of a contact of two particles for heat.

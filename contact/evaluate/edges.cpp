@@ -43,7 +43,8 @@ void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
                 const EdgeContact& contact, std::uint32_t ordinal, Records<3>::Part& part) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
-  const Real area = candidate.limit * candidate.limit, stiffness = candidate.stiffness * area;
+  const Real area = candidate.normal.limit * candidate.normal.limit,
+             stiffness = candidate.normal.stiffness * area;
   auto& record = part.face_on_face.emplace_back();
   record.first = lower.id, record.second = upper.id;
   record.first_place = candidate.lower, record.second_place = candidate.upper;
@@ -70,7 +71,7 @@ void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
   };
   add(lower, 0);
   add(upper, Facet<3>::kNodes);
-  record.damping = std::max(candidate.damping * record.area * closing, -record.spring);
+  record.damping = std::max(candidate.normal.damping * record.area * closing, -record.spring);
 }
 }  // namespace
 
@@ -79,7 +80,7 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, con
   const auto& lower = entities.planes[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
   if (lower.borders >> kBladeBits == 0 || upper.borders >> kBladeBits == 0) return;
-  const Real stiffening = 0.5 * candidate.limit;
+  const Real stiffening = 0.5 * candidate.normal.limit;
   EdgeContact contact;
   for (int i = 0; i < lower.n_corners; ++i) {
     if ((lower.borders >> (kBladeBits + static_cast<unsigned>(i)) & 1U) == 0) continue;
@@ -89,8 +90,8 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, con
       const auto ordinal = kFirstOrdinal + static_cast<std::uint32_t>(4 * i + j);
       add_record(entities, candidate, contact, ordinal, part);
       const Real depth = contact.penetration / stiffening;
-      const Real tangent =
-          candidate.stiffness * candidate.limit * candidate.limit * (1 + 3 * depth * depth);
+      const Real tangent = candidate.normal.stiffness * candidate.normal.limit *
+                           candidate.normal.limit * (1 + 3 * depth * depth);
       take_step_limit(entities, candidate, contact, tangent, part.step_limit);
     }
   }

@@ -12,10 +12,12 @@ template <int Dim>
 int pressing_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
                     const Section& section, const FaceCandidate& candidate, Real opening,
                     Planes<Dim>& planes) {
-  const PlaneNeeds needs{
-      .middle = candidate.friction != nullptr, .opening = opening, .barrier = candidate.barrier()};
-  if (!candidate.layer.acts()) return common_planes<Dim>(lower, upper, section, planes, needs);
-  return layered_planes<Dim>(lower, upper, section, candidate.layer, planes, needs);
+  const PlaneNeeds needs{.middle = candidate.laws.friction != nullptr,
+                         .opening = opening,
+                         .barrier = candidate.normal.barrier()};
+  if (!candidate.normal.layer.acts())
+    return common_planes<Dim>(lower, upper, section, planes, needs);
+  return layered_planes<Dim>(lower, upper, section, candidate.normal.layer, planes, needs);
 }
 
 /// True where a bond opens beyond its strength.
@@ -24,8 +26,8 @@ bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
   constexpr Real kWidest = 0.25;  // of the depth: farther, the lists may not see both faces
   for (int i = 0; i < n; ++i) {
     const Real opening = std::max(-planes[static_cast<std::size_t>(i)].penetration, 0.0);
-    if (candidate.stiffness * opening > candidate.friction->tension) return true;
-    if (opening > kWidest * candidate.limit) return true;
+    if (candidate.laws.bond.tears(candidate.normal.stiffness * opening)) return true;
+    if (opening > kWidest * candidate.normal.limit) return true;
   }
   return false;
 }
@@ -40,12 +42,10 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   const Real meets = meeting_distance(lower, upper);
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
-    if (plane.deepest > candidate.limit) return FirstTouch{};  // seen from behind
-    if (!candidate.presses && plane.deepest > meets) {
-      touch.overlap = std::max(touch.overlap, plane.deepest);
-    }
-    const bool bonds = candidate.friction != nullptr && candidate.friction->bonds();
-    touch.bonded = touch.bonded || (bonds && plane.penetration >= -meets);
+    if (plane.deepest > candidate.normal.limit) return FirstTouch{};  // seen from behind
+    const Real ignored = ignored_overlap(candidate.laws.initial_overlap, plane.deepest, meets);
+    touch.overlap = std::max(touch.overlap, ignored);
+    touch.bonded = touch.bonded || candidate.laws.bond.begins(-plane.penetration, meets);
   }
   return touch;
 }
@@ -74,9 +74,11 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
   touch.overlap = std::min(touch.overlap, deepest_of<Dim>(planes, n));
   touch.bonded = touch.bonded && n > 0;
   if (touch.bonded) {
-    n = common_planes<Dim>(
-        lower, upper, section, planes,
-        {.middle = true, .opening = -touch.overlap, .whole = true, .barrier = candidate.barrier()});
+    n = common_planes<Dim>(lower, upper, section, planes,
+                           {.middle = true,
+                            .opening = -touch.overlap,
+                            .whole = true,
+                            .barrier = candidate.normal.barrier()});
     if (!tears(planes, n, candidate)) return n;
     touch.bonded = false;
   }

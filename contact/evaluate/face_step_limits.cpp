@@ -57,17 +57,17 @@ void limit_by_approach(const Entities<Dim>& entities, const FaceCandidate& candi
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   if (!(-lower.normal.dot(upper.normal) > FacingRamp<Dim>(lower, upper).none)) return;
   const Vec<Dim> n = (lower.normal - upper.normal).normalized();
-  if (n.dot(lower.center - upper.center) > candidate.limit) return;
+  if (n.dot(lower.center - upper.center) > candidate.normal.limit) return;
   const Front below = front_of<Dim>(entities, candidate.lower, n, lower.center);
   const Front above = front_of<Dim>(entities, candidate.upper, -n, lower.center);
   const Real closing = below.speed + above.speed;
   if (!(closing > 0)) return;
   const Real least = std::min(step.longest_of_faces, step_limit.step);
-  const Real way = way_of(candidate.barrier(), below.height + above.height);
+  const Real way = way_of(candidate.normal.barrier(), below.height + above.height);
   if (way > closing * least) return;
   const Real relative = (entities.face_velocity(u) - entities.face_velocity(l)).norm();
   // No farther than the lists see, whatever their skin.
-  const Real sweep = candidate.limit + std::max(closing, relative) * step.longest_of_faces;
+  const Real sweep = candidate.normal.limit + std::max(closing, relative) * step.longest_of_faces;
   if (!widened<Dim>(entities.boxes[l], sweep).meets(entities.boxes[u])) return;
   step_limit.take({way / closing, "contact speed", entities.faces[l].body, entities.faces[l].id});
 }
@@ -76,7 +76,7 @@ template <int Dim>
 void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candidate,
                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
                       StepLimit& step_limit) {
-  const FaceBarrier barrier = candidate.barrier();
+  const FaceBarrier barrier = candidate.normal.barrier();
   const Real coming =
       std::min(std::max(closing, 0.0) * step.longest_of_faces, way_of(barrier, plane.deepest));
   if (!(barrier.tangent(plane.deepest + coming) > 1)) return;

@@ -79,7 +79,7 @@ void note_crossing(const Entities<Dim>& entities, const FaceCandidate& candidate
   const auto u = static_cast<std::size_t>(candidate.upper);
   Crossing<Dim> found;
   if (!entities.boxes[l].meets(entities.boxes[u])) return;
-  if (!find_crossing(entities.planes[l], entities.planes[u], candidate.limit, found)) return;
+  if (!find_crossing(entities.planes[l], entities.planes[u], candidate.normal.limit, found)) return;
   const auto &lower = entities.faces[l], &upper = entities.faces[u];
   part.lost.push_back({{ContactKind::face_face, kCrossed, lower.id, upper.id},
                        lower.body,
@@ -128,28 +128,16 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
                        const CommonPlane<Dim>& plane, const Section& section, Real dt) {
   if (plane.deepest <= plane.barrier.onset) return false;
   // Both faces may have moved: most pairs cannot have been as deep.
-  if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.limit) return false;
+  if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.normal.limit)
+    return false;
   std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
                                    before_step(entities, candidate.upper, dt), section, planes,
-                                   {.barrier = candidate.barrier()});
+                                   {.barrier = candidate.normal.barrier()});
   for (int i = 0; i < n; ++i) {
-    if (planes[static_cast<std::size_t>(i)].penetration > candidate.limit) return true;
+    if (planes[static_cast<std::size_t>(i)].penetration > candidate.normal.limit) return true;
   }
   return false;
-}
-
-/// [N] of the dampers, without what may not pull. That of a soft layer acts in the layer alone, so
-/// that impacts go through it with next to no loss.
-template <int Dim>
-Real damping_of(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, Real closing) {
-  const Real area = plane.ramp * plane.area;
-  if (plane.layered == 0) return candidate.damping * area * closing;
-  const auto& layer = candidate.layer;
-  const Real part = layer.damped(plane.layered);
-  const Real most = candidate.stiffness * area * layer.most_damped(plane.layered);
-  return std::clamp(part * candidate.layer_damping * area * closing, -most, most) +
-         (1 - part) * candidate.damping * area * closing;
 }
 
 template <int Dim>
@@ -169,10 +157,11 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   const Vec<Dim> v_lower = add_corners(entities.nodes, lower, plane.lower_weight, -1, record);
   const Vec<Dim> v_upper = add_corners(entities.nodes, upper, plane.upper_weight, 1, record);
   const Real closing = (v_lower - v_upper).dot(plane.normal);
-  record.spring = candidate.stiffness * plane.volume;
-  record.stored = candidate.stiffness * plane.energy;
+  record.spring = candidate.normal.stiffness * plane.volume;
+  record.stored = candidate.normal.stiffness * plane.energy;
   limit_by_barrier<Dim>(entities, candidate, plane, closing, step, part.step_limit);
-  record.damping = damping_of(candidate, plane, closing);
+  record.damping = candidate.normal.damping_force(
+      {.area = plane.ramp * plane.area, .penetration = plane.layered, .closing = closing});
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
   if (!touch.bonded) record.damping = std::max(record.damping, -record.spring);
@@ -190,7 +179,7 @@ void add_push(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, int
   for (int i = 0; i < record.n_nodes; ++i) {
     const auto& push = i < n_lower ? plane.lower_push[static_cast<std::size_t>(i)]
                                    : plane.upper_push[static_cast<std::size_t>(i - n_lower)];
-    pushes.force[static_cast<std::size_t>(i)] = candidate.stiffness * push;
+    pushes.force[static_cast<std::size_t>(i)] = candidate.normal.stiffness * push;
   }
 }
 
@@ -234,7 +223,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   const int n_lower = entities.faces[l].n_nodes;
   const bool torques = section.geometry != Geometry::axisymmetric;
   FrictionStep<Dim> step;
-  step.options = candidate.friction;
+  step.laws = &candidate.laws;
   step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
   step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
   std::copy_n(plane.lower_at_middle.begin(), n_lower, step.weight.begin());
@@ -243,8 +232,8 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.area = plane.ramp * plane.area;
   step.pressed = plane.area;
   step.bonded = touch.bonded;
-  step.stiffness = candidate.stiffness;
-  step.damping = candidate.damping;
+  step.stiffness = candidate.normal.stiffness;
+  step.damping = candidate.normal.damping;
   step.dt = dt;
   ask_faces(entities, candidate, record, step);
   step.before = history.of_faces(key_of(record), part.past);
@@ -255,7 +244,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   auto& friction = part.frictions.emplace_back();
   find_friction(entities.nodes, record, step, friction);
-  const bool slid = friction.slips && candidate.friction->cohesion > 0;
+  const bool slid = friction.slips && candidate.laws.bond.breaks_by_slip();
   touch.slips = touch.slips || slid;
   warm_faces(entities, candidate, step, part);
 }
@@ -267,12 +256,24 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
                                     Real dt) {
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
-    if (plane.penetration > candidate.limit) continue;
+    if (plane.penetration > candidate.normal.limit) continue;
     if (comes_from_behind(entities, candidate, plane, section, dt)) return &plane;
   }
   return nullptr;
 }
 
+/// What two faces keep of how they met, as the last evaluation left it; at time 0 they meet.
+template <int Dim>
+FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                        const ContactKey& key, const Section& section, const TouchStep& step) {
+  if (step.time_zero) {
+    return first_touch(entities.planes[static_cast<std::size_t>(candidate.lower)],
+                       entities.planes[static_cast<std::size_t>(candidate.upper)], section,
+                       candidate);
+  }
+  const auto* before = step.before->find(key);
+  return before == nullptr ? FirstTouch{} : *before;
+}
 }  // namespace
 
 template <int Dim>
@@ -288,13 +289,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
     const ContactKey key =
         touch_key(ContactKind::face_face, entities.faces[l].id, entities.faces[u].id);
-    FirstTouch touch;
-    if (step.touches.time_zero) {
-      touch = first_touch(lower, upper, section, candidate);
-    } else if (const auto* before = step.touches.before->find(key)) {
-      touch = *before;
-    }
-    int n = step.touches.time_zero && !candidate.presses
+    FirstTouch touch = touch_before(entities, candidate, key, section, step.touches);
+    int n = step.touches.time_zero && !candidate.laws.presses_at_once()
                 ? 0
                 : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
     const bool held = touch.held;
@@ -310,31 +306,33 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[static_cast<std::size_t>(i)];
-      if (plane.penetration > candidate.limit && !(held && is_sliver(entities, candidate, plane))) {
+      if (plane.penetration > candidate.normal.limit &&
+          !(held && is_sliver(entities, candidate, plane))) {
         // By the way of the step it was within the limit at the last evaluation, and pushed. What
         // is seen from behind was beyond it then too, and what opens comes nearer.
         const Real way = closing_speed(entities, candidate, plane) * step.dt;
         // What borders fade is held by the faces beside it.
-        if (plane.fade > 0.5 && (held || plane.penetration - way <= candidate.limit)) {
+        if (plane.fade > 0.5 && (held || plane.penetration - way <= candidate.normal.limit)) {
           note_lost(entities, candidate, plane, kLetGo, part);
         }
         continue;
       }
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
-      touch.held = touch.held || plane.deepest > FirstTouch::kHeldFrom * candidate.limit;
+      touch.held = touch.held || plane.deepest > FirstTouch::kHeldFrom * candidate.normal.limit;
       if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
-      if (candidate.friction == nullptr || history == nullptr) continue;
+      if (candidate.laws.friction == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
     }
-    if (!step.touches.time_zero || candidate.presses) {
+    if (!step.touches.time_zero || candidate.laws.presses_at_once()) {
       add_blades(entities, candidate, step, part);
     }
     touch.key = key;
     if (touch.matters() || touch.held) part.face_touches.push_back(touch);
     const bool free = part.face_on_face.size() == ends.record && !touch.matters();
     if (free) note_crossing<Dim>(entities, candidate, part);
-    if (candidate.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
+    if (candidate.laws.heat != nullptr)
+      add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }
 

@@ -15,13 +15,13 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
   const auto u = static_cast<std::size_t>(candidate.upper);
   const Real meets = meeting_distance(entities.planes[l], entities.planes[u]);
   const PlaneNeeds needs{
-      .middle = true, .opening = std::max(meets, gap_of(*candidate.heat)), .pushes = false};
+      .middle = true, .opening = std::max(meets, gap_of(*candidate.laws.heat)), .pushes = false};
   std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
   const auto middle = static_cast<std::ptrdiff_t>(part.face_heat.size());
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
-    if (plane.penetration - needs.opening > candidate.limit) continue;
+    if (plane.penetration - needs.opening > candidate.normal.limit) continue;
     Real pressed = 0, pressure = 0;
     for (std::size_t r = ends.record; r < part.face_on_face.size(); ++r) {
       const auto& record = part.face_on_face[r];
@@ -30,7 +30,7 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
       pressure = std::max((record.spring + record.damping) / record.area, 0.0);
     }
     part.face_heat.push_back(heat_path<Dim>(entities.faces[l], entities.faces[u], plane,
-                                            *candidate.heat, pressed, pressure));
+                                            *candidate.laws.heat, pressed, pressure));
   }
   // What passes has smaller ordinals than the heat of friction.
   std::rotate(part.face_heat.begin() + static_cast<std::ptrdiff_t>(ends.flow),
@@ -125,7 +125,7 @@ void warm_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
   warm(part.face_on_face.back(), step,
-       friction_shares(step.options->friction_heat, side_of(lower), side_of(upper)),
+       friction_shares(*step.laws->friction_heat, side_of(lower), side_of(upper)),
        part.frictions.back(), part.face_heat);
 }
 
@@ -134,7 +134,7 @@ void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face
                    const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
   const WarmedSide upper{particle.body, particle.conductivity > 0, particle.effusivity};
   warm(part.particle_on_face.back(), step,
-       friction_shares(step.options->friction_heat, side_of(face), upper), part.frictions.back(),
+       friction_shares(*step.laws->friction_heat, side_of(face), upper), part.frictions.back(),
        part.particle_heat);
 }
 
@@ -144,7 +144,7 @@ void warm_pair(const ContactParticle& first, const ContactParticle& second,
   const WarmedSide lower{first.body, first.conductivity > 0, first.effusivity};
   const WarmedSide upper{second.body, second.conductivity > 0, second.effusivity};
   std::vector<HeatFlow<Dim>> flows;
-  warm(part.two_particles.back(), step, friction_shares(step.options->friction_heat, lower, upper),
+  warm(part.two_particles.back(), step, friction_shares(*step.laws->friction_heat, lower, upper),
        part.frictions.back(), flows);
   for (const auto& flow : flows) part.pair_heat.push_back({flow, 0, 0});
 }

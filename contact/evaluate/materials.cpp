@@ -31,7 +31,7 @@ SurfaceMaterial of_both(const SurfaceMaterial& a, const SurfaceMaterial& b) {
 template <int Dim>
 void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
-  if (!step.options->needs_material()) return;
+  if (!step.laws->friction->needs_material()) return;
   const auto l = static_cast<std::size_t>(candidate.lower);
   const auto u = static_cast<std::size_t>(candidate.upper);
   step.material = of_both(at_contact<Dim>(entities, entities.faces[l].surface,
@@ -43,7 +43,7 @@ void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
 template <int Dim>
 void ask_particle(const Entities<Dim>& entities, const ContactParticle& particle, LocalIndex face,
                   const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
-  if (!step.options->needs_material()) return;
+  if (!step.laws->friction->needs_material()) return;
   const auto f = static_cast<std::size_t>(face);
   const auto& shown = entities.nodes.material[static_cast<std::size_t>(particle.node)];
   step.material =
@@ -56,7 +56,7 @@ template <int Dim>
 void ask_pair(const Entities<Dim>& entities, const ContactParticle& first,
               const ContactParticle& second, const ContactRecord<Dim>& record,
               FrictionStep<Dim>& step) {
-  if (!step.options->needs_material()) return;
+  if (!step.laws->friction->needs_material()) return;
   const auto shown = [&](const ContactParticle& particle) -> const SurfaceMaterial& {
     return entities.nodes.material[static_cast<std::size_t>(particle.node)];
   };

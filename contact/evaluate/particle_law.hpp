@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contact/geometry/particle_face.hpp"
+#include "contact/law/pair_laws.hpp"
 #include "contact/law/springs.hpp"
 #include "contact/surfaces/entities.hpp"
 
@@ -13,8 +14,8 @@ struct ParticleLaw {
   Real stiffness = 0;  ///< [N/m] per breadth
   Real own = 0;        ///< [N/m] phi times the particle's own spring, per breadth
   Real zeta = 0;
-  const PairOptions* friction = nullptr;  ///< the pair's options where it has friction
-  SoftLayer layer{};                      ///< over the spring, where one body rests on the other
+  PairLaws laws{};
+  SoftLayer layer{};  ///< over the spring, where one body rests on the other
   Real layer_zeta = 0;
 };
 
@@ -32,7 +33,7 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
   const Real of_face = face.stiffness * section_of<Dim>(particle);
   ParticleLaw law{options.stiffness * contact_spring(own, true, of_face, face.deforms()),
                   options.stiffness * own, options.damping,
-                  options.has_friction() ? &options : nullptr};
+                  PairLaws(options, particle.conductivity > 0 && face.capacity > 0)};
   if (rests.acts()) {
     law.layer = rests.over(law.stiffness / section_of<Dim>(particle), 2 * particle.radius);
     law.layer_zeta = RestingLayer::damping_of(options.damping);

@@ -42,8 +42,8 @@ Real section_of(const ContactParticle& particle, Real breadth) {
 }
 
 bool touches_for_heat(const PairCandidate& candidate, Real overlap, Real radius) {
-  if (candidate.heat == nullptr) return false;
-  return overlap >= -std::max(kTouchingGap * 2 * radius, gap_of(*candidate.heat));
+  if (candidate.laws.heat == nullptr) return false;
+  return overlap >= -std::max(kTouchingGap * 2 * radius, gap_of(*candidate.laws.heat));
 }
 
 /// The record of a pair, and the coefficient of its damper [N s/m].
@@ -87,7 +87,7 @@ void add_friction(const Entities<Dim>& entities, const PresentPair<Dim>& pair, R
   auto& record = part.two_particles.back();
   const BodyTurn<Dim> turn(spin_between(entities.nodes, first, second), dt);
   FrictionStep<Dim> step;
-  step.options = candidate.friction;
+  step.laws = &candidate.laws;
   step.lower = {0, 1, false};
   step.upper = {1, 2, false};
   step.weight[0] = step.weight[1] = 1;
@@ -119,7 +119,7 @@ PairHeatPath<Dim> heat_path(const PresentPair<Dim>& pair, std::size_t candidate,
   heat.flow.n_nodes = 2;
   heat.flow.node[0] = first.node, heat.flow.node[1] = second.node;
   heat.flow.weight[0] = -1, heat.flow.weight[1] = 1;
-  const Real conductance = conductance_of(*pair.candidate.heat, pressure);
+  const Real conductance = conductance_of(*pair.candidate.laws.heat, pressure);
   heat.per_area = 1 / (1 / conductance + first.radius / first.conductivity +
                        second.radius / second.conductivity);
   heat.candidate = candidate;
@@ -135,8 +135,8 @@ Real overlap_kept(const TouchStep& step, const PresentPair<Dim>& pair,
   const Real overlap = std::max(pair.meeting.overlap, 0.0);
   Real kept = 0;
   if (step.time_zero) {
-    const bool only_rounding = overlap <= kTouchingGap * 2 * pair.spring.radius;
-    kept = pair.candidate.presses || only_rounding ? 0.0 : overlap;
+    const Real rounding = kTouchingGap * 2 * pair.spring.radius;
+    kept = ignored_overlap(pair.candidate.laws.initial_overlap, overlap, rounding);
   } else if (const auto* before = step.before->find(key)) {
     kept = std::min(before->overlap, overlap);
   }
@@ -224,7 +224,7 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
       }
       if (warm) part.pair_heat.push_back(heat_path(pair, starts[s] + c, pressure));
       if (!(meeting.overlap > 0)) continue;
-      if (row[c].friction != nullptr && history != nullptr) {
+      if (row[c].laws.friction != nullptr && history != nullptr) {
         add_friction(entities, pair, damper, step.dt, *history, part);
       }
     }

@@ -73,10 +73,9 @@ void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const To
   const std::size_t first = touches.size();
   for (const auto& hit : part.hits) {
     if (!hit.kept) continue;
-    const bool presses = pairs.of(particle.body, hit.body).initial_overlap == InitialOverlap::press;
-    // A smaller overlap is rounding.
-    const Real least = step.time_zero ? kMeets * particle.radius : 0.0;
-    if (presses || hit.overlap <= least) continue;
+    const auto law = pairs.of(particle.body, hit.body).initial_overlap;
+    const Real rounding = step.time_zero ? kMeets * particle.radius : 0.0;
+    if (ignored_overlap(law, hit.overlap, rounding) == 0) continue;
     if (!step.time_zero && !step.before->find(touch_key(particle.id, hit.body, hit.piece)))
       continue;
     auto& touch = touch_of(particle.id, surface_of(hit.body, hit.piece), first, touches);

@@ -237,7 +237,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
   const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
   auto& record = part.particle_on_face.back();
   FrictionStep<Dim> step;
-  step.options = law.friction;
+  step.laws = &law.laws;
   step.upper = {0, 1, false};
   step.lower = {1, record.n_nodes, section.geometry != Geometry::axisymmetric && !face.rigid()};
   step.point = now.x;
@@ -278,7 +278,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
     fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
     if (hit.inside) note_deep(entities, hit, step.longest, part);
-    if (law.friction != nullptr && history != nullptr) {
+    if (law.laws.friction != nullptr && history != nullptr) {
       add_friction(entities, now, law, hit, section, dt, *history, part);
     }
     load.zeta = std::max({load.zeta, law.zeta, law.layer_zeta});

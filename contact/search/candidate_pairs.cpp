@@ -73,10 +73,7 @@ PairCandidate candidate_of(const Entities<Dim>& entities, const PairTable& pairs
   candidate.stiffness = options.stiffness * in_series(own(a), own(b));
   candidate.barrier = kPairBarrier * options.stiffness * std::max(own(a), own(b));
   candidate.zeta = options.damping;
-  candidate.presses = options.initial_overlap == InitialOverlap::press;
-  if (options.has_friction()) candidate.friction = &options;
-  const bool both_take_heat = a.conductivity > 0 && b.conductivity > 0;
-  if (both_take_heat && options.passes_heat()) candidate.heat = &options.heat;
+  candidate.laws = PairLaws(options, a.conductivity > 0 && b.conductivity > 0);
   return candidate;
 }
 }  // namespace

@@ -73,6 +73,23 @@ template <class A, class B>
 bool same_piece(const A& a, const B& b) {
   return a.body == b.body && a.piece == b.piece;
 }
+
+template <int Dim>
+FaceLaw law_of(const ContactFace<Dim>& a, const ContactFace<Dim>& b, const PairOptions& options,
+               const RestingLayer& rests) {
+  FaceLaw law;
+  law.stiffness =
+      options.stiffness * contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
+  const Real mass = in_series(a.areal_mass, b.areal_mass);
+  law.damping = damping_coefficient(options.damping, law.stiffness, mass);
+  law.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
+  if (same_piece(a, b)) law.limit *= kDeepestInside;
+  if (!rests.acts()) return law;
+  law.layer = rests.over(law.stiffness, law.limit);
+  law.layer_damping =
+      damping_coefficient(RestingLayer::damping_of(options.damping), law.stiffness, mass);
+  return law;
+}
 }  // namespace
 
 template <int Dim>
@@ -171,23 +188,9 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
   for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
     const auto &a = face(i), &b = face(j);
     const PairOptions& options = pairs.of(a.body, b.body);
-    FaceCandidate candidate{near[static_cast<std::size_t>(i)], near[static_cast<std::size_t>(j)]};
-    candidate.stiffness =
-        options.stiffness * contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
-    candidate.damping = damping_coefficient(options.damping, candidate.stiffness,
-                                            in_series(a.areal_mass, b.areal_mass));
-    candidate.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
-    if (same_piece(a, b)) candidate.limit *= kDeepestInside;
-    if (const auto& rests = pairs.resting(a.body, b.body); rests.acts()) {
-      candidate.layer = rests.over(candidate.stiffness, candidate.limit);
-      candidate.layer_damping =
-          damping_coefficient(RestingLayer::damping_of(options.damping), candidate.stiffness,
-                              in_series(a.areal_mass, b.areal_mass));
-    }
-    if (options.has_friction()) candidate.friction = &options;
-    if (a.capacity > 0 && b.capacity > 0 && options.passes_heat()) candidate.heat = &options.heat;
-    candidate.presses = options.initial_overlap == InitialOverlap::press;
-    faces_.push_back(candidate);
+    const auto law = law_of(a, b, options, pairs.resting(a.body, b.body));
+    faces_.push_back({near[static_cast<std::size_t>(i)], near[static_cast<std::size_t>(j)], law,
+                      PairLaws(options, a.capacity > 0 && b.capacity > 0)});
   }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/exchange/imports.hpp"
-#include "contact/geometry/soft_layer.hpp"
+#include "contact/law/face_law.hpp"
 #include "contact/search/clearance.hpp"
 #include "core/solid.hpp"
 
@@ -21,18 +21,11 @@ SearchBox<Dim> finite_box(SearchBox<Dim> box) {
   return box;
 }
 
-/// Two faces that may touch before the list is rebuilt, lower index first, with their law.
+/// Two faces that may touch before the list is rebuilt, lower index first, with their laws.
 struct FaceCandidate {
   LocalIndex lower = 0, upper = 0;
-  Real stiffness = 0;      ///< [Pa/m]
-  Real damping = 0;        ///< [Pa s/m]
-  Real limit = 0;          ///< [m] penetration at which they let go: the smaller depth
-  SoftLayer layer{};       ///< over the spring, where one body rests on the other
-  Real layer_damping = 0;  ///< [Pa s/m] of it
-  const PairOptions* friction = nullptr;  ///< the pair's options where it has friction
-  const ContactHeat* heat = nullptr;      ///< how heat passes, where both sides take any
-  bool presses = false;                   ///< an overlap at time 0 is felt at once
-  FaceBarrier barrier() const { return FaceBarrier::before(limit); }
+  FaceLaw normal{};
+  PairLaws laws{};
 };
 
 /// Rows of particles beside faces.

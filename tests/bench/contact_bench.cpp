@@ -122,7 +122,7 @@ Cost report(const char* name, const std::vector<Body*>& bodies, std::size_t enti
             Real slip) {
   ContactOptions options;
   options.fallback.initial_overlap = InitialOverlap::press;
-  if (mu > 0) options.fallback.friction.emplace().constant = mu;
+  if (mu > 0) options.fallback.coulomb.friction.emplace().constant = mu;
   std::vector<Surface<3>*> surfaces;
   for (auto* body : bodies) surfaces.push_back(&body->surface);
   ContactManager<3> contact(options, Geometry::three_d, surfaces, {"a", "b", "far"});

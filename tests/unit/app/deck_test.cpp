@@ -119,24 +119,24 @@ TEST(Deck, FrictionIsANumberATableOrALaw) {
     return loaded.deck.contact.pairs[0].value.options;
   };
   const PairOptions inherited = foot("heat=off");
-  EXPECT_EQ(inherited.coefficient({}), 0.3);
-  EXPECT_DOUBLE_EQ(inherited.coefficient({.speed = 0.5}), 0.2 + 0.1 * std::exp(-1));
+  EXPECT_EQ(inherited.coulomb.coefficient({}), 0.3);
+  EXPECT_DOUBLE_EQ(inherited.coulomb.coefficient({.speed = 0.5}), 0.2 + 0.1 * std::exp(-1));
   const PairOptions number = foot("contact.pairs.foot.friction=0.5");
-  EXPECT_FALSE(number.decaying);
-  EXPECT_EQ(number.coefficient({.speed = 3}), 0.5);
+  EXPECT_FALSE(number.coulomb.decaying);
+  EXPECT_EQ(number.coulomb.coefficient({.speed = 3}), 0.5);
   const PairOptions table =
       foot("contact.pairs.foot.friction={table: [[0, 0.4], [1 MPa, 0.2]], over: pressure}");
-  EXPECT_FALSE(table.decaying);
-  EXPECT_DOUBLE_EQ(table.coefficient({.pressure = 0.5e6, .speed = 3}), 0.3);
+  EXPECT_FALSE(table.coulomb.decaying);
+  EXPECT_DOUBLE_EQ(table.coulomb.coefficient({.pressure = 0.5e6, .speed = 3}), 0.3);
   const PairOptions own = foot("contact.pairs.foot.friction={static: 0.1, kinetic: 0.1, decay: 0}");
-  EXPECT_EQ(own.coefficient({.speed = 3}), 0.1);
+  EXPECT_EQ(own.coulomb.coefficient({.speed = 3}), 0.1);
   const PairOptions hot = foot(
       "contact.pairs.foot.friction={table: [[0 degC, 0.4], [100 degC, 0.2]], over: temperature}");
-  EXPECT_DOUBLE_EQ(hot.coefficient({.temperature = 273.15 + 50}), 0.3);
+  EXPECT_DOUBLE_EQ(hot.coulomb.coefficient({.temperature = 273.15 + 50}), 0.3);
   const PairOptions expression =
       foot("contact.pairs.foot.friction='= 0.1 + T/1000 + yield/1e9 + p/1e6 + v'");
   EXPECT_TRUE(expression.needs_material());
-  EXPECT_DOUBLE_EQ(expression.coefficient(
+  EXPECT_DOUBLE_EQ(expression.coulomb.coefficient(
                        {.temperature = 300, .flow_stress = 1e8, .pressure = 2e6, .speed = 0.5}),
                    0.1 + 0.3 + 0.1 + 2 + 0.5);
   EXPECT_FALSE(foot("contact.pairs.foot.friction='= 0.1 + v'").needs_material());

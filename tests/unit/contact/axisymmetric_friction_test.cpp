@@ -18,7 +18,7 @@ constexpr Real kPressure = 0.5 * kSide / 2 * kPressed;   // [Pa]
 ContactScene<2> ring_scene() {
   ContactScene<2> scene;
   scene.geometry = Geometry::axisymmetric;
-  scene.options.fallback.friction.emplace().constant = kMu;
+  scene.options.fallback.coulomb.friction.emplace().constant = kMu;
   return scene;
 }
 
@@ -105,7 +105,7 @@ TEST(AxisymmetricFriction, AShaftPushedThroughARing) {
 // A shear limit counts the area of the ring.
 TEST(AxisymmetricFriction, AShearLimitOnARing) {
   auto scene = ring_scene();
-  scene.options.fallback.shear_limit = true;
+  scene.options.fallback.coulomb.shear_limit = true;
   add_cylinder(scene, 7, 2, -3, 9, true);
   add_cylinder(scene, 4, 2 - kPressed, 0, 3, false);
   const Real yield = 0.5 * kMu * kPressure * std::sqrt(3.0);

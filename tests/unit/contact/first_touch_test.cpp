@@ -125,11 +125,10 @@ TEST(FirstTouch, OverlapOfAParticleIsTakenOut) {
 constexpr Real kTension = 2e3, kCohesion = 3e3, kCoefficient = 0.5;  // [Pa], [Pa], [1]
 
 void bond(PairOptions& pair) {
-  pair.tension = kTension;
-  pair.cohesion = kCohesion;
+  pair.bonds = CohesiveBond{kCohesion, kTension};
   Varying friction;
   friction.constant = kCoefficient;
-  pair.friction = friction;
+  pair.coulomb.friction = friction;
 }
 
 // Pulled apart, k g per area holds to the tensile strength; then the bond has gone, with its
@@ -189,7 +188,9 @@ TEST(FirstTouch, OnlyWhatTouchesIsBonded) {
 
 // What is kept goes through a checkpoint: a twin that takes over in the middle does the same.
 TEST(FirstTouch, OutlivesACheckpoint) {
-  const auto press_and_bond = [](PairOptions& pair) { bond(pair), pair.tension *= 100; };
+  const auto press_and_bond = [](PairOptions& pair) {
+    bond(pair), std::get<CohesiveBond>(pair.bonds).tension *= 100;
+  };
   auto scene = sheets<3>(0.1, press_and_bond), twin = sheets<3>(0.1, press_and_bond);
   shift<3>(scene, Vec3(0, 0, -0.02));
   shift<3>(scene, Vec3(1e-3, 0, 0.03));

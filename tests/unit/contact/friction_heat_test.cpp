@@ -25,7 +25,7 @@ enum class Kind { two_faces, particle_on_face, two_particles };
 template <int Dim>
 ContactScene<Dim> scene_of(Kind kind) {
   ContactScene<Dim> scene;
-  scene.options.fallback.friction.emplace().constant = 0.5;
+  scene.options.fallback.coulomb.friction.emplace().constant = 0.5;
   scene.options.fallback.damping = 0;
   const auto add_ball = [&](Real height) {
     Vec<Dim> x = Vec<Dim>::Constant(0.5);

@@ -64,8 +64,8 @@ void show(ContactScene<3>& scene, std::size_t group, const SurfaceMaterial& mate
 TEST(FrictionLaw, FacesCarryNoMoreShearThanTheSofterSide) {
   for (const bool soft_above : {true, false}) {
     ContactScene<3> scene;
-    scene.options.fallback.friction = constant(0.5);
-    scene.options.fallback.shear_limit = true;
+    scene.options.fallback.coulomb.friction = constant(0.5);
+    scene.options.fallback.coulomb.shear_limit = true;
     add_sheets(scene);
     show(scene, 0, {300, soft_above ? kHard : kSoft});
     show(scene, 1, {300, soft_above ? kSoft : kHard});
@@ -80,8 +80,8 @@ TEST(FrictionLaw, FacesCarryNoMoreShearThanTheSofterSide) {
 
 TEST(FrictionLaw, BelowTheLimitItIsCoulombs) {
   ContactScene<3> scene;
-  scene.options.fallback.friction = constant(0.1);
-  scene.options.fallback.shear_limit = true;
+  scene.options.fallback.coulomb.friction = constant(0.1);
+  scene.options.fallback.coulomb.shear_limit = true;
   add_sheets(scene);
   show(scene, 0, {300, kSoft});
   scene.start();
@@ -95,7 +95,7 @@ TEST(FrictionLaw, BelowTheLimitItIsCoulombs) {
 // its body.
 TEST(FrictionLaw, FacesRubAtTheMeanOfBothTemperatures) {
   ContactScene<3> scene;
-  scene.options.fallback.friction = table(Varying::Over::temperature, 0, 1);
+  scene.options.fallback.coulomb.friction = table(Varying::Over::temperature, 0, 1);
   add_sheets(scene);
   for (auto& facet : scene.groups[0].surface.facets) facet.temperature = 100;
   show(scene, 1, {300, kInfinity});
@@ -108,7 +108,7 @@ TEST(FrictionLaw, FacesRubAtTheMeanOfBothTemperatures) {
 // whose middle is at x = 1.5 m + 0.3 m, at 300 K. Linear along the face: its mean is that there.
 TEST(FrictionLaw, NodesTellTheTemperatureAtThePlace) {
   ContactScene<3> scene;
-  scene.options.fallback.friction = table(Varying::Over::temperature, 0, 1);
+  scene.options.fallback.coulomb.friction = table(Varying::Over::temperature, 0, 1);
   add_sheets(scene);
   auto& points = scene.groups[0].points;
   std::vector<Real> temperature;
@@ -125,7 +125,7 @@ TEST(FrictionLaw, NodesTellTheTemperatureAtThePlace) {
 // mu = 1e-3 (T + yield + p + v): every argument where it belongs.
 TEST(FrictionLaw, AnExpressionSeesTheStateOfSliding) {
   ContactScene<3> scene;
-  auto& friction = scene.options.fallback.friction.emplace();
+  auto& friction = scene.options.fallback.coulomb.friction.emplace();
   friction.over = Varying::Over::sliding;
   friction.depends.fill(true);
   friction.evaluate = [](const std::array<Real, 4>& s) {
@@ -146,8 +146,8 @@ TEST(FrictionLaw, AParticleCarriesNoMoreShearThanTheSofterSide) {
   constexpr Real r = 0.25, modulus = 1e6, pressed = 0.01;
   for (const Real yield : {kSoft, 1e9}) {
     ContactScene<3> scene;
-    scene.options.fallback.friction = table(Varying::Over::temperature, 0, 1);
-    scene.options.fallback.shear_limit = true;
+    scene.options.fallback.coulomb.friction = table(Varying::Over::temperature, 0, 1);
+    scene.options.fallback.coulomb.shear_limit = true;
     add_sheet(scene, 3, -3, 9, 0, true, 0, 0);
     for (auto& facet : scene.groups[0].surface.facets) facet.temperature = 500;
     scene.add_particle(scene.add_group(), Vec3(0.2, 0.1, r - pressed), r, modulus, 1);
@@ -164,8 +164,8 @@ TEST(FrictionLaw, AParticleCarriesNoMoreShearThanTheSofterSide) {
 TEST(FrictionLaw, ParticlesOnParticlesKnowBothMaterials) {
   constexpr Real r = 0.25;
   ContactScene<3> scene;
-  scene.options.fallback.friction = table(Varying::Over::temperature, 0, 1);
-  scene.options.fallback.shear_limit = true;
+  scene.options.fallback.coulomb.friction = table(Varying::Over::temperature, 0, 1);
+  scene.options.fallback.coulomb.shear_limit = true;
   for (const Real z : {0.0, 2 * r - 0.01}) {
     scene.add_particle(scene.add_group(), Vec3(0, 0, z), r, 1e6, 1);
   }
@@ -183,7 +183,7 @@ TEST(FrictionLaw, ParticlesOnParticlesKnowBothMaterials) {
 // A coefficient below 0 stops the run: nobody may step on, and the check says where and why.
 TEST(FrictionLaw, ACoefficientBelowZeroIsTold) {
   ContactScene<3> scene;
-  auto& friction = scene.options.fallback.friction.emplace();
+  auto& friction = scene.options.fallback.coulomb.friction.emplace();
   friction.over = Varying::Over::sliding;
   friction.depends = {false, false, false, true};
   friction.evaluate = [](const std::array<Real, 4>& s) { return 0.3 - 10 * s[3]; };
@@ -207,7 +207,7 @@ TEST(FrictionLaw, ACoefficientBelowZeroIsTold) {
 // mu = c/p is infinite where nothing presses, and no error: friction c A whatever the pressure.
 TEST(FrictionLaw, NoPressureNoCoefficient) {
   ContactScene<3> scene;
-  auto& friction = scene.options.fallback.friction.emplace();
+  auto& friction = scene.options.fallback.coulomb.friction.emplace();
   friction.over = Varying::Over::sliding;
   friction.depends = {false, false, true, false};
   friction.evaluate = [](const std::array<Real, 4>& s) { return 50 / s[2]; };

@@ -47,7 +47,7 @@ TEST(Friction, RandomWarpedPairsHaveNoMoment) {
   int touching = 0;
   for (int i = 0; i < 2000; ++i) {
     ContactScene<3> scene;
-    scene.options.fallback.friction = constant(0.3 + 0.3 * u(random));
+    scene.options.fallback.coulomb.friction = constant(0.3 + 0.3 * u(random));
     for (const bool up : {true, false}) {
       std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
       if (!up) std::swap(corners[1], corners[3]);
@@ -85,7 +85,7 @@ TEST(Friction, RandomEdgesHaveNoMoment) {
   int touching = 0;
   for (int i = 0; i < 2000; ++i) {
     ContactScene<2> scene;
-    scene.options.fallback.friction = constant(0.4);
+    scene.options.fallback.coulomb.friction = constant(0.4);
     for (const bool up : {true, false}) {
       std::vector<Vec<2>> corners = {{up ? 1 : 0, up ? 0.1 : 0}, {up ? 0 : 1, up ? 0.1 : 0}};
       for (auto& x : corners) x += 0.1 * Vec<2>(u(random), u(random));
@@ -114,7 +114,7 @@ TEST(Friction, RandomEdgesHaveNoMoment) {
 template <int Dim>
 ContactScene<Dim> gripped(Real mu) {
   ContactScene<Dim> scene;
-  scene.options.fallback.friction = constant(mu);
+  scene.options.fallback.coulomb.friction = constant(mu);
   scene.options.fallback.damping = 0;
   add_sheet(scene, 2, 0, 1, 0.01, true, kSide, 1);
   add_sheet(scene, 3, 0, 1, 0, false, kSide, 1);
@@ -175,7 +175,7 @@ template <int Dim>
 void check_slider(bool slider_first) {
   const Real h = 0.05, depth = 0.01;
   ContactScene<Dim> scene;
-  scene.options.fallback.friction = constant(0.1 * h / depth);
+  scene.options.fallback.coulomb.friction = constant(0.1 * h / depth);
   scene.options.fallback.damping = 0;
   const auto slider = [&] { add_sheet(scene, 1, 0.2 * h, h, 0, false, kSide, 1); };
   const auto table = [&] { add_sheet(scene, 22, 0, 22 * h, depth, true, kSide, 1); };
@@ -213,7 +213,7 @@ template <int Dim>
 void check_cycle() {
   const Real mu = 0.3, normal = kSpring * 0.01, a = 0.01;
   ContactScene<Dim> scene;
-  scene.options.fallback.friction = constant(mu);
+  scene.options.fallback.coulomb.friction = constant(mu);
   scene.options.fallback.damping = 0;
   add_sheet(scene, 5, -0.5, 2, 0.01, true, kSide, 1);
   add_sheet(scene, 3, 0, 1, 0, false, kSide, 1);

@@ -123,7 +123,7 @@ TEST(NearBodies, ReachAsFarAsHeatPasses) {
     auto scene = two_faces(2.5, 0);
     ContactConductance heat;
     heat.per_area.emplace().constant = 1e4;
-    heat.gap = gap;
+    heat.width = gap;
     scene.options.fallback.heat = heat;
     EXPECT_EQ(scene.start().work().near_faces, gap > 0 ? 2u : 0u) << gap;
   }

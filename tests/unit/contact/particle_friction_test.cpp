@@ -134,7 +134,7 @@ TEST(ParticleFriction, DoesNotDipWhereFacesMeet) {
 TEST(ParticleFriction, DecaysWithTheSpeedOfSlip) {
   auto scene = pressed<3>(true, 12, 0, Vec3::Zero());
   const DecayingFriction law{0.4, 0.1, 2};
-  scene.options.fallback.decaying = law;
+  scene.options.fallback.coulomb.decaying = law;
   scene.start();
   for (const Real speed : {1.0, 0.1, 0.5, 2.0}) {
     Vec3 force;
@@ -303,7 +303,7 @@ void check_moment() {
   int touching = 0;
   for (int i = 0; i < 2000; ++i) {
     ContactScene<Dim> scene;
-    scene.options.fallback.friction = constant(0.3 + 0.3 * u(random));
+    scene.options.fallback.coulomb.friction = constant(0.3 + 0.3 * u(random));
     auto corners = unit_face(Vec<Dim>());
     for (auto& x : corners) x += 0.1 * anyhow();
     scene.add_face(scene.add_group(), corners, 1e6, 1, 1);

@@ -29,7 +29,7 @@ TEST(ParticleLaw, SpringsOfBothSidesAreInSeries) {
   EXPECT_DOUBLE_EQ(law.stiffness, 0.25 * (2e9 * 3e9) / (2e9 + 3e9));
   EXPECT_DOUBLE_EQ(law.own, 0.25 * 2e9);
   EXPECT_EQ(law.zeta, 0.1);
-  EXPECT_EQ(law.friction, nullptr);
+  EXPECT_EQ(law.laws.friction, nullptr);
   ContactFace<3> rigid = face();
   rigid.stiffness = 0;
   EXPECT_DOUBLE_EQ(law_of(particle(), rigid, options, {}).stiffness, 0.25 * 2e9);

@@ -35,7 +35,7 @@ std::vector<Vec<Dim>> loose_face(std::mt19937_64& random, const Vec<Dim>& center
 template <int Dim>
 ContactScene<Dim> cloud() {
   ContactScene<Dim> scene;
-  Varying& friction = scene.options.fallback.friction.emplace();
+  Varying& friction = scene.options.fallback.coulomb.friction.emplace();
   friction.constant = 0.3;
   std::mt19937_64 random(11);
   std::uniform_real_distribution<Real> place(0, Dim == 2 ? 4 : 3);

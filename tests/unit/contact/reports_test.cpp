@@ -18,7 +18,7 @@ ContactOptions rubbing() {
   ContactOptions options;
   options.fallback = {false, 1.0, 0, Varying{}};
   options.fallback.initial_overlap = InitialOverlap::press;
-  options.fallback.friction->constant = kCoefficient;
+  options.fallback.coulomb.friction->constant = kCoefficient;
   return options;
 }
 
