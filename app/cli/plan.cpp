@@ -176,8 +176,8 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   print_bodies(loaded, *scene);
   print_physics(loaded);
   print_contact(*scene);
-  scene->supports.start();
-  scene->heat.start();
+  scene->rigid_motions.start();
+  scene->boundaries.start();
   scene->rearrange();
   const StepLimit step_limit = scene->stable_step(0, 0);
   const Deck& deck = loaded.deck;

@@ -1,11 +1,12 @@
 #pragma once
 /// Supports and loads as the deck gives them.
-#include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "app/deck/measures.hpp"
+#include "core/boundaries/catalog.hpp"
 #include "core/schema.hpp"
 
 namespace brunt::deck {
@@ -38,35 +39,28 @@ struct WhereSide {
 };
 using Where = std::variant<WhereAll, WhereSurface, WherePlane, WhereBox, WhereSide>;
 
-/// One component of a prescribed vector; absent: free.
-using Components = std::vector<std::optional<Varying>>;
-
-/// Heat h (T - T_surface) per area; constants, tables over time or expressions.
-struct Convection {
-  std::optional<Varying> h;  ///< [W/m^2/K]
-  std::optional<Varying> T;  ///< [K]
-};
-/// Heat emissivity sigma (T^4 - T_surface^4) per area.
-struct Radiation {
-  Real emissivity = 1;       ///< [1]
-  std::optional<Varying> T;  ///< [K]
-};
-
 /// What holds, moves, pushes or heats points of a body; points are chosen at time 0 and carried
-/// along.
+/// along. One boundary may do several of these things.
 struct Boundary {
   std::string body;
   Where where;
-  std::vector<std::string> fix;        ///< "x", "y", "z"; empty: none
-  std::optional<Components> velocity;  ///< [m/s] constants, tables over time, expressions
-  std::optional<Components> force;     ///< [N] in total on all chosen points, shared by mass
-  std::optional<Varying> temperature;  ///< [K] of the chosen points
-  std::optional<Varying> flux;         ///< [W/m^2] into the body
-  std::optional<Convection> convection;
-  std::optional<Radiation> radiation;
+  BoundaryKinds kinds;
   Real from = 0;        ///< [s]
   Real to = kInfinity;  ///< [s]
+
+  template <class Kind>
+  const Kind& of() const {
+    return std::get<Kind>(kinds);
+  }
 };
+/// Calls f(kind) of what the deck gives of a boundary.
+template <class F>
+void visit_given(const Boundary& boundary, const F& f) {
+  const auto look = [&](const auto& kind) {
+    if (kind.given()) f(kind);
+  };
+  std::apply([&](const auto&... kind) { (look(kind), ...); }, boundary.kinds);
+}
 
 /// Mass-proportional: f = -rate m v.
 struct Damping {
@@ -79,8 +73,6 @@ void describe(Schema& s, WhereSurface& where);
 void describe(Schema& s, WherePlane& where);
 void describe(Schema& s, WhereBox& where);
 void describe(Schema& s, WhereSide& where);
-void describe(Schema& s, Convection& convection);
-void describe(Schema& s, Radiation& radiation);
 void describe(Schema& s, Boundary& boundary);
 void describe(Schema& s, Damping& damping);
 

@@ -35,17 +35,20 @@ void check_boundary(const Deck& deck, const Named<Boundary>& entry, Findings& fi
   const std::string path = "boundaries." + entry.name;
   const Boundary& boundary = entry.value;
   if (!findings.sound(path)) return;
+  const auto& [fix, velocity] = boundary.of<PrescribedMotion>();
   bool moves = false;
-  for (std::size_t c = 0; boundary.velocity && c < boundary.velocity->size(); ++c) {
-    if (!(*boundary.velocity)[c]) continue;
+  for (std::size_t c = 0; velocity && c < velocity->size(); ++c) {
+    if (!(*velocity)[c]) continue;
     moves = true;
     const std::string axis(1, static_cast<char>('x' + c));
-    if (std::find(boundary.fix.begin(), boundary.fix.end(), axis) != boundary.fix.end()) {
+    if (std::find(fix.begin(), fix.end(), axis) != fix.end()) {
       findings.wrong(path + ".velocity", "moves " + axis + ", and `fix` holds it: take " + axis +
                                              " out of fix, or write free for it");
     }
   }
-  if (boundary.velocity && !moves && boundary.fix.empty() && !boundary.force) {
+  int given = 0;
+  visit_given(boundary, [&](const auto&) { ++given; });
+  if (velocity && !moves && fix.empty() && given == 1) {
     findings.wrong(path + ".velocity",
                    "all components are free: give one a speed, or take the boundary out");
   }

@@ -74,6 +74,7 @@ inline constexpr std::array kHistoryColumns{
     ColumnInfo{"contact.NAME.temperature.mean", "K", "mean of both sides over the area"},
 
     ColumnInfo{"boundary.NAME.reaction.AXIS", "N", "force of the support on what it holds"},
+    ColumnInfo{"boundary.NAME.force.AXIS", "N", "resultant of the boundary's forces"},
     ColumnInfo{"boundary.NAME.heat_rate", "W", "heat that the boundary lets in"},
 
     ColumnInfo{"probe.NAME.FIELD", "", "the field at the probe"},

@@ -39,12 +39,24 @@ Phase phase_of(const Solid<Dim>& solid) {
 /// What stands before the first step: boundaries of time 0, lists, contacts.
 template <int Dim>
 void start(Scene<Dim>& scene) {
-  scene.supports.start();
+  scene.rigid_motions.start();
+  scene.boundaries.start();
   if (scene.rigid) scene.rigid->start();
-  scene.heat.start();
   scene.refresh_motion();
   scene.rearrange();
   if (scene.contact) scene.contact->start();
+}
+
+/// Points to x(n+1), with v(n+1/2).
+template <int Dim>
+void move(Scene<Dim>& scene, const Clock& clock, Real dt) {
+  const PhaseTimer timer(scene.phases, Phase::points);
+  const Real time = clock.time() + dt;
+  for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
+  scene.rigid_motions.impose(time, dt);
+  scene.boundaries.impose(time, dt);
+  if (scene.rigid) scene.rigid->predict(time, dt, clock.dt());
+  scene.refresh_motion();
 }
 }  // namespace
 
@@ -63,13 +75,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     observer.answer(head, scene, clock);
     if (clock.finished()) break;
     const Real dt = choose_step(head.step_limit, scene, clock);
-    {
-      const PhaseTimer timer(phases, Phase::points);
-      for (auto& solid : scene.solids) predict(solid->points(), dt, clock.dt());
-      scene.supports.impose(clock.time() + dt, dt);
-      if (scene.rigid) scene.rigid->predict(clock.time() + dt, dt, clock.dt());
-      scene.refresh_motion();
-    }
+    move(scene, clock, dt);
     for (auto& solid : scene.solids) {
       {
         const PhaseTimer timer(phases, phase_of(*solid));
@@ -88,7 +94,8 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     // Before the internal forces, which take what acts across the axis of an axisymmetric scene.
     {
       const PhaseTimer timer(phases, Phase::points);
-      if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt, scene.origin);
+      if (!scene.loads.empty()) scene.loads.add_forces(clock.time() + dt, dt);
+      scene.boundaries.add_forces(clock.time() + dt, dt);
     }
     for (std::size_t s = 0; s < scene.solids.size(); ++s) {
       auto& solid = *scene.solids[s];
@@ -101,7 +108,8 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     {
       const PhaseTimer timer(scene.phases, Phase::points);
       if (scene.rigid) scene.rigid->collect_forces(*scene.ranks, clock.time() + dt, dt);
-      scene.supports.take_reactions(clock.time() + dt, dt);
+      scene.rigid_motions.take_reactions(dt);
+      scene.boundaries.take_reactions(clock.time() + dt, dt);
       for (auto& solid : scene.solids) correct(solid->points(), dt);
       if (scene.rigid) scene.rigid->correct(dt);
     }

@@ -32,10 +32,10 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks,
   std::vector<std::unique_ptr<Solid<Dim>>> whole;
   for (auto& solid : scene.solids) {
     auto part = solid->part(*scene.partition, ranks);
-    scene.supports.follow(solid->points(), part->points());
+    scene.rigid_motions.follow(solid->points(), part->points());
+    scene.boundaries.follow(solid->points(), part->points());
     scene.loads.follow(solid->points(), part->points());
     if (scene.rigid) scene.rigid->follow(solid->points(), part->points());
-    scene.heat.follow(solid->points(), part->points());
     whole.push_back(std::exchange(solid, std::move(part)));
   }
   if (!scene.contact) return;

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "core/boundaries/heat_step.hpp"
 #include "core/gather_view.hpp"
 #include "core/parallel/packing.hpp"
 
@@ -40,7 +41,7 @@ template <int Dim>
 void Scene<Dim>::add_heat(Real time, Real dt, std::int64_t step) {
   {
     const PhaseTimer timer(phases, Phase::points);
-    heat.add_heat(time, dt);
+    boundaries.add_heat(time, dt);
   }
   for (auto& solid : solids) {
     const PhaseTimer timer(phases, solid->n_particles() ? Phase::particles : Phase::elements);
@@ -51,7 +52,7 @@ void Scene<Dim>::add_heat(Real time, Real dt, std::int64_t step) {
     contact->add_heat(dt);
   }
   const PhaseTimer timer(phases, Phase::points);
-  heat.hold(time, dt);
+  boundaries.hold_temperatures(time, dt);
 }
 
 template <int Dim>
@@ -161,14 +162,14 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
     totals.columns[static_cast<std::size_t>(Column::integration)].add(body.integration);
   }
   if (contact) contact->add_totals(totals);
-  supports.add_totals(totals);
+  rigid_motions.add_totals(totals);
+  boundaries.add_totals(totals);
   loads.add_totals(totals);
   if (rigid) rigid->add_totals(totals);
   if (rigid && ranks->is_root()) {
     rigid->add_body_totals(dt, totals);
     loads.add_rigid_totals(totals);
   }
-  heat.add_totals(totals);
   if (!ranks->alone()) sum_over_ranks(totals, *ranks);
   for (const auto& body : totals.bodies) totals.columns[0].add(body.kinetic);
   return totals;
@@ -284,10 +285,10 @@ ContactView Scene<Dim>::own_contacts() const {
 template <int Dim>
 void Scene<Dim>::save_state(std::vector<StateTable>& tables) const {
   for (const auto& solid : solids) solid->save_state(tables);
-  supports.save_state(tables);
+  rigid_motions.save_state(tables);
+  boundaries.save_state(tables);
   if (rigid) rigid->save_state(tables);
   loads.save_state(tables);
-  heat.save_state(tables);
   if (contact) contact->save_state(tables);
 }
 
@@ -295,10 +296,10 @@ template <int Dim>
 void Scene<Dim>::load_state(const StateTables& tables) {
   for (auto& solid : solids) solid->load_state(tables);
   for (auto& solid : solids) solid->rearrange();
-  supports.load_state(tables);
+  rigid_motions.load_state(tables);
+  boundaries.load_state(tables);
   if (rigid) rigid->load_state(tables);
   loads.load_state(tables);
-  heat.load_state(tables);
   if (contact) contact->load_state(tables);
 }
 

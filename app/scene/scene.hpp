@@ -7,9 +7,9 @@
 #include "app/scene/probes.hpp"
 #include "app/scene/sections.hpp"
 #include "contact/manager/manager.hpp"
-#include "core/boundaries/heat.hpp"
+#include "core/boundaries/boundaries.hpp"
 #include "core/boundaries/loads.hpp"
-#include "core/boundaries/supports.hpp"
+#include "core/boundaries/rigid_motions.hpp"
 #include "core/errors.hpp"
 #include "core/materials/material.hpp"
 #include "core/rigid/free_bodies.hpp"
@@ -21,8 +21,7 @@ namespace brunt {
 /// A scene holds only what its deck names.
 template <int Dim>
 struct Scene {
-  Scene(Vec<Dim> at, Geometry of, Real thick)
-      : geometry(of), depth(thick), origin(at), supports(at), heat(at, of, thick) {}
+  Scene(Vec<Dim> at, Geometry of, Real thick) : geometry(of), depth(thick), origin(at) {}
 
   Geometry geometry;
   Real depth;                           ///< [m] plane strain
@@ -34,11 +33,11 @@ struct Scene {
   std::vector<std::unique_ptr<Material>> materials;
   std::vector<std::unique_ptr<Solid<Dim>>> solids;
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
-  Supports<Dim> supports;
+  RigidMotions<Dim> rigid_motions;
+  Boundaries<Dim> boundaries;
   Loads<Dim> loads;
   std::unique_ptr<FreeBodies<Dim>>
       rigid;  ///< absent where all rigid bodies have a prescribed motion
-  HeatBoundaries<Dim> heat;
   Sections<Dim> sections;
   std::vector<Probe> probes;
   Phases phases;

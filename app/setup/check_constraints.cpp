@@ -13,18 +13,15 @@ constexpr std::size_t kSamples = 200;  // points of a boundary that are looked a
 template <int Dim>
 struct Window {
   Real from, to;  // [s]
-  Window(const Constraint<Dim>& a, const Constraint<Dim>& b, Real end)
+  Window(const Patch<Dim>& a, const Patch<Dim>& b, Real end)
       : from(std::max(a.from, b.from)), to(std::min({a.to, b.to, end})) {}
   bool empty() const { return !(from < to); }
   std::array<Real, 3> times() const { return {from, 0.5 * (from + to), to}; }
 };
 
 template <int Dim>
-Vec3 place_of(const Constraint<Dim>& constraint, const Scene<Dim>& scene, LocalIndex point) {
-  Vec3 place = Vec3::Zero();
-  place.template head<Dim>() =
-      constraint.points->x_start[static_cast<std::size_t>(point)] + scene.origin;
-  return place;
+Vec3 place_of(const Patch<Dim>& patch, LocalIndex point) {
+  return in_space<Dim>(patch.points->x_start[static_cast<std::size_t>(point)] + patch.origin);
 }
 
 template <class Points>
@@ -44,40 +41,40 @@ std::string at_text(Real time, const Vec3& place, int dim) {
   return out.str();
 }
 
-/// True where all values are numbers; else the first that is not is reported.
+/// Why a value of a boundary is no number, "" where all are.
 template <int Dim>
-bool check_values(const LoadedDeck& loaded, const Scene<Dim>& scene,
-                  const Constraint<Dim>& constraint, std::vector<DeckProblem>& problems) {
-  const Window<Dim> window(constraint, constraint, loaded.deck.time.end);
+std::string bad_value(const Patch<Dim>& patch, const FunctionOfTimeAndPlace& function, Real end) {
+  const Window<Dim> window(patch, patch, end);
+  for (const LocalIndex point : some_of(patch.chosen)) {
+    const Vec3 place = place_of(patch, point);
+    for (const Real time : window.times()) {
+      const Real value = function(time, place);
+      if (std::isfinite(value)) continue;
+      return (std::isnan(value) ? "is not a number " : "is infinite ") + at_text(time, place, Dim);
+    }
+  }
+  return "";
+}
+
+/// True where all values of a boundary are numbers; else each that is not is reported.
+template <int Dim, class Acting>
+bool check_values(const LoadedDeck& loaded, const Acting& acting,
+                  std::vector<DeckProblem>& problems) {
   bool all = true;
-  for (int c = 0; c < Dim; ++c) {
-    const auto& velocity = constraint.velocity[static_cast<std::size_t>(c)];
-    if (!velocity) continue;
-    const auto bad = [&]() -> std::string {
-      for (const LocalIndex point : some_of(constraint.chosen)) {
-        const Vec3 place = place_of(constraint, scene, point);
-        for (const Real time : window.times()) {
-          const Real value = (*velocity)(time, place);
-          if (!std::isfinite(value)) {
-            return (std::isnan(value) ? "is not a number " : "is infinite ") +
-                   at_text(time, place, Dim);
-          }
-        }
-      }
-      return "";
-    }();
-    if (bad.empty()) continue;
+  acting.visit_functions([&](const std::string& key, const FunctionOfTimeAndPlace& function) {
+    const std::string bad = bad_value<Dim>(acting.patch, function, loaded.deck.time.end);
+    if (bad.empty()) return;
     all = false;
     problems.push_back(
-        loaded.places.problem("boundaries." + constraint.name + ".velocity." + std::to_string(c),
+        loaded.places.problem("boundaries." + acting.patch.name + "." + key,
                               bad + "; t is in s, and x, y, z are the place at time 0 in m"));
-  }
+  });
   return all;
 }
 
 /// Points that both have, of the same group.
 template <int Dim>
-std::vector<LocalIndex> shared_points(const Constraint<Dim>& a, const Constraint<Dim>& b) {
+std::vector<LocalIndex> shared_points(const Patch<Dim>& a, const Patch<Dim>& b) {
   std::vector<LocalIndex> first = a.chosen, second = b.chosen, shared;
   if (a.points != b.points) return shared;
   std::sort(first.begin(), first.end());
@@ -88,28 +85,28 @@ std::vector<LocalIndex> shared_points(const Constraint<Dim>& a, const Constraint
 }
 
 template <int Dim>
-void check_pair(const LoadedDeck& loaded, const Scene<Dim>& scene, const Constraint<Dim>& a,
-                const Constraint<Dim>& b, std::vector<DeckProblem>& problems) {
-  const Window<Dim> window(a, b, loaded.deck.time.end);
+void check_pair(const LoadedDeck& loaded, const MotionSupport<Dim>& a, const MotionSupport<Dim>& b,
+                std::vector<DeckProblem>& problems) {
+  const Window<Dim> window(a.patch, b.patch, loaded.deck.time.end);
   if (window.empty()) return;
-  const auto shared = shared_points(a, b);
+  const auto shared = shared_points(a.patch, b.patch);
   for (int c = 0; c < Dim; ++c) {
     const auto k = static_cast<std::size_t>(c);
     if (!a.velocity[k] || !b.velocity[k]) continue;
     for (const LocalIndex point : some_of(shared)) {
       for (const Real time : window.times()) {
-        const Vec3 place = place_of(a, scene, point);
+        const Vec3 place = place_of(a.patch, point);
         const Real first = (*a.velocity[k])(time, place), second = (*b.velocity[k])(time, place);
         constexpr Real kRoundOff = 1e-9;
         if (std::fabs(first - second) <= kRoundOff * std::max(std::fabs(first), std::fabs(second)))
           continue;
         const std::string axis(1, "xyz"[c]);
         problems.push_back(loaded.places.problem(
-            "boundaries." + b.name, "shares " + std::to_string(shared.size()) + " points with '" +
-                                        a.name + "', and they move along " + axis + " at " +
-                                        deck::short_text(second) + " m/s here and at " +
-                                        deck::short_text(first) + " m/s there; leave " + axis +
-                                        " free in one of them, or choose other points"));
+            "boundaries." + b.patch.name,
+            "shares " + std::to_string(shared.size()) + " points with '" + a.patch.name +
+                "', and they move along " + axis + " at " + deck::short_text(second) +
+                " m/s here and at " + deck::short_text(first) + " m/s there; leave " + axis +
+                " free in one of them, or choose other points"));
         return;
       }
     }
@@ -121,13 +118,17 @@ template <int Dim>
 void check_constraints(const LoadedDeck& loaded, const Scene<Dim>& scene,
                        std::vector<DeckProblem>& problems) {
   if (!(loaded.deck.time.end > 0)) return;  // reported already
-  const auto& constraints = scene.supports.constraints();
-  std::vector<const Constraint<Dim>*> sound;
-  for (const auto& constraint : constraints) {
-    if (check_values(loaded, scene, constraint, problems)) sound.push_back(&constraint);
-  }
+  std::vector<const MotionSupport<Dim>*> sound;
+  scene.boundaries.each([&](const auto& acting) {
+    if constexpr (requires { acting.visit_functions([](const std::string&, const auto&) {}); }) {
+      const bool numbers = check_values<Dim>(loaded, acting, problems);
+      if constexpr (std::is_same_v<decltype(acting), const MotionSupport<Dim>&>) {
+        if (numbers) sound.push_back(&acting);
+      }
+    }
+  });
   for (std::size_t j = 0; j < sound.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) check_pair(loaded, scene, *sound[i], *sound[j], problems);
+    for (std::size_t i = 0; i < j; ++i) check_pair(loaded, *sound[i], *sound[j], problems);
   }
 }
 

@@ -7,7 +7,11 @@
 namespace brunt {
 
 bool acts_on_heat(const deck::Boundary& boundary) {
-  return boundary.temperature || boundary.flux || boundary.convection || boundary.radiation;
+  bool heats = false;
+  visit_given(boundary, [&](const auto& kind) {
+    heats = heats || brunt::heats<std::remove_cvref_t<decltype(kind)>>();
+  });
+  return heats;
 }
 
 namespace {
@@ -71,9 +75,10 @@ bool is_held(const Deck& deck, const std::string& name) {
   bool held = false;
   for (const auto& [unused, boundary] : deck.boundaries) {
     if (boundary.body != name) continue;
-    if (boundary.velocity) return false;  // it may take over from what is fixed
+    const auto& motion = boundary.of<PrescribedMotion>();
+    if (motion.velocity) return false;  // it may take over from what is fixed
     const bool all = std::holds_alternative<deck::WhereAll>(boundary.where) && boundary.from == 0 &&
-                     boundary.to == kInfinity && boundary.fix.size() == axes;
+                     boundary.to == kInfinity && motion.fix.size() == axes;
     held = held || all;
   }
   return held;

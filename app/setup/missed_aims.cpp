@@ -25,8 +25,9 @@ struct Flight {
 /// True where something may take a body off its straight line before it meets anything.
 bool is_led(const Deck& deck, const std::string& name) {
   return std::any_of(deck.boundaries.begin(), deck.boundaries.end(), [&](const auto& boundary) {
-    const auto& acts = boundary.value;
-    return acts.body == name && (acts.velocity || acts.force);
+    bool pushes = false;
+    visit_given(boundary.value, [&](const auto& kind) { pushes = pushes || may_push(kind); });
+    return boundary.value.body == name && pushes;
   });
 }
 

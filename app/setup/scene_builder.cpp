@@ -70,7 +70,7 @@ void add_rigid_conductors(const LoadedDeck& loaded, const std::vector<BodyGeomet
     scene.solids.push_back(std::move(free));
   }
   if (auto prescribed = make_elements(loaded, scene, bodies, kRigidConductors, next)) {
-    scene.supports.move_rigid(prescribed->points(), prescribed_motions(loaded, scene));
+    scene.rigid_motions.add(prescribed->points(), prescribed_motions(loaded, scene));
     scene.solids.push_back(std::move(prescribed));
   }
 }
@@ -87,7 +87,7 @@ void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
   const auto made = free_bodies_of(loaded, scene, surfaces->surface(), problems);
   if (!made.empty()) surfaces->set_shares(mass_shares<Dim>(made, surfaces->points()));
   followers.add(surfaces->points(), made);
-  scene.supports.move_rigid(surfaces->points(), prescribed_motions(loaded, scene), std::move(free));
+  scene.rigid_motions.add(surfaces->points(), prescribed_motions(loaded, scene), std::move(free));
   scene.solids.push_back(std::move(surfaces));
 }
 

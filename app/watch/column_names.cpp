@@ -18,6 +18,14 @@ class Filler {
   }
   /// A column of the table whose name is made of parts: those of the ledger.
   void add_text(const std::string& pattern) { append(deck::column_of_pattern(pattern), "", ""); }
+  /// What an entity reports, which has a place in the table: a number, or a vector.
+  template <int Dim>
+  void add_report(const std::string& pattern, bool vector, const std::string& name) {
+    for (int c = 0; vector && c < Dim; ++c) {
+      append(deck::column_of_pattern(pattern + ".AXIS"), name, kAxes[c]);
+    }
+    if (!vector) append(deck::column_of_pattern(pattern), name, "");
+  }
   void add_probe(const Probe& probe) {
     for (std::size_t f = 0; f < probe.fields.size(); ++f) {
       columns_.names.push_back(column_of(probe, f));
@@ -100,10 +108,14 @@ ColumnNames column_names(const Scene<Dim>& scene) {
       add_pair<Dim>(pair.name, scene.conducts(), torque, to);
     }
   }
-  for (const auto& constraint : scene.supports.constraints()) {
-    to.add_components("boundary.NAME.reaction.AXIS", 0, Dim, constraint.name);
-  }
-  for (const auto& boundary : scene.heat.all()) to.add("boundary.NAME.heat_rate", boundary.name);
+  scene.boundaries.each([&](const auto& boundary) {
+    if constexpr (requires { boundary.visit_reports([](const char*, const auto&) {}); }) {
+      boundary.visit_reports([&](const char* what, const auto& values) {
+        const bool vector = !std::is_same_v<decltype(values), const std::vector<Real>&>;
+        to.add_report<Dim>(std::string("boundary.NAME.") + what, vector, boundary.patch.name);
+      });
+    }
+  });
   for (const auto& probe : scene.probes) to.add_probe(probe);
   for (const auto& section : scene.sections.all()) {
     to.add_components("section.NAME.force.AXIS", 0, Dim, section.name);

@@ -40,20 +40,26 @@ HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
   energies_.start(1e6 * largest_);  // strains of 1e-9, speeds of 1e-9 c: no run stops for less
 }
 
-/// Reactions of constraints and heat rates of boundaries, all in one reduction.
+/// What boundaries report of their points, summed; all in one reduction.
 template <int Dim>
 void HistoryColumns<Dim>::add_boundaries(const Scene<Dim>& scene, std::vector<Real>& values) {
   std::vector<ExactSum> sums;
-  for (const auto& constraint : scene.supports.constraints()) {
-    for (int c = 0; c < Dim; ++c) {
-      auto& reaction = sums.emplace_back();
-      for (const auto& force : constraint.reaction) reaction.add(force[c]);
+  const auto add = [&](const auto& of_points) {
+    if constexpr (std::is_same_v<decltype(of_points), const std::vector<Real>&>) {
+      auto& sum = sums.emplace_back();
+      for (const Real one : of_points) sum.add(one);
+    } else {
+      for (int c = 0; c < Dim; ++c) {
+        auto& sum = sums.emplace_back();
+        for (const auto& one : of_points) sum.add(one[c]);
+      }
     }
-  }
-  for (const auto& boundary : scene.heat.all()) {
-    auto& rate = sums.emplace_back();
-    for (const Real one : boundary.rate) rate.add(one);
-  }
+  };
+  scene.boundaries.each([&](const auto& boundary) {
+    if constexpr (requires { boundary.visit_reports([](const char*, const auto&) {}); }) {
+      boundary.visit_reports([&](const char*, const auto& of_points) { add(of_points); });
+    }
+  });
   scene.ranks->reduce_all(std::span(sums), [](ExactSum& a, const ExactSum& b) { a.add(b); });
   for (const auto& sum : sums) values.push_back(sum.value());
 }

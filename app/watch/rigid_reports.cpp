@@ -38,7 +38,7 @@ void report_free(const FreeBodies<Dim>& bodies, std::map<Label, RigidReport>& re
 
 /// Resultants on what is held or has a prescribed motion, and how it lies.
 template <int Dim>
-void report_prescribed(const typename Supports<Dim>::Rigid& rigid, const Scene<Dim>& scene,
+void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Scene<Dim>& scene,
                        Real time, std::map<Label, RigidReport>& reports) {
   struct Sums {
     std::array<ExactSum, 6> sum;
@@ -87,7 +87,7 @@ void report_prescribed(const typename Supports<Dim>::Rigid& rigid, const Scene<D
 template <int Dim>
 std::map<Label, RigidReport> rigid_reports(const Scene<Dim>& scene, Real time) {
   std::map<Label, RigidReport> reports;
-  for (const auto& rigid : scene.supports.rigid()) {
+  for (const auto& rigid : scene.rigid_motions.all()) {
     report_prescribed<Dim>(rigid, scene, time, reports);
   }
   if (scene.rigid) report_free(*scene.rigid, reports);

@@ -27,33 +27,10 @@ void Loads<Dim>::act_on(FreeBodies<Dim>& bodies) {
 }
 
 template <int Dim>
-void Loads<Dim>::apply(AppliedForce<Dim> force) {
-  force.last.assign(force.chosen.size(), Vec<Dim>::Zero());
-  force.work.assign(force.chosen.size(), 0.0);
-  forces_.push_back(std::move(force));
-}
-
-template <int Dim>
 void Loads<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
   const auto bodies = std::exchange(bodies_, {});
   for (const auto& body : bodies) {
     act_on(body.points == &old ? now : *body.points);
-  }
-  for (auto& load : forces_) {
-    if (load.points != &old) continue;
-    AppliedForce<Dim> part = load;
-    part.points = &now;
-    part.chosen.clear();
-    part.share.clear();
-    for (std::size_t j = 0; j < load.chosen.size(); ++j) {
-      const LocalIndex here = now.find(old.id[static_cast<std::size_t>(load.chosen[j])]);
-      if (here < 0 || here >= now.n_owned) continue;
-      part.chosen.push_back(here);
-      part.share.push_back(load.share[j]);
-    }
-    part.last.assign(part.chosen.size(), Vec<Dim>::Zero());
-    part.work.assign(part.chosen.size(), 0.0);
-    load = std::move(part);
   }
 }
 
@@ -88,7 +65,7 @@ void Loads<Dim>::push_rigid(Real time, Real dt) {
 }
 
 template <int Dim>
-void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
+void Loads<Dim>::add_forces(Real time, Real dt) {
   for (auto& body : bodies_) {
     auto& points = *body.points;
     // At time 0 no force has acted yet: the first half of the first step carries none.
@@ -113,21 +90,6 @@ void Loads<Dim>::add_forces(Real time, Real dt, const Vec<Dim>& origin) {
     body.fresh = false;
   }
   if (rigid_) push_rigid(time, dt);
-  for (auto& load : forces_) {
-    auto& points = *load.points;
-    for (std::size_t j = 0; j < load.chosen.size(); ++j) {
-      const auto i = static_cast<std::size_t>(load.chosen[j]);
-      Vec3 place = Vec3::Zero();
-      place.template head<Dim>() = points.x_start[i] + origin;
-      Vec<Dim> now = Vec<Dim>::Zero();
-      for (int c = 0; c < Dim && time >= load.from && time <= load.to; ++c) {
-        if (load.force[c]) now[c] = load.share[j] * (*load.force[c])(time, place);
-      }
-      points.f[i] += now;
-      load.work[j] += 0.5 * dt * points.v[i].dot(now + load.last[j]);
-      load.last[j] = now;
-    }
-  }
 }
 
 template <int Dim>
@@ -150,9 +112,6 @@ void Loads<Dim>::add_totals(Totals<Dim>& totals) const {
     for (const Real work : body.load_work) totals.add(Column::boundary, -work);
     for (const Real work : body.damping_work) totals.add(Column::damping, -work);
   }
-  for (const auto& load : forces_) {
-    for (const Real work : load.work) totals.add(Column::boundary, -work);
-  }
 }
 
 namespace {
@@ -170,14 +129,6 @@ void visit_rigid(Row& row, Rigid& rigid, std::size_t b) {
   row(rigid.last_drag[b]), row(rigid.last_torque[b]);
   row(rigid.fresh);
 }
-
-template <class Row, class Force>
-void visit_force(Row& row, Force& force, std::size_t k) {
-  row(force.last[k]);
-  row(force.work[k]);
-}
-
-std::string force_table(const std::string& force) { return "force." + force; }
 }  // namespace
 
 template <int Dim>
@@ -196,11 +147,6 @@ void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
     save_rows(
         "loads.rigid", rigid_->load_work.size(), [](std::size_t b) { return GlobalId{b}; },
         [&](auto& row, std::size_t b) { visit_rigid(row, *rigid_, b); }, tables);
-  }
-  for (const auto& force : forces_) {
-    save_chosen(
-        force_table(force.name), *force.points, force.chosen,
-        [&](auto& row, std::size_t k) { visit_force(row, force, k); }, tables);
   }
 }
 
@@ -221,11 +167,6 @@ void Loads<Dim>::load_state(const StateTables& tables) {
     load_rows(
         "loads.rigid", rigid_->load_work.size(), [](std::size_t b) { return GlobalId{b}; },
         [&](auto& row, std::size_t b) { visit_rigid(row, *rigid_, b); }, tables);
-  }
-  for (auto& force : forces_) {
-    load_chosen(
-        force_table(force.name), *force.points, force.chosen,
-        [&](auto& row, std::size_t k) { visit_force(row, force, k); }, tables);
   }
 }
 

@@ -41,7 +41,7 @@ NOT_SEEN = {
         ogive-of-elements open-surface particles-in-one-place particles-larger-than-the-shape
         particles-overlap polygon-crosses-itself polygon-folds-over polygon-of-no-area
         polygon-without-corners rod-inside-a-tube-too-narrow size-far-too-small
-        wall-gap-wider-than-a-brick""",
+        pressure-without-faces wall-gap-wider-than-a-brick""",
     "what an expression or a parameter is": """
         expression-nan expression-of-time-nan expression-unknown-name measure-expression-syntax""",
     "how YAML is written": "keys-double",

@@ -52,7 +52,8 @@ void shuffle_storage(Scene<3>& scene, const Partition& partition) {
       auto fresh = std::make_unique<FiniteElements<3>>(
           elements->points(), shuffled_sets(*elements, random), Geometry::three_d, 1.0);
       ASSERT_NE(fresh->blocks()[0].id, elements->blocks()[0].id);
-      scene.supports.follow(solid->points(), fresh->points());
+      scene.rigid_motions.follow(solid->points(), fresh->points());
+      scene.boundaries.follow(solid->points(), fresh->points());
       scene.loads.follow(solid->points(), fresh->points());
       old.push_back(std::exchange(solid, std::move(fresh)));
     }

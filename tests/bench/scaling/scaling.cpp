@@ -58,7 +58,7 @@ void count_meetings(const Deck& deck, const Scene<Dim>& scene, Real dt, Rates& r
   const Real every = deck.output.history.value_or(deck.time.end / 2000);
   rates.rows = std::min(1.0, dt / every) + 0.01 * std::max(0.0, 1 - dt / every);
   // Columns, bodies, hash; what supports take.
-  Real row = 3 + static_cast<Real>(scene.supports.constraints().size());
+  Real row = 3 + static_cast<Real>(scene.boundaries.template of<PrescribedMotion>().size());
   rates.reductions = 1.01;  // the head of a step, and checks
   if (deck.stop.at_rest) rates.reductions += 1;
   if (deck.stop.beyond) rates.reductions += 1;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/loop/verlet.hpp"
+#include "core/boundaries/boundaries.hpp"
 
 namespace brunt {
 namespace {
@@ -22,7 +23,7 @@ TEST(Loads, WeightAndDragCloseTheBalance) {
   const Real dt = 1e-3;
   for (int n = 0; n < 1000; ++n) {
     predict(points, dt, n ? dt : 0);
-    loads.add_forces(dt * (n + 1), dt, Vec3::Zero());
+    loads.add_forces(dt * (n + 1), dt);
     correct(points, dt);
   }
   Totals<3> totals;
@@ -39,47 +40,61 @@ TEST(Loads, WeightAndDragCloseTheBalance) {
   EXPECT_LT(totals.value(Column::boundary), 0);
 }
 
+/// 8 t along y.
+template <int Dim>
+AppliedForce growing() {
+  Varying force;
+  force.over = Varying::Over::expression;
+  force.evaluate = [](const std::array<Real, 4>& at) { return 8 * at[0]; };
+  AppliedForce load;
+  load.force.emplace(Dim);
+  (*load.force)[1] = force;
+  return load;
+}
+
 TEST(Loads, ForceIsSharedByMass) {
   Points<2> points;
   points.resize(2);
   points.mass = {1, 3};
-  Loads<2> loads;
-  AppliedForce<2> force;
-  force.points = &points;
-  force.chosen = {0, 1};
-  force.share = {0.25, 0.75};
-  force.force[1] = [](Real t, const Vec3&) { return 8 * t; };
-  force.to = 2;
-  loads.apply(force);
-  loads.add_forces(1.0, 0.1, Vec<2>::Zero());
+  Patch<2> patch;
+  patch.points = &points, patch.chosen = {0, 1}, patch.to = 2;
+  Boundaries<2> loads;
+  EXPECT_EQ(loads.add(growing<2>(), patch), "");
+  loads.add_forces(1.0, 0.1);
   EXPECT_EQ(points.f[0], Vec<2>(0, 2));
   EXPECT_EQ(points.f[1], Vec<2>(0, 6));
-  loads.add_forces(3.0, 0.1, Vec<2>::Zero());  // after `to` it is gone
+  loads.add_forces(3.0, 0.1);  // after `to` it is gone
   EXPECT_EQ(points.f[1], Vec<2>(0, 6));
 }
 
+struct AllLoads {
+  Loads<3> everywhere;
+  Boundaries<3> push;
+
+  explicit AllLoads(Points<3>& points) {
+    everywhere.gravity(Vec3(0, 0, -9.81));
+    everywhere.damp(2, 0.5);
+    everywhere.act_on(points);
+    Patch<3> patch;
+    patch.name = "push", patch.points = &points, patch.chosen = {0};
+    push.add(growing<3>(), patch);
+  }
+  Real work(Column column) const {
+    Totals<3> totals;
+    everywhere.add_totals(totals), push.add_totals(totals);
+    return totals.value(column);
+  }
+};
+
 /// One mass under weight, drag and a force that grows, for `steps` steps from step `from` on.
-void advance(Points<3>& points, Loads<3>& loads, int from, int steps) {
+void advance(Points<3>& points, AllLoads& loads, int from, int steps) {
   const Real dt = 1e-3;
   for (int n = from; n < from + steps; ++n) {
     predict(points, dt, n ? dt : 0);
-    loads.add_forces(dt * (n + 1), dt, Vec3::Zero());
+    loads.everywhere.add_forces(dt * (n + 1), dt);
+    loads.push.add_forces(dt * (n + 1), dt);
     correct(points, dt);
   }
-}
-Loads<3> all_loads(Points<3>& points) {
-  Loads<3> loads;
-  loads.gravity(Vec3(0, 0, -9.81));
-  loads.damp(2, 0.5);
-  loads.act_on(points);
-  AppliedForce<3> force;
-  force.name = "push";
-  force.points = &points;
-  force.chosen = {0};
-  force.share = {1};
-  force.force[1] = [](Real t, const Vec3&) { return 8 * t; };
-  loads.apply(force);
-  return loads;
 }
 
 TEST(Loads, TheSameBitsAfterASplit) {
@@ -88,20 +103,19 @@ TEST(Loads, TheSameBitsAfterASplit) {
   points.id[0] = 17;
   points.mass[0] = 3;
   points.v[0] = Vec3(1, 0, 0);
-  auto whole = all_loads(points);
+  AllLoads whole(points);
   advance(points, whole, 0, 20);
   std::vector<StateTable> tables;
-  whole.save_state(tables);
+  whole.everywhere.save_state(tables), whole.push.save_state(tables);
   auto other = points;
-  auto again = all_loads(other);
-  again.load_state(StateTables(std::move(tables)));
+  AllLoads again(other);
+  const StateTables read(std::move(tables));
+  again.everywhere.load_state(read), again.push.load_state(read);
   advance(points, whole, 20, 20);
   advance(other, again, 20, 20);
-  Totals<3> a, b;
-  whole.add_totals(a);
-  again.add_totals(b);
-  EXPECT_EQ(a.value(Column::boundary), b.value(Column::boundary));
-  EXPECT_EQ(a.value(Column::damping), b.value(Column::damping));
+  EXPECT_EQ(whole.work(Column::boundary), again.work(Column::boundary));
+  EXPECT_EQ(whole.work(Column::damping), again.work(Column::damping));
+  EXPECT_NE(whole.work(Column::boundary), 0);
   EXPECT_EQ(points.x, other.x);
 }
 

@@ -1,33 +1,45 @@
 // Supports: a mass pulled by a spring while its velocity is prescribed. The work of the reaction
 // must be what the spring stores and the mass gains, to rounding, and a held point takes none.
-#include "core/boundaries/supports.hpp"
+#include "core/boundaries/boundaries.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "app/loop/verlet.hpp"
+#include "core/boundaries/rigid_motions.hpp"
 
 namespace brunt {
 namespace {
 
-Real boundary(const Supports<2>& supports) {
+template <class Any>
+Real boundary(const Any& supports) {
   Totals<2> totals;
   supports.add_totals(totals);
   return totals.value(Column::boundary);
+}
+
+/// v = 3 sin(5 t) along x; y follows its forces.
+PrescribedMotion shaken() {
+  Varying sine;
+  sine.over = Varying::Over::expression;
+  sine.evaluate = [](const std::array<Real, 4>& at) { return 3 * std::sin(5 * at[0]); };
+  PrescribedMotion motion;
+  motion.velocity = {{sine, std::nullopt}};
+  return motion;
+}
+Patch<2> patch_of(Points<2>& points, std::vector<LocalIndex> chosen) {
+  Patch<2> patch;
+  patch.name = "pull", patch.points = &points, patch.chosen = std::move(chosen);
+  return patch;
 }
 
 TEST(Supports, ReactionWorkClosesTheBalance) {
   Points<2> points;
   points.resize(1);
   points.mass[0] = 2;
-  Supports<2> supports(Vec<2>::Zero());
-  Constraint<2> constraint;
-  constraint.points = &points;
-  constraint.chosen = {0};
-  // v = 3 sin(5 t) along x; y follows its forces
-  constraint.velocity[0] = [](Real t, const Vec3&) { return 3 * std::sin(5 * t); };
-  supports.constrain(constraint);
+  Boundaries<2> supports;
+  EXPECT_EQ(supports.add(shaken(), patch_of(points, {0})), "");
   supports.start();
   Real t = 0, dt_last = 0, spring = 0;
   Vec<2> f_old = Vec<2>::Zero();
@@ -62,8 +74,8 @@ TEST(Supports, RigidBodyTurnsAndItsReactionIsTheForceOnIt) {
   RigidSurfaces<2> rigid(points, {});
   RigidMotion<2> motion;
   motion.spin = kPi, motion.velocity = Vec<2>(0.5, 0);
-  Supports<2> supports(Vec<2>::Zero());
-  supports.move_rigid(rigid.points(), {motion});
+  RigidMotions<2> supports;
+  supports.add(rigid.points(), {motion});
   supports.start();
   EXPECT_NEAR((rigid.points().v[0] - Vec<2>(0.5, kPi)).norm(), 0, 1e-15);
   const int steps = 100;
@@ -71,7 +83,7 @@ TEST(Supports, RigidBodyTurnsAndItsReactionIsTheForceOnIt) {
     predict(rigid.points(), 0.01, 0.01);
     supports.impose(0.01 * (n + 1), 0.01);
     rigid.points().f[0] += Vec<2>(3, 0);
-    supports.take_reactions(0.01 * (n + 1), 0.01);
+    supports.take_reactions(0.01);
     correct(rigid.points(), 0.01);
   }
   // half a turn and half a metre on
@@ -88,16 +100,11 @@ TEST(Supports, WorkAndReactionsGoOnAfterASplit) {
   points.id = {4, 9};
   points.mass = {2, 3};
   const auto supported = [](Points<2>& of) {
-    Supports<2> supports(Vec<2>::Zero());
-    Constraint<2> constraint;
-    constraint.name = "pull";
-    constraint.points = &of;
-    constraint.chosen = {1};
-    constraint.velocity[0] = [](Real t, const Vec3&) { return 3 * std::sin(5 * t); };
-    supports.constrain(constraint);
+    Boundaries<2> supports;
+    supports.add(shaken(), patch_of(of, {1}));
     return supports;
   };
-  const auto advance = [](Points<2>& of, Supports<2>& supports, int from, int steps) {
+  const auto advance = [](Points<2>& of, Boundaries<2>& supports, int from, int steps) {
     for (int n = from; n < from + steps; ++n) {
       predict(of, 0.01, n ? 0.01 : 0);
       supports.impose(0.01 * (n + 1), 0.01);
@@ -113,7 +120,7 @@ TEST(Supports, WorkAndReactionsGoOnAfterASplit) {
   auto other = points;
   auto again = supported(other);
   again.load_state(StateTables(std::move(tables)));
-  EXPECT_EQ(again.constraints()[0].reaction, whole.constraints()[0].reaction);
+  EXPECT_EQ(again.of<PrescribedMotion>()[0].reaction, whole.of<PrescribedMotion>()[0].reaction);
   advance(points, whole, 50, 50);
   advance(other, again, 50, 50);
   EXPECT_EQ(boundary(again), boundary(whole));
