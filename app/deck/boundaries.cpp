@@ -32,6 +32,10 @@ void describe(Schema& s, WhereSide& where) {
   s.value(where.side, std::span(kSides, count), "a side of the body");
 }
 
+void describe(Schema& s, WhereSet& where) {
+  s.value(where.name, "name of a set of cells, faces or nodes");
+}
+
 namespace {
 constexpr Quantity kTemperature{"K", at_least(0), between(50, 5000)};
 }

@@ -36,7 +36,13 @@ struct WhereSide {
   static constexpr const char* deck_help = "points on one side of the body: min-x, max-x, ...";
   Side side = Side::min_x;
 };
-using Where = std::variant<WhereAll, WhereSurface, WherePlane, WhereBox, WhereSide>;
+/// Points of a named set of the body's mesh file.
+struct WhereSet {
+  static constexpr const char* deck_name = "set";
+  static constexpr const char* deck_help = "the points of a named set of the body's mesh file";
+  std::string name;
+};
+using Where = std::variant<WhereAll, WhereSurface, WherePlane, WhereBox, WhereSide, WhereSet>;
 
 /// One component of a prescribed vector; absent: free.
 using Components = std::vector<std::optional<Varying>>;
@@ -79,6 +85,7 @@ void describe(Schema& s, WhereSurface& where);
 void describe(Schema& s, WherePlane& where);
 void describe(Schema& s, WhereBox& where);
 void describe(Schema& s, WhereSide& where);
+void describe(Schema& s, WhereSet& where);
 void describe(Schema& s, Convection& convection);
 void describe(Schema& s, Radiation& radiation);
 void describe(Schema& s, Boundary& boundary);

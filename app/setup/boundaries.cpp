@@ -16,6 +16,7 @@ struct Choose {
   Vec<Dim> origin;
   Label body;
   Real tolerance;  // [m]
+  const std::vector<PointSet>& sets;
 
   Vec<Dim> place(LocalIndex i) const {
     return points.x_start[static_cast<std::size_t>(i)] + origin;
@@ -63,6 +64,16 @@ struct Choose {
       extreme = std::max(extreme, sign * place(i)[c]);
     }
     return where([&](LocalIndex i) { return sign * place(i)[c] >= extreme - tolerance; });
+  }
+  std::vector<LocalIndex> operator()(const deck::WhereSet& wanted) const {
+    const auto set = std::find_if(sets.begin(), sets.end(), [&](const PointSet& one) {
+      return one.body == body && one.name == wanted.name;
+    });
+    if (set == sets.end()) return {};
+    return where([&](LocalIndex i) {
+      const GlobalId id = points.id[static_cast<std::size_t>(i)];
+      return std::binary_search(set->points.begin(), set->points.end(), id);
+    });
   }
 };
 
@@ -196,6 +207,17 @@ std::string add_heat(const std::string& name, const deck::Boundary& boundary, So
   return "";
 }
 
+/// "; its sets are ...", where a set was meant.
+std::string sets_of(const deck::Where& where, Label body, const std::vector<PointSet>& sets) {
+  if (!std::holds_alternative<deck::WhereSet>(where)) return "";
+  std::string names;
+  for (const PointSet& set : sets) {
+    if (set.body == body) names += (names.empty() ? "'" : ", '") + set.name + "'";
+  }
+  return names.empty() ? ": it has no sets, which only a mesh file gives it"
+                       : "; its sets are " + names;
+}
+
 template <int Dim>
 Solid<Dim>* solid_of(Scene<Dim>& scene, Label label) {
   for (auto& solid : scene.solids) {
@@ -225,12 +247,14 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     Solid<Dim>* solid = solid_of(scene, label);
     if (!solid) continue;
     auto& points = solid->points();
-    const Choose<Dim> choose{points, solid->surface(), scene.origin, label,
-                             0.1 * scene.body_size[label]};
+    const Choose<Dim> choose{
+        points,          solid->surface(), scene.origin, label, 0.1 * scene.body_size[label],
+        scene.point_sets};
     const auto chosen = std::visit(choose, boundary.where);
     if (chosen.empty()) {
       problems.push_back(loaded.places.problem(
-          path + ".where", "no point of '" + boundary.body + "' lies there at time 0"));
+          path + ".where", "no point of '" + boundary.body + "' lies there at time 0" +
+                               sets_of(boundary.where, label, scene.point_sets)));
       continue;
     }
     if (!boundary.fix.empty() || boundary.velocity) {
