@@ -130,6 +130,10 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
                       &block.viscous_work, &block.stable_step}) {
     field->assign(padded, 0.0);
   }
+  const Real energy = set.material->eos->initial_energy();  // [J/m^3] that a gas can give
+  for (std::size_t e = 0; e < block.id.size(); ++e) {
+    block.stress_work[e] = energy * block.element_volume[e];
+  }
   if (block.formulation->averages_volumes()) block.volume_ratio.assign(padded, 1.0);
   block.formulation->start(points, block);
   return block;

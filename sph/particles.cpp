@@ -53,6 +53,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
       auto& state = state_[k];
       state.spacing = spacing[k];
       state.start_volume = state.volume = points_.mass[k] / material.density;
+      state.stress_work = material.eos->initial_energy() * state.start_volume;
       state.sound_speed = std::sqrt(material.modulus() / material.density);
       auto& shown = surface_.particles[k];
       shown = {i, 0.5 * spacing[k], material.modulus(), 0, 0};

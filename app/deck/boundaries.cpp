@@ -28,6 +28,10 @@ void describe(Schema& s, WhereSide& where) {
   s.value(where.side, std::span(kSides, count), "a side of the body");
 }
 
+void describe(Schema& s, WhereSet& where) {
+  s.value(where.name, "name of a set of cells, faces or nodes");
+}
+
 namespace {
 /// "fix, velocity or force": the keys of all kinds.
 std::string all_keys(const BoundaryKinds& kinds) {

@@ -37,7 +37,13 @@ struct WhereSide {
   static constexpr const char* deck_help = "points on one side of the body: min-x, max-x, ...";
   Side side = Side::min_x;
 };
-using Where = std::variant<WhereAll, WhereSurface, WherePlane, WhereBox, WhereSide>;
+/// Points of a named set of the body's mesh file.
+struct WhereSet {
+  static constexpr const char* deck_name = "set";
+  static constexpr const char* deck_help = "the points of a named set of the body's mesh file";
+  std::string name;
+};
+using Where = std::variant<WhereAll, WhereSurface, WherePlane, WhereBox, WhereSide, WhereSet>;
 
 /// What holds, moves, pushes or heats points of a body; points are chosen at time 0 and carried
 /// along. One boundary may do several of these things.
@@ -73,6 +79,7 @@ void describe(Schema& s, WhereSurface& where);
 void describe(Schema& s, WherePlane& where);
 void describe(Schema& s, WhereBox& where);
 void describe(Schema& s, WhereSide& where);
+void describe(Schema& s, WhereSet& where);
 void describe(Schema& s, Boundary& boundary);
 void describe(Schema& s, Damping& damping);
 

@@ -85,6 +85,20 @@ void check_damage(const Named<Material>& material, Findings& findings) {
   }
 }
 
+/// Springs of contact are as stiff as the body, and hold no pressure of that size.
+void check_start_pressure(const Deck& deck, const Named<Material>& material, Findings& findings) {
+  const std::string path = "materials." + material.name;
+  if (deck.bodies.size() < 2 || !findings.sound(path)) return;
+  const auto eos = make_eos(material.value.eos, {material.value.density, 0});
+  const Real share = eos->initial_pressure() / eos->bulk_modulus();
+  constexpr Real kSmall = 0.05;
+  if (!(share > kSmall)) return;
+  findings.warn(path + ".eos",
+                "starts at a pressure of " + short_text(100 * share) +
+                    " % of its stiffness: contact cannot hold that, faces would overlap by as much "
+                    "of an element; hold them by boundaries");
+}
+
 /// c = sqrt((K + 4/3 G) / rho) [m/s] of all that is solid is 50 to 20,000; beyond, a unit is wrong.
 void check_sound_speed(const Named<Material>& material, Findings& findings) {
   const std::string path = "materials." + material.name;
@@ -131,6 +145,7 @@ void check_materials(const Deck& deck, Findings& findings) {
     check_equation_of_state(material, findings);
     check_damage(material, findings);
     check_sound_speed(material, findings);
+    check_start_pressure(deck, material, findings);
   }
   const auto conducts = [](const auto& material) {
     return material.value.thermal && material.value.thermal->k;

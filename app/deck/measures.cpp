@@ -37,6 +37,10 @@ struct UnitOfKind {
   }
   const char* operator()(const RestitutionMeasure&) const { return "1"; }
   const char* operator()(const ExpressionMeasure&) const { return "any"; }
+  template <class Own>
+  const char* operator()(const Own& own) const {
+    return own.unit;
+  }
   static const char* field(const std::string& name) {
     const char* unit = unit_of_field(name);
     return unit ? unit : "any";

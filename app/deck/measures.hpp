@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/deck/speed_measure.hpp"
 #include "core/schema.hpp"
 
 namespace brunt::deck {
@@ -69,8 +70,10 @@ struct ExpressionMeasure {
   std::string formula;  ///< as written, with "="; evaluate with io/deck/expression.hpp
 };
 
-using MeasureKind = std::variant<ExtentMeasure, MinMeasure, MaxMeasure, MeanMeasure, PointMeasure,
-                                 HistoryMeasure, RestitutionMeasure, ExpressionMeasure>;
+/// A kind that has `unit` and `value(const MeasureSource&)` needs no more than its name here.
+using MeasureKind =
+    std::variant<ExtentMeasure, MinMeasure, MaxMeasure, MeanMeasure, PointMeasure, HistoryMeasure,
+                 RestitutionMeasure, ExpressionMeasure, SpeedMeasure>;
 
 struct Measure {
   MeasureKind kind;

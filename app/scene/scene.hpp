@@ -17,6 +17,13 @@
 
 namespace brunt {
 
+/// Points of a body by the name that its mesh file gives them, ids ascending.
+struct PointSet {
+  Label body = 0;
+  std::string name;
+  std::vector<GlobalId> points;
+};
+
 /// Everything that moves: groups of points with their blocks, contact, supports and loads.
 /// A scene holds only what its deck names.
 template <int Dim>
@@ -29,6 +36,7 @@ struct Scene {
   std::vector<std::string> body_names;  ///< by label
   /// [m] by label: the smallest size of its elements or particles; 0: it has none
   std::vector<Real> body_size;
+  std::vector<PointSet> point_sets;
   std::vector<Label> sum_of_body;  ///< first of the bodies whose particles share one sum
   std::vector<std::unique_ptr<Material>> materials;
   std::vector<std::unique_ptr<Solid<Dim>>> solids;

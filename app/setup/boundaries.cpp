@@ -16,6 +16,7 @@ struct Choose {
   Vec<Dim> origin;
   Label body;
   Real tolerance;  // [m]
+  const std::vector<PointSet>& sets;
 
   Vec<Dim> place(LocalIndex i) const {
     return points.x_start[static_cast<std::size_t>(i)] + origin;
@@ -64,7 +65,28 @@ struct Choose {
     }
     return where([&](LocalIndex i) { return sign * place(i)[c] >= extreme - tolerance; });
   }
+  std::vector<LocalIndex> operator()(const deck::WhereSet& wanted) const {
+    const auto set = std::find_if(sets.begin(), sets.end(), [&](const PointSet& one) {
+      return one.body == body && one.name == wanted.name;
+    });
+    if (set == sets.end()) return {};
+    return where([&](LocalIndex i) {
+      const GlobalId id = points.id[static_cast<std::size_t>(i)];
+      return std::binary_search(set->points.begin(), set->points.end(), id);
+    });
+  }
 };
+
+/// "; its sets are ...", where a set was meant.
+std::string sets_of(const deck::Where& where, Label body, const std::vector<PointSet>& sets) {
+  if (!std::holds_alternative<deck::WhereSet>(where)) return "";
+  std::string names;
+  for (const PointSet& set : sets) {
+    if (set.body == body) names += (names.empty() ? "'" : ", '") + set.name + "'";
+  }
+  return names.empty() ? ": it has no sets, which only a mesh file gives it"
+                       : "; its sets are " + names;
+}
 
 template <int Dim>
 Solid<Dim>* solid_of(Scene<Dim>& scene, Label label) {
@@ -116,12 +138,17 @@ void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, 
   }
   Solid<Dim>* solid = solid_of(scene, label);
   if (!solid) return;
-  const Choose<Dim> choose{solid->points(), solid->surface(), scene.origin, label,
-                           0.1 * scene.body_size[label]};
+  const Choose<Dim> choose{solid->points(),
+                           solid->surface(),
+                           scene.origin,
+                           label,
+                           0.1 * scene.body_size[label],
+                           scene.point_sets};
   auto chosen = std::visit(choose, boundary.where);
   if (chosen.empty()) {
     problems.push_back(loaded.places.problem(
-        path + ".where", "no point of '" + boundary.body + "' lies there at time 0"));
+        path + ".where", "no point of '" + boundary.body + "' lies there at time 0" +
+                             sets_of(boundary.where, label, scene.point_sets)));
     return;
   }
   auto patch = patch_of(name, loaded, label, std::move(chosen), *solid, scene);

@@ -90,6 +90,20 @@ Gathered<Dim> gather(const LoadedDeck& loaded, const Scene<Dim>& scene,
   return gathered;
 }
 
+/// Ids of the points in the named sets of a body.
+template <int Dim>
+void add_sets(const BodyGeometry<Dim>& body, const std::vector<LocalIndex>& place_of,
+              const Points<Dim>& points, std::vector<PointSet>& sets) {
+  for (const NamedPoints& named : body.sets) {
+    PointSet& set = sets.emplace_back(PointSet{body.label, named.name, {}});
+    for (const int i : named.points) {
+      const auto place = static_cast<std::size_t>(place_of[static_cast<std::size_t>(i)]);
+      set.points.push_back(points.id[place]);
+    }
+    std::sort(set.points.begin(), set.points.end());
+  }
+}
+
 /// Bodies of one method and kind.
 template <int Dim>
 std::vector<std::size_t> choose(const LoadedDeck& loaded,
@@ -143,6 +157,9 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
   const auto chosen = choose(loaded, bodies, deck::Method::fe, kind);
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
+  for (const std::size_t b : chosen) {
+    add_sets(bodies[b], gathered.place_of[b], gathered.points, next.sets);
+  }
 
   std::vector<Origin> elements;
   std::vector<Vec<Dim>> centers;

@@ -8,10 +8,12 @@
 
 namespace brunt {
 
-/// Next free ids of the scene: points, and elements with rigid facets.
+/// Next free ids of the scene: points, and elements with rigid facets; and the ids that points of
+/// named sets have got.
 struct NextIds {
   GlobalId point = 0;
   GlobalId element = 0;
+  std::vector<PointSet> sets;
 };
 
 /// Puts all bodies of one kind into one group: points and elements along a space-filling curve at

@@ -137,7 +137,7 @@ void add_notes(const MeshFile& mesh, const Taken& taken, const CellFindings& fin
 }
 
 /// The body's points of each set of the file.
-void add_sets(const MeshFile& mesh, const Taken& taken, std::vector<NamedPoints>& sets) {
+void name_points(const MeshFile& mesh, const Taken& taken, std::vector<NamedPoints>& sets) {
   std::vector<int> place(mesh.nodes.size(), -1);
   for (std::size_t i = 0; i < taken.node.size(); ++i) {
     place[static_cast<std::size_t>(taken.node[i])] = static_cast<int>(i);
@@ -211,7 +211,7 @@ void take_mesh_elements(const deck::Body& body, const MeshFile& mesh, int max_ce
     }
   }
   add_notes(mesh, taken, findings, geometry.notes);
-  add_sets(mesh, taken, geometry.sets);
+  name_points(mesh, taken, geometry.sets);
 }
 
 namespace {

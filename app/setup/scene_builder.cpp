@@ -181,6 +181,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   if (!followers.bodies.empty()) {
     scene->rigid = std::make_unique<FreeBodies<Dim>>(followers.groups, std::move(followers.bodies));
   }
+  scene->point_sets = std::move(next.sets);
   hold_temperatures(loaded, *scene);
   add_boundaries(loaded, *scene, problems);
   check_constraints(loaded, *scene, problems);

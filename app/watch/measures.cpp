@@ -53,17 +53,6 @@ Real reduce_history(const deck::HistoryMeasure& measure, const MeasureSource& so
   }
 }
 
-/// Speed of the centre of mass.
-Real center_speed(const BodyView& view) {
-  const Field* velocity = field_named(view.point_fields, "velocity");
-  Real sum[3] = {0, 0, 0}, mass = 0;
-  for (std::size_t i = 0; i < view.point_mass.size(); ++i) {
-    mass += view.point_mass[i];
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += view.point_mass[i] * velocity->values[3 * i + c];
-  }
-  return std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) / mass;
-}
-
 struct Evaluate {
   const MeasureSource& source;
   const std::vector<MeasureValue>& before;
@@ -96,7 +85,12 @@ struct Evaluate {
   }
   Real operator()(const deck::HistoryMeasure& m) const { return reduce_history(m, source); }
   Real operator()(const deck::RestitutionMeasure& m) const {
-    return center_speed(source.view(m.body)) / center_speed(source.start->at(m.body));
+    const auto speed = &deck::SpeedMeasure::speed_of;
+    return speed(source.view(m.body)) / speed(source.start->at(m.body));
+  }
+  template <class Own>
+  Real operator()(const Own& own) const {
+    return own.value(source);
   }
   Real operator()(const deck::ExpressionMeasure& m) const {
     return evaluate_formula(m.formula, [this](const std::string& name) -> std::optional<Real> {

@@ -1,12 +1,10 @@
 #pragma once
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/deck/deck.hpp"
-#include "core/view.hpp"
+#include "app/deck/measure_source.hpp"
 
 namespace brunt {
 
@@ -16,14 +14,6 @@ struct MeasureValue {
   Real value = 0;  ///< SI
   std::string unit;
   std::optional<Real> reference;
-};
-
-/// What measures read: views of bodies at the moment and at time 0, and the history so far.
-struct MeasureSource {
-  std::function<BodyView(const std::string& body)> view;
-  const std::map<std::string, BodyView>* start = nullptr;  ///< by body, at time 0
-  const std::vector<std::string>* columns = nullptr;       ///< names of history columns
-  const std::vector<std::vector<Real>>* rows = nullptr;    ///< history so far
 };
 
 /// Evaluates one measure; an expression reads the values found before it.

@@ -10,6 +10,7 @@
 #include "core/materials/ideal_gas.hpp"
 #include "core/materials/j2.hpp"
 #include "core/materials/johnson_cook.hpp"
+#include "core/materials/jwl.hpp"
 #include "core/materials/mie_gruneisen.hpp"
 #include "core/materials/polynomial.hpp"
 #include "core/materials/pressure_return.hpp"
@@ -23,7 +24,7 @@ namespace brunt {
 /// The deck's `strength` and `eos`, in the order of the manual; the first is the default.
 using StrengthLaw =
     std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan, DruckerPrager>;
-using EosLaw = std::variant<LinearEos, MieGruneisen, Tait, Polynomial, IdealGas>;
+using EosLaw = std::variant<LinearEos, MieGruneisen, Tait, Polynomial, IdealGas, Jwl>;
 
 /// True of laws of fluids, which need no elastic constants: `static constexpr bool kFluid = true`.
 bool is_fluid(const EosLaw& law);

@@ -3,7 +3,24 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/mesh/abaqus.hpp"
+#include "io/mesh/gmsh.hpp"
+#include "io/mesh/ls_dyna.hpp"
+#include "io/vtk/vtu_mesh.hpp"
+
 namespace brunt {
+
+namespace {
+constexpr MeshReader kMeshReaders[] = {
+    {".msh", "Gmsh 2.2 and 4.1", &read_gmsh},
+    {".inp", "Abaqus", &read_abaqus},
+    {".k", "LS-DYNA", &read_ls_dyna},
+    {".key", "LS-DYNA", &read_ls_dyna},
+#ifdef BRUNT_VTK
+    {".vtu", "VTK", &read_vtu},
+#endif
+};
+}  // namespace
 
 const MeshReader* mesh_reader(std::string_view path) {
   std::string lower(path);

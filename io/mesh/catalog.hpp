@@ -1,9 +1,9 @@
 #pragma once
-/// The readers of mesh files. A new one: its source pair, its line in kMeshReaders, its test
-/// (docs/adding.md).
+/// The readers of mesh files. A new one: its source pair, its line in kMeshReaders of catalog.cpp,
+/// its test (docs/adding.md).
 #include <string_view>
 
-#include "io/mesh/gmsh.hpp"
+#include "io/mesh/mesh_file.hpp"
 
 namespace brunt {
 
@@ -12,10 +12,6 @@ struct MeshReader {
   std::string_view extension;  ///< with its dot, in lower case
   const char* name;            ///< in messages
   MeshFile (*read)(const std::string& path);
-};
-
-inline constexpr MeshReader kMeshReaders[] = {
-    {".msh", "Gmsh 2.2 and 4.1", &read_gmsh},
 };
 
 /// The reader of a file by the end of its name; null where there is none.

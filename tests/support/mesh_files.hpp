@@ -183,6 +183,69 @@ inline std::string gmsh4_text(const BlockMesh& block, bool binary) {
   return out.str();
 }
 
+/// The block as an input file of Abaqus: its set of elements in two, one from a range; its faces as
+/// a set of nodes, "foot", and as a surface, "base".
+inline std::string abaqus_text(const BlockMesh& block) {
+  std::ostringstream out;
+  out << "*HEADING\na block\n** its nodes\n*Node, nset=all\n";
+  for (std::size_t i = 0; i < block.nodes.size(); ++i) {
+    const Vec3& x = block.nodes[i];
+    out << BlockMesh::id(static_cast<int>(i)) << ", " << x[0] << "., " << x[1] << "., " << x[2]
+        << ".\n";
+  }
+  out << "*Element, type=C3D8R, elset=first\n";
+  for (std::size_t e = 0; e < block.hexes.size(); ++e) {
+    out << e + 1;
+    for (std::size_t c = 0; c < 8; ++c) {
+      out << "," << (c == 5 ? "\n  " : " ") << BlockMesh::id(block.hexes[e][c]);
+    }
+    out << "\n";
+    if (e == 0) out << "*Element, type=C3D8R\n";
+  }
+  out << "*Elset, elset=rest, generate\n1, " << block.hexes.size() << ", 1\n";
+  out << "*Elset, elset=block\n rest, first\n*Nset, nset=foot\n";
+  for (std::size_t i = 0; i < block.nodes.size(); ++i) {
+    if (block.nodes[i][2] == 0) out << BlockMesh::id(static_cast<int>(i)) << ",\n";
+  }
+  out << "*Surface, name=base, type=ELEMENT\n";
+  for (std::size_t e = 0; e < block.quads.size(); ++e) out << e + 1 << ", S1\n";
+  out << "*Material, name=steel\n*Density\n7850.,\n*Step\n*End step\n";
+  return out.str();
+}
+
+/// The block as a keyword file of LS-DYNA, in columns; its faces are a set of segments, "foot".
+inline std::string dyna_text(const BlockMesh& block) {
+  std::ostringstream out;
+  const auto columns = [&](int width, std::int64_t value) {
+    const std::string text = std::to_string(value);
+    out << std::string(static_cast<std::size_t>(width) - text.size(), ' ') << text;
+  };
+  out << "*KEYWORD\n*TITLE\na block\n*PART\nblock\n";
+  columns(10, 4), columns(10, 1), columns(10, 1);
+  out << "\n*NODE\n$    nid               x\n";
+  for (std::size_t i = 0; i < block.nodes.size(); ++i) {
+    columns(8, BlockMesh::id(static_cast<int>(i)));
+    for (int c = 0; c < 3; ++c)
+      columns(14, static_cast<std::int64_t>(block.nodes[i][c])), out << ".0";
+    out << "       0       0\n";
+  }
+  out << "*ELEMENT_SOLID\n";
+  for (std::size_t e = 0; e < block.hexes.size(); ++e) {
+    columns(8, static_cast<std::int64_t>(e) + 1), columns(8, 4);
+    if (e % 2 == 1) out << "\n";  // both ways to write it
+    for (const int corner : block.hexes[e]) columns(8, BlockMesh::id(corner));
+    out << "\n";
+  }
+  out << "*SET_SEGMENT_TITLE\nfoot\n";
+  columns(10, 9), out << "\n";
+  for (const auto& quad : block.quads) {
+    for (const int corner : quad) columns(10, BlockMesh::id(corner));
+    out << "\n";
+  }
+  out << "*MAT_ELASTIC\n         1    7850.0\n*END\nwhat follows is not read\n";
+  return out.str();
+}
+
 inline std::string write_file(const std::string& name, const std::string& bytes) {
   const std::string path = own_file(name);
   std::ofstream(path, std::ios::binary) << bytes;

@@ -40,7 +40,11 @@ TEST_F(Measures, ReadBodies) {
   EXPECT_EQ(value(deck::MeanMeasure{"dust", "temperature"}), 375);
   EXPECT_EQ(value(deck::MaxMeasure{"dust", "stress.xz"}), 6);
   EXPECT_EQ(value(deck::PointMeasure{"dust", "temperature", {1.9, 0}}), 400);
+  EXPECT_EQ(unit_of(deck::Measure{deck::SpeedMeasure{"dust"}, {}, {}}), std::string("m/s"));
+  view.point_fields[0].values = {3, 0, 4, 3, 0, 4};
+  EXPECT_DOUBLE_EQ(value(deck::SpeedMeasure{"dust"}), 5);
   view.point_fields[0].values = {0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(value(deck::SpeedMeasure{"dust"}), 0);
   EXPECT_EQ(value(deck::RestitutionMeasure{"dust"}), 0);
 }
 

@@ -1,0 +1,138 @@
+#pragma once
+/// Decks that hold every key of a deck once, for tests of all keys. A new key goes in here.
+
+namespace brunt::deck {
+
+inline const char* const kFull = R"yaml(
+title: all keys in 3D
+time: {end: 1 ms, max_step: 1 us, min_step: 1 ps, heat_every: 4, until: 0.5 ms}
+materials:
+  jc:
+    density: 8960
+    elastic: {E: 124 GPa, nu: 0.34}
+    strength: {johnson-cook: {A: 90 MPa, B: 292 MPa, n: 0.31, T_melt: 1356 K}}
+    eos: {mie-gruneisen: {c0: 3940, s: 1.49, gamma0: 1.96}}
+    tensile_cutoff: 1 GPa
+    thermal: {cp: 383, k: 386}
+  j2:
+    {density: 2700, elastic: {K: 70 GPa, G: 26 GPa},
+     strength: {j2: {yield: 300 MPa, hardening: {table: [[0, 0], [1, 1 MPa]], over: eps_p}}}}
+  za:
+    {density: 7870, elastic: {E: 207 GPa, nu: 0.29}, strength: {zerilli-armstrong:
+      {C0: 9 MPa, C1: 1 GPa, C2: 1 MPa, C3: 0.007, C4: 4e-4, C5: 266 MPa, n: 0.3}}}
+  dp:
+    {density: 2000, elastic: {K: 1 GPa, G: 0.5 GPa}, strength: {drucker-prager:
+      {cohesion: 1 MPa, friction_angle: 30 deg, dilation_angle: 9 deg}}}
+  sg: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {steinberg-guinan:
+      {Y0: 120 MPa, Y_max: 640 MPa, beta: 36, n: 0.45, A: 28e-12, B: 3.8e-4}}}
+  ta: {density: 1000, eos: {tait: {c0: 1480}}}
+  ig: {density: 1.2, eos: {ideal-gas: {pressure: 1e5}}}
+  po: {density: 1000, elastic: {K: 2 GPa, G: 0}, eos: {polynomial: {C1: 2e9}}}
+  jw: {density: 1630, eos: {jwl: {A: 371e9, B: 3.2e9, R1: 4, R2: 0.9, omega: 0.3, E0: 7e9}}}
+bodies:
+  a:
+    material: jc
+    shape: {box: {min: [0, 0, 0], max: [1, 1, 1]}, translate: [1, 1, 1]}
+    size: 0.1
+    grading: {axis: z, ratio: 5, toward: both}
+    velocity: [1, 2, 3]
+    spin: {axis: x, rate: 3 rad/s, about: [0, 0, 0]}
+    temperature: 300
+    element: {hourglass: {viscous: 0.1}}
+  b:
+    material: j2
+    shape: {cylinder: {radius: 1, length: 2, base: [3, 3, 3], axis: z}}
+    cells: [4, 4, 8]
+    element: {hourglass: {stiffness: 0.05}}
+  c:
+    material: j2
+    shape: {tube: {inner: 1, outer: 2, length: 2, base: [9, 3, 3], axis: x}}
+    cells: [4, 4, 8]
+    element: {hourglass: {assumed_strain: 1}}
+  d:
+    method: sph
+    material: jc
+    shape:
+      sphere: {radius: 1, center: [5, 5, 5]}
+      rotate: {axis: y, angle: 10 deg, about: [0, 0, 0]}
+    size: 0.1
+  e:
+    rigid: true
+    shape: {polygon: {points: [[0, 0], [1, 0], [0, 1]], thickness: 1}}
+    motion:
+      velocity: [0, 0, 1]
+      spin: {axis: z, rate: 1 rpm, about: [0, 0, 0]}
+      temperature: 300
+  f: {rigid: true, shape: {plane: {origin: [0, 0, -9], normal: z, extent: 4}}}
+  g:
+    material: dp
+    shape: {brick-wall: {bricks: [4, 1, 3], brick: [0.2, 0.1, 0.1], origin: [0, 20, 0]}}
+    size: 0.05
+  h:
+    method: sph
+    material: sg
+    shape: {ogive: {radius: 1, length: 4, nose: 2, base: [0, -20, 0]}}
+    size: 0.1
+  j:
+    rigid: true
+    file: part.stl
+    scale: 1 mm
+    rotate: {axis: y, angle: 10 deg, about: [0, 0, 0]}
+    translate: [30, 0, 0]
+  k: {method: sph, material: ta, file: part.msh, part: plate, size: 0.1}
+  i:
+    material: za
+    shape:
+      polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
+    size: 0.1
+contact:
+  default:
+    friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}
+    heat: {conductance: 1e4 W/m^2/K, gap: 1 mm}
+    friction_heat: {fraction: 0.5, split: 0.3}
+  pairs:
+    ab:
+      between: [a, b]
+      friction: {table: [[0, 0.3], [1 m/s, 0.2]], over: slip_speed}
+      heat: {conductance: 2e4 W/m^2/K}
+    ac: {between: [a, c], friction: {static: 0.4, kinetic: 0.4, decay: 0}}
+    ag: {between: [a, g], friction: "= 0.3 - v/1000 - T/1e5", shear_limit: true}
+    ad: {between: [a, d], friction: 0.3, cohesion: 1 MPa, tension: 0.5 MPa, initial_overlap: press}
+    dd: {between: [d, d], bonded: true, resting_layer: 5}
+boundaries:
+  all: {body: a, where: all, fix: [x]}
+  surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}
+  plane: {body: a, where: {plane: {axis: x, at: 1}}, force: [0, 0, 1]}
+  box: {body: a, where: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, fix: [x]}
+  side: {body: a, where: {side: min-x}, fix: [x]}
+  set: {body: k, where: {set: foot}, fix: [x]}
+  hot: {body: a, where: {side: max-x}, temperature: 400}
+  warm: {body: a, where: {side: min-x}, flux: 1000, convection: {h: 10, T: 300},
+         radiation: {emissivity: 0.8, T: 300}}
+probes: {tip: {body: a, at: [0, 0, 0], fields: [temperature, stress.xx]}}
+sections: {neck: {body: a, plane: {axis: x, at: 1.5}}}
+gravity: [0, 0, -9.81]
+damping: {rate: 100, until: 1 ms}
+measures:
+  m_extent: {extent: {body: a, axis: x}, reference: 1, at: 1 us}
+  m_min: {min: {body: a, field: pressure}}
+  m_max: {max: {body: a, field: stress.xx}}
+  m_mean: {mean: {body: a, field: velocity.x}}
+  m_point: {point: {body: a, field: temperature, at: [0, 0, 0]}}
+  m_history: {history: {column: energy.total, from: 1 us, to: 2 us}}
+  m_restitution: {restitution: {body: a}}
+  m_speed: {speed: {body: a}}
+  m_expression: {expression: "= $m_min / $m_max"}
+stop: {at_rest: {body: a, below: 1, for: 1 us}, beyond: {body: a, axis: z, at: 3}}
+output: {every: 1 us, history: 1 us, from: 1 us, to: 2 us, fields: [stress], bodies: [a]}
+)yaml";
+
+inline const char* const kFlat = R"yaml(
+geometry: plane-strain
+depth: 10 mm
+time: {end: 1 ms}
+materials: {m: {density: 1000, elastic: {K: 1 GPa, G: 1 GPa}}}
+bodies: {b: {material: m, cells: [4, 4], shape: {box: {min: [0, 0], max: [1, 1]}}}}
+)yaml";
+
+}  // namespace brunt::deck
