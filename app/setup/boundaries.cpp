@@ -138,12 +138,9 @@ void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, 
   }
   Solid<Dim>* solid = solid_of(scene, label);
   if (!solid) return;
-  const Choose<Dim> choose{solid->points(),
-                           solid->surface(),
-                           scene.origin,
-                           label,
-                           0.1 * scene.body_size[label],
-                           scene.point_sets};
+  const Choose<Dim> choose{
+      solid->points(), solid->surface(), scene.origin, label, 0.1 * scene.body_size[label],
+      scene.point_sets};
   auto chosen = std::visit(choose, boundary.where);
   if (chosen.empty()) {
     problems.push_back(loaded.places.problem(
