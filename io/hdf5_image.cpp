@@ -38,7 +38,8 @@ class Handle {
   Close close_;
 };
 
-/// HDF5 prints its errors on stderr unless its handler is removed; the callers' messages say what is needed.
+/// HDF5 prints its errors on stderr unless its handler is removed; callers say what is
+/// needed.
 class Quiet {
  public:
   Quiet() {

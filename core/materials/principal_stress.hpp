@@ -37,3 +37,4 @@ BRUNT_INLINE V largest_principal(const std::array<V, 6>& s) {
 }
 
 }  // namespace brunt
+// Tested by tests/unit/core/damage_test.cpp.

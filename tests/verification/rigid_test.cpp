@@ -239,7 +239,8 @@ output: {history: 10 us}
   EXPECT_LT(result.worst_drift, 1e-12);
 }
 
-// Two components prescribed, one free under gravity: z = z0 + v t - g t^2/2 but for the first half step,
+// Two components prescribed, one free under gravity: z = z0 + v t - g t^2/2 but for the first half
+// step,
 // which no force has yet (g dt t/2), and x as prescribed to rounding.
 TEST(Rigid, FreeComponentFallsWhileTheOthersAreTold) {
   const auto result = run(R"(

@@ -23,7 +23,8 @@ struct Kind {
   const char* body;  ///< what is added to it
 };
 
-/// A block that is strained along y alone: the motion of each point is prescribed, at 1e-3 in 0.1 ms.
+/// A block that is strained along y alone, 1e-3 in 0.1 ms: all of its points have a prescribed
+/// motion.
 std::string strained(const Kind& kind) {
   const bool flat = std::string(kind.geometry) != "3d";
   return std::string("title: uniaxial strain\ngeometry: ") + kind.geometry + kRock + R"(

@@ -1,4 +1,5 @@
-// Bodies by forces at their points: momenta, work along chords and what it leaves, prescribed components,
+// Bodies by forces at their points: momenta, work along chords and what it leaves, prescribed
+// components,
 // state and order of points.
 #include "core/rigid/free_bodies.hpp"
 
@@ -97,7 +98,7 @@ TEST(FreeBodies, WorkOfPointsIsKineticEnergyAndWhatIsBooked) {
     ASSERT_NEAR(kinetic - start + booked, work, 1e-11) << n;
   }
   EXPECT_GT(std::fabs(work), 1);
-  EXPECT_GT(std::fabs(bodies.totals().value(Column::boundary)), 0.1);  // the prescribed one was driven
+  EXPECT_GT(std::fabs(bodies.totals().value(Column::boundary)), 0.1);  // the one that is driven
 }
 
 // Momentum and angular momentum change by forces and torques times the step: those of time n act
@@ -148,7 +149,8 @@ TEST(FreeBodies, PointsMoveAsOne) {
   EXPECT_NEAR((bodies.points.x[7] - bodies.points.x[0]).norm(), std::sqrt(4 + 1 + 0.36), 1e-14);
 }
 
-// What is prescribed is so: x and z of the second body, about a centre that moves, whatever pulls at it.
+// What is prescribed is so: x and z of the second body, about a centre that moves, whatever pulls at
+// it.
 TEST(FreeBodies, ToldComponentsGoAsTold) {
   Bodies bodies;
   for (int n = 0; n < 100; ++n) bodies.step(0.01, pulls);
