@@ -240,9 +240,8 @@ output: {history: 10 us}
 }
 
 // Two components prescribed, one free under gravity: z = z0 + v t - g t^2/2 but for the first half
-// step,
-// which no force has yet (g dt t/2), and x as prescribed to rounding.
-TEST(Rigid, FreeComponentFallsWhileTheOthersAreTold) {
+// step, which no force has yet (g dt t/2), and x as prescribed to rounding.
+TEST(Rigid, FreeComponentFallsWhileTheOthersArePrescribed) {
   const auto result = run(R"(
 time: {end: 0.1 s, max_step: 10 us}
 bodies:

@@ -1,6 +1,5 @@
 // Bodies by forces at their points: momenta, work along chords and what it leaves, prescribed
-// components,
-// state and order of points.
+// components, state and order of points.
 #include "core/rigid/free_bodies.hpp"
 
 #include <gtest/gtest.h>
@@ -149,8 +148,8 @@ TEST(FreeBodies, PointsMoveAsOne) {
   EXPECT_NEAR((bodies.points.x[7] - bodies.points.x[0]).norm(), std::sqrt(4 + 1 + 0.36), 1e-14);
 }
 
-// What is prescribed is so: x and z of the second body, about a centre that moves, whatever pulls at
-// it.
+// What is prescribed is so: x and z of the second body, about a centre that moves, whatever pulls.
+
 TEST(FreeBodies, ToldComponentsGoAsTold) {
   Bodies bodies;
   for (int n = 0; n < 100; ++n) bodies.step(0.01, pulls);
