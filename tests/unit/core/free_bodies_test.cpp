@@ -149,7 +149,6 @@ TEST(FreeBodies, PointsMoveAsOne) {
 }
 
 // What is prescribed is so: x and z of the second body, about a centre that moves, whatever pulls.
-
 TEST(FreeBodies, ToldComponentsGoAsTold) {
   Bodies bodies;
   for (int n = 0; n < 100; ++n) bodies.step(0.01, pulls);
