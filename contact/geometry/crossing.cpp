@@ -22,10 +22,10 @@ struct Heights {
 };
 
 /// Where a face meets the plane over which its corners have these heights, along a direction.
-struct Span {
+struct SharedSpan {
   Real from = kInfinity, to = -kInfinity;  // [m] from `origin`
 
-  Span(const FacePlane<3>& face, const Heights<3>& height, const Vec3& direction,
+  SharedSpan(const FacePlane<3>& face, const Heights<3>& height, const Vec3& direction,
        const Vec3& origin) {
     const auto n = static_cast<std::size_t>(face.n_corners);
     for (std::size_t c = 0; c < n; ++c) {
@@ -46,7 +46,7 @@ Real shared_line(const FacePlane<3>& lower, const FacePlane<3>& upper, const Hei
   const Real sine = along.norm();
   if (!(sine > 0)) return 0;
   const Vec3 direction = along / sine, origin = upper.center;
-  const Span a(lower, of_lower, direction, origin), b(upper, of_upper, direction, origin);
+  const SharedSpan a(lower, of_lower, direction, origin), b(upper, of_upper, direction, origin);
   const Real from = std::max(a.from, b.from), to = std::min(a.to, b.to);
   // From the upper face's centre down its own plane to the lower face's.
   const Vec3 down = upper.normal.cross(direction);
