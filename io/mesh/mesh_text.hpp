@@ -20,6 +20,8 @@ class MeshText {
   /// Bytes that are left: no count in a sound file is larger.
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   bool at_end();
+  /// The whole file, for formats that are neither of words nor of lines.
+  std::string_view all() const { return bytes_; }
 
   /// The next word; "" at the end. Words stand between blanks and line ends.
   std::string_view word();

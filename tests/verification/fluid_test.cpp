@@ -47,7 +47,7 @@ std::string tube(int cells, const std::string& velocity, const std::string& from
   return R"(
 title: gas in a tube
 geometry: plane-strain
-time: {end: 0.63245553 ms, max_drift: 5 %}
+time: {end: 0.63245553 ms, max_step: 1 us}
 materials:
   gas: {density: 1 kg/m^3, eos: {ideal-gas: {gamma: 1.4, pressure: 100 kPa}}}
 bodies:
@@ -108,8 +108,9 @@ TubeErrors errors_of(const Simulation& run, Real most, const Exact& exact) {
 
 constexpr Real kTubeTime = 0.2;  // in units of sqrt(1e-5) s
 
-// The shock is smeared over cells, and the cells at the wall are too hot and too thin (Noh 1987):
-// errors of the first order of h.
+// The shock is smeared over cells: an error of the first order of h. The cells at the wall are too
+// hot and too thin (Noh 1987), and that falls more slowly. The gas is at Mach 1.7 before the wall
+// stops it in one step, hence max_step.
 TEST(Fluid, GasThatFliesAgainstAWallHasTheShockOfTheJumpConditions) {
   const auto errors = [](int cells) {
     const auto run = simulate_text(tube(cells, "-632.45553 m/s", "0", "1 m"));
@@ -117,9 +118,9 @@ TEST(Fluid, GasThatFliesAgainstAWallHasTheShockOfTheJumpConditions) {
     return errors_of(run, 0.4, [](Real x) { return stopped_gas(x, kTubeTime); });
   };
   const TubeErrors wide = errors(200), narrow = errors(400);
-  EXPECT_LT(narrow.density, 0.02);
-  EXPECT_LT(narrow.pressure, 0.02);
-  EXPECT_LT(narrow.density, 0.65 * wide.density);
+  EXPECT_LT(narrow.density, 0.01);
+  EXPECT_LT(narrow.pressure, 0.01);
+  EXPECT_LT(narrow.density, 0.75 * wide.density);
   EXPECT_LT(narrow.pressure, 0.65 * wide.pressure);
 }
 

@@ -1,6 +1,15 @@
 // Grids of VTK: the block that all readers read, pixels and voxels, and what is refused.
 #include "io/vtk/vtu_mesh.hpp"
 
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkHexahedron.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
 #include "io/mesh/catalog.hpp"
 #include "tests/support/mesh_files.hpp"
 
@@ -57,6 +66,55 @@ TEST(VtuMesh, ReadsABlockAndItsParts) {
   EXPECT_NE(mesh_reader("part.vtu"), nullptr);
 }
 
+/// The hexahedra of a block as VTK itself writes them.
+std::string written_by_vtk(const BlockMesh& block, const std::string& name, int mode, bool packed,
+                           bool base64) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3& x : block.nodes) points->InsertNextPoint(x[0], x[1], x[2]);
+  grid->SetPoints(points);
+  vtkNew<vtkIntArray> part;
+  part->SetName("part");
+  for (const auto& hex : block.hexes) {
+    vtkIdType ids[8];
+    std::copy(hex.begin(), hex.end(), ids);
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
+    part->InsertNextValue(4);
+  }
+  grid->GetCellData()->AddArray(part);
+  const std::string path = test::own_file(name);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  writer->SetFileName(path.c_str());
+  writer->SetDataMode(mode);
+  writer->SetEncodeAppendedData(base64 ? 1 : 0);
+  if (packed) {
+    writer->SetCompressorTypeToZLib();
+  } else {
+    writer->SetCompressorTypeToNone();
+  }
+  writer->Write();
+  return path;
+}
+
+TEST(VtuMesh, ReadsAllThatVtkWrites) {
+  const BlockMesh block(6);
+  for (const int mode : {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended}) {
+    for (const bool packed : {false, true}) {
+      for (const bool base64 : {false, true}) {
+        const MeshFile mesh = read_vtu(written_by_vtk(block, "w.vtu", mode, packed, base64));
+        ASSERT_EQ(set_list(mesh), "'part 4' (216 hexahedra)");
+        ASSERT_EQ(mesh.nodes, block.nodes);
+        for (std::size_t e = 0; e < block.hexes.size(); ++e) {
+          const auto corners = mesh.corners(e);
+          ASSERT_TRUE(std::equal(corners.begin(), corners.end(), block.hexes[e].begin()));
+        }
+      }
+    }
+  }
+}
+
 TEST(VtuMesh, TurnsVoxelsAndPixels) {
   const BlockMesh block(1);
   std::string text = with(vtu_text(block), "\n12\n9\n", "\n11\n8\n");
@@ -71,18 +129,23 @@ TEST(VtuMesh, TurnsVoxelsAndPixels) {
 
 TEST(VtuMesh, RefusesWhatIsWrong) {
   const std::string text = vtu_text(BlockMesh(1));
-  expect_refused(&read_vtu, "a.vtu", with(text, "\n12\n", "\n41\n"), {"cell 0", "type 41"});
-  expect_refused(&read_vtu, "b.vtu", with(text, "\n12\n", "\n10\n"), {"8 corners", "4"});
+  expect_refused(&read_vtu, "a.vtu", with(text, "\n12\n9\n", "\n41\n9\n"), {"cell 0", "type 41"});
+  expect_refused(&read_vtu, "b.vtu", with(text, "\n12\n9\n", "\n10\n9\n"), {"8 corners", "4"});
   expect_refused(&read_vtu, "c.vtu", with(text, "0 1 3 2", "0 1 3 9"), {"point 9", "there are 8"});
   expect_refused(&read_vtu, "d.vtu", text.substr(0, text.size() / 2), {"d.vtu: "});
   expect_refused(&read_vtu, "there_is_none/e.vtu", "", {"no such file"});
 }
 
 TEST(VtuMesh, ReadsOrRefusesEveryMutation) {
-  test::mutate("m.vtu", vtu_text(BlockMesh(2)), [](const std::string& path) {
+  const auto read = [](const std::string& path) {
     const MeshFile mesh = read_vtu(path);
     for (const int node : mesh.corner) ASSERT_LT(static_cast<std::size_t>(node), mesh.nodes.size());
-  });
+  };
+  test::mutate("m.vtu", vtu_text(BlockMesh(2)), read);
+  const std::string path =
+      written_by_vtk(BlockMesh(2), "p.vtu", vtkXMLWriter::Appended, true, false);
+  std::ifstream file(path, std::ios::binary);
+  test::mutate("p.vtu", std::string{std::istreambuf_iterator<char>(file), {}}, read);
 }
 
 }  // namespace
