@@ -35,16 +35,15 @@ Real ExactSum::value() const {
     sum.carry();
   }
   int top = kDigits - 1;
-  while (top >= 0 && sum.digit_[static_cast<std::size_t>(top)] == 0) --top;
+  while (top >= 0 && sum.digit_[top] == 0) --top;
   if (top < 0) return 0.0;
   // 64 leading bits and a sticky bit hold all that one rounding to 53 bits needs
   Wide lead = 0;
   for (int i = top; i > top - 3; --i) {
-    lead = (lead << 32) |
-           static_cast<std::uint64_t>(i >= 0 ? sum.digit_[static_cast<std::size_t>(i)] : 0);
+    lead = (lead << 32) | static_cast<std::uint64_t>(i >= 0 ? sum.digit_[i] : 0);
   }
   bool sticky = false;
-  for (int i = top - 3; i >= 0; --i) sticky = sticky || sum.digit_[static_cast<std::size_t>(i)];
+  for (int i = top - 3; i >= 0; --i) sticky = sticky || sum.digit_[i];
   int exponent = 32 * (top - 2) - kBias;
   while (lead >> 64) {
     sticky = sticky || (lead & 1);

@@ -45,7 +45,7 @@ template <class T, class Places>
 void keep_places(std::vector<T>& field, const Places& places) {
   std::vector<T> kept;
   kept.reserve(places.size());
-  for (const auto place : places) kept.push_back(field[static_cast<std::size_t>(place)]);
+  for (const auto place : places) kept.push_back(field[place]);
   field = std::move(kept);
 }
 

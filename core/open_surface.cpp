@@ -50,12 +50,12 @@ struct Side {
   Vec<Dim> center, normal;  ///< [m], unit
 };
 Side<2> side_of(const Facet<2>& facet, std::span<const Vec<2>> x) {
-  const auto at = [&](std::size_t c) { return x[static_cast<std::size_t>(facet.node[c])]; };
+  const auto at = [&](std::size_t c) { return x[facet.node[c]]; };
   const Vec<2> edge = at(1) - at(0);
   return {0.5 * (at(0) + at(1)), Vec<2>(edge[1], -edge[0]).normalized()};
 }
 Side<3> side_of(const Facet<3>& facet, std::span<const Vec<3>> x) {
-  const auto at = [&](std::size_t c) { return x[static_cast<std::size_t>(facet.node[c])]; };
+  const auto at = [&](std::size_t c) { return x[facet.node[c]]; };
   if (facet.n_nodes() == 3) {
     return {(at(0) + at(1) + at(2)) / 3, (at(1) - at(0)).cross(at(2) - at(0)).normalized()};
   }
@@ -113,7 +113,7 @@ void mark_sharpness(std::span<Facet<Dim>> facets, std::span<const Vec<Dim>> x) {
     facets[f].sharpness = kBoxSharpness;
     normals.push_back(side_of(facets[f], x).normal);
     for (int c = 0; c < facets[f].n_nodes(); ++c) {
-      at.emplace_back(facets[f].node[static_cast<std::size_t>(c)], f);
+      at.emplace_back(facets[f].node[c], f);
     }
   }
   std::sort(at.begin(), at.end());

@@ -49,6 +49,7 @@ struct Points {
   std::vector<Real> start_enthalpy;         ///< [J/kg] of specific_heats at start_temperature
 
   LocalIndex size() const { return static_cast<LocalIndex>(x.size()); }
+  std::size_t owned() const { return static_cast<std::size_t>(n_owned); }
 
   /// Hands each field that the points have to f(field, use). All that is done with every field
   /// reads it here: a new one is declared above and listed here. Rows of a checkpoint have this
@@ -121,7 +122,7 @@ struct Points {
   bool evaluates_conduction(std::int64_t n) const { return n % conduction_every == 0; }
   /// Adds what is kept to the heat rates and conductances of owned points.
   void add_kept_conduction() {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n_owned); ++i) {
+    for (std::size_t i = 0; i < owned(); ++i) {
       heat_rate[i] += kept_rate[i];
       conductance[i] += kept_conductance[i];
     }
@@ -133,7 +134,7 @@ struct Points {
   }
   /// Point i consists of `of_mass` [kg] with one of specific_heats.
   void vary_capacity(std::size_t i, std::int32_t which, Real of_mass) {
-    const auto& cp = specific_heats[static_cast<std::size_t>(which)];
+    const auto& cp = specific_heats[which];
     specific_heat[i] = which, heated_mass[i] = of_mass;
     start_enthalpy[i] = cp.enthalpy(start_temperature[i]);
     capacity[i] = of_mass * cp.at(start_temperature[i]);
@@ -145,19 +146,19 @@ struct Points {
   /// enthalpy.
   Real temperature_with(std::size_t i, Real taken_up) const {
     if (!capacity_varies(i)) return start_temperature[i] + taken_up / capacity[i];
-    const auto& cp = specific_heats[static_cast<std::size_t>(specific_heat[i])];
+    const auto& cp = specific_heats[specific_heat[i]];
     return cp.temperature(start_enthalpy[i] + taken_up / heated_mass[i]);
   }
   /// [J] that point i has to take up from now on to be at T [K].
   Real heat_needed(std::size_t i, Real T) const {
     if (!capacity_varies(i)) return capacity[i] * (T - temperature[i]);
-    const auto& cp = specific_heats[static_cast<std::size_t>(specific_heat[i])];
+    const auto& cp = specific_heats[specific_heat[i]];
     return heated_mass[i] * (cp.enthalpy(T) - start_enthalpy[i]) - heat[i];
   }
   /// [J/K] of point i, least at any temperature: no step with it passes the neighbours'.
   Real least_capacity(std::size_t i) const {
     if (!capacity_varies(i)) return capacity[i];
-    return heated_mass[i] * specific_heats[static_cast<std::size_t>(specific_heat[i])].least();
+    return heated_mass[i] * specific_heats[specific_heat[i]].least();
   }
 
   /// Leaves the points at `places`, in that order; the first n_owned_then of them are owned.
@@ -180,9 +181,7 @@ struct Points {
   }
 
   /// Ids of what is owned, ascending.
-  std::span<const GlobalId> owned_ids() const {
-    return {id.data(), static_cast<std::size_t>(n_owned)};
-  }
+  std::span<const GlobalId> owned_ids() const { return {id.data(), owned()}; }
 
   /// Place of a point that is here, owned or ghost; -1 where it is not.
   LocalIndex find(GlobalId wanted) const {

@@ -9,14 +9,12 @@ namespace brunt {
 template <int Dim>
 void save_points(const Points<Dim>& points, std::vector<StateTable>& tables) {
   save_rows(
-      "points", static_cast<std::size_t>(points.n_owned),
-      [&](std::size_t i) { return points.id[i]; },
+      "points", points.owned(), [&](std::size_t i) { return points.id[i]; },
       [&](auto& row, std::size_t i) { Points<Dim>::visit_mechanical(points, saved_in(row, i)); },
       tables);
   if (!points.conducts) return;
   save_rows(
-      "points.heat", static_cast<std::size_t>(points.n_owned),
-      [&](std::size_t i) { return points.id[i]; },
+      "points.heat", points.owned(), [&](std::size_t i) { return points.id[i]; },
       [&](auto& row, std::size_t i) { Points<Dim>::visit_thermal(points, saved_in(row, i)); },
       tables);
 }
@@ -46,8 +44,7 @@ void save_chosen(const std::string& name, const Points<Dim>& points,
     if (chosen[k] < points.n_owned) owned.push_back(k);
   }
   save_rows(
-      name, owned.size(),
-      [&](std::size_t k) { return points.id[static_cast<std::size_t>(chosen[owned[k]])]; },
+      name, owned.size(), [&](std::size_t k) { return points.id[chosen[owned[k]]]; },
       [&](auto& row, std::size_t k) { visit(row, owned[k]); }, tables);
 }
 
@@ -57,8 +54,7 @@ void load_chosen(const std::string& name, const Points<Dim>& points,
                  const std::vector<LocalIndex>& chosen, const Visit& visit,
                  const StateTables& tables) {
   load_rows(
-      name, chosen.size(),
-      [&](std::size_t k) { return points.id[static_cast<std::size_t>(chosen[k])]; }, visit, tables);
+      name, chosen.size(), [&](std::size_t k) { return points.id[chosen[k]]; }, visit, tables);
 }
 
 }  // namespace brunt

@@ -10,7 +10,6 @@
 #include "core/step_limit.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
-#include "core/wall_time.hpp"
 
 namespace brunt {
 
@@ -28,8 +27,10 @@ class Solid {
   virtual const Points<Dim>& points() const = 0;
   /// Facets and particles that may touch other bodies; stays valid between rearrangements.
   virtual Surface<Dim>& surface() = 0;
-  /// Recomputes what neighbours will read, at x(n+1) with v(n+1/2). FE: nothing. A list that may
-  /// miss a pair at these positions is rebuilt first.
+  /// After any motion, before update_state: rebuilds lists that may miss a pair at these positions.
+  /// FE: nothing. Collective where the group is.
+  virtual void renew_lists() {}
+  /// Recomputes what neighbours will read, at x(n+1) with v(n+1/2). FE: nothing.
   virtual void update_state(Real dt) = 0;
   /// Adds internal forces to points().f and books each channel's energy to its entity.
   virtual void add_internal_forces(Real dt) = 0;
@@ -41,8 +42,6 @@ class Solid {
   virtual StepLimit stable_step() const = 0;
   /// Rebuilds lists at the present positions. Reads and writes lists and places, nothing else.
   virtual void rearrange() = 0;
-  /// What update_state has spent on its lists since the last call: a part of its own wall time.
-  virtual WallTime take_list_time() { return {}; }
   /// Adds internal energies of entities, by column and body, and their state hash.
   /// Kinetic energy, mass and momentum of points are added by the scene.
   virtual void add_totals(Totals<Dim>& totals) const = 0;

@@ -59,8 +59,7 @@ void measure_elements(const Points<Dim>& points, const Thickness& thickness,
     const Real size = Dim == 3 ? volume : kind.volume(x, true, Thickness{1, 0});
     block.reference_size[e] = Dim == 3 ? std::cbrt(size) : std::sqrt(size);
     for (int g = 0; g < block.gauss; ++g) {
-      block.reference_volume[block.point(e, g)] =
-          block.gauss == 1 ? volume : parts.part[static_cast<std::size_t>(g)];
+      block.reference_volume[block.point(e, g)] = block.gauss == 1 ? volume : parts.part[g];
     }
   }
 }

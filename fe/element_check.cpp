@@ -54,7 +54,7 @@ std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, Lo
   if (block.gauss > 1) {
     const PartVolumes parts = kind.part_volumes(x, thickness);
     for (int g = 0; g < block.gauss; ++g) {
-      const Real part = parts.part[static_cast<std::size_t>(g)];
+      const Real part = parts.part[g];
       if (where < 0 || !(part >= least)) least = part, where = g;
     }
   }

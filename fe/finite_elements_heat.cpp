@@ -20,7 +20,7 @@ void FiniteElements<Dim>::set_capacities() {
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
       const Real capacity = block.mass[e] * block.material->specific_heat.at(block.temperature);
       for (std::size_t I = e * n; I < (e + 1) * n; ++I) {
-        at_start[static_cast<std::size_t>(block.corner[I])] = block.temperature;
+        at_start[block.corner[I]] = block.temperature;
         share[block.first_corner + I] = capacity * block.heat_share[I];
       }
     }
@@ -127,7 +127,7 @@ void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
 template <int Dim>
 void FiniteElements<Dim>::conduct(Real inverse_dt) {
   sum_conduction(inverse_dt);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+  for (std::size_t i = 0; i < points_.owned(); ++i) {
     points_.heat_rate[i] += node_heat_[i][0];
     points_.conductance[i] += node_heat_[i][1];
   }
@@ -136,7 +136,7 @@ void FiniteElements<Dim>::conduct(Real inverse_dt) {
 template <int Dim>
 void FiniteElements<Dim>::keep_conduction() {
   sum_conduction(0);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+  for (std::size_t i = 0; i < points_.owned(); ++i) {
     points_.kept_rate[i] = node_heat_[i][0];
     points_.kept_conductance[i] = node_heat_[i][1];
   }
@@ -162,7 +162,7 @@ void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
   }
   node_mechanical_.assign(points_.x.size(), Vec<1>::Zero());
   gather_.template add<1>(corner_heat_.data(), node_mechanical_);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+  for (std::size_t i = 0; i < points_.owned(); ++i) {
     points_.heat_rate[i] += node_mechanical_[i][0];
   }
 }

@@ -44,7 +44,7 @@ void FiniteElements<Dim>::update_volumes() {
   }
   node_volume_.assign(points_.x.size(), Vec<1>::Zero());
   gather_.template add<1>(corner_volume_.data(), node_volume_);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points_.n_owned); ++i) {
+  for (std::size_t i = 0; i < points_.owned(); ++i) {
     if (start_volume_[i] > 0) node_ratio_[i] = node_volume_[i][0] / start_volume_[i];
   }
 }

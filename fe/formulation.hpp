@@ -26,7 +26,7 @@ struct PartVolumes {
   int n = 1;
   Real sum() const {
     Real sum = 0;
-    for (int g = 0; g < n; ++g) sum += part[static_cast<std::size_t>(g)];
+    for (int g = 0; g < n; ++g) sum += part[g];
     return sum;
   }
 };

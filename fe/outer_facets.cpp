@@ -22,8 +22,8 @@ std::array<LocalIndex, Facet<Dim>::kNodes> nodes_of_face(const ElementType& type
                                                          std::span<const LocalIndex> corner) {
   std::array<LocalIndex, Facet<Dim>::kNodes> nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const int local = type.face[static_cast<std::size_t>(k)][i];
-    nodes[i] = local < 0 ? -1 : corner[static_cast<std::size_t>(local)];
+    const int local = type.face[k][i];
+    nodes[i] = local < 0 ? -1 : corner[local];
   }
   return nodes;
 }
@@ -114,7 +114,7 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
 template <int Dim>
 Outer<Dim> outer_of(const ElementBlock<Dim>& block, const Face<Dim>& face, Facet<Dim> facet) {
   Outer<Dim> outer{facet, facet.id, {}};
-  const int across = block.formulation->type().opposite[static_cast<std::size_t>(face.number)];
+  const int across = block.formulation->type().opposite[face.number];
   if (across >= 0) {
     outer.opposite = (facet.id & ~GlobalId{7}) | static_cast<GlobalId>(across);
     return outer;
@@ -137,13 +137,13 @@ void limit_depths(std::vector<Outer<Dim>>& faces, const std::vector<Vec<Dim>>& x
   for (const auto& [facet, opposite, far] : faces) {
     ids.push_back(facet.id);
     for (int c = 0; c < facet.n_nodes(); ++c) {
-      outside[static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)])] = 1;
+      outside[facet.node[c]] = 1;
     }
   }
   for (auto& [facet, opposite, far] : faces) {
     const bool plate = far.empty() ? std::binary_search(ids.begin(), ids.end(), opposite)
                                    : std::all_of(far.begin(), far.end(), [&](LocalIndex node) {
-                                       return outside[static_cast<std::size_t>(node)] != 0;
+                                       return outside[node] != 0;
                                      });
     if (plate) facet.depth *= 0.5;
     facet.depth = std::min(facet.depth, face_width(facet.node, x));

@@ -22,7 +22,7 @@ std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& b
       bool mine = false;
       for (const LocalIndex node : block.corners_of(e)) {
         corners[corners.n++] = node;
-        mine = mine || owner[static_cast<std::size_t>(node)] == rank;
+        mine = mine || owner[node] == rank;
       }
       if (!mine) continue;
       set.corners.push_back(corners);
@@ -30,7 +30,7 @@ std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& b
       set.body.push_back(block.body[e]);
       set.piece.push_back(block.piece[e]);
       // One rank counts an element: the owner of its first corner.
-      set.owned.push_back(owner[static_cast<std::size_t>(corners[0])] == rank);
+      set.owned.push_back(owner[corners[0]] == rank);
     }
   }
   return sets;
@@ -43,7 +43,7 @@ std::vector<LocalIndex> points_of(const std::vector<ElementSet<Dim>>& sets,
   std::vector<char> touched(owner.size(), 0);
   for (const auto& set : sets) {
     for (const auto& corners : set.corners) {
-      for (const LocalIndex node : corners) touched[static_cast<std::size_t>(node)] = 1;
+      for (const LocalIndex node : corners) touched[node] = 1;
     }
   }
   std::vector<LocalIndex> kept;
@@ -69,7 +69,7 @@ std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
   for (Facet<Dim> facet : whole) {
     if (!std::binary_search(elements.begin(), elements.end(), facet.id >> 3)) continue;
     for (auto& node : facet.node) {
-      if (node >= 0) node = place[static_cast<std::size_t>(node)];
+      if (node >= 0) node = place[node];
     }
     facet.owned = facet.node[0] < n_owned;  // so that anybody knows whose it is
     facets.push_back(facet);
@@ -90,16 +90,16 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   const auto kept = points_of(sets, owner, ranks.rank(), n_owned);
   std::vector<LocalIndex> place(owner.size(), -1);
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    place[static_cast<std::size_t>(kept[k])] = static_cast<LocalIndex>(k);
+    place[kept[k]] = static_cast<LocalIndex>(k);
   }
   surface_.facets = facets_of(whole.surface_.facets, sets, place, n_owned);
   for (auto& set : sets) {
     for (auto& corners : set.corners) {
-      for (auto& node : corners) node = place[static_cast<std::size_t>(node)];
+      for (auto& node : corners) node = place[node];
     }
   }
   for (const LocalIndex node : whole.surface_.axis) {
-    const LocalIndex here = place[static_cast<std::size_t>(node)];
+    const LocalIndex here = place[node];
     if (here >= 0) surface_.axis.push_back(here);
   }
   points_ = whole.points_.subset(kept, n_owned);
@@ -110,7 +110,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   std::vector<LocalIndex> places;
   std::vector<int> owners;
   for (LocalIndex i = n_owned; i < points_.size(); ++i) {
-    ids.push_back(points_.id[static_cast<std::size_t>(i)]);
+    ids.push_back(points_.id[i]);
     places.push_back(i);
     owners.push_back(partition.of(ids.back()));
   }
@@ -121,7 +121,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
 
 template <int Dim>
 std::vector<Real> FiniteElements<Dim>::point_work() const {
-  std::vector<Real> work(static_cast<std::size_t>(points_.n_owned), 0.0);
+  std::vector<Real> work(points_.owned(), 0.0);
   for (const auto& block : blocks_) {
     for (LocalIndex e = 0; e < block.n; ++e) {
       const auto corners = block.corners_of(e);
@@ -129,8 +129,7 @@ std::vector<Real> FiniteElements<Dim>::point_work() const {
       const auto owned = std::count_if(corners.begin(), corners.end(), is_owned);
       for (const LocalIndex node : corners) {
         if (!is_owned(node)) continue;
-        work[static_cast<std::size_t>(node)] +=
-            static_cast<Real>(block.gauss) / static_cast<Real>(owned);
+        work[node] += static_cast<Real>(block.gauss) / static_cast<Real>(owned);
       }
     }
   }

@@ -30,12 +30,12 @@ void FiniteElements<Dim>::find_elements_of_facets() {
   element_of_facet_.assign(facets.size(), {});
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     for (LocalIndex e = 0; e < blocks_[b].n; ++e) {
-      const GlobalId id = blocks_[b].id[static_cast<std::size_t>(e)];
+      const GlobalId id = blocks_[b].id[e];
       auto at = std::lower_bound(
           facets.begin(), facets.end(), id << 3,
           [](const Facet<Dim>& facet, GlobalId first) { return facet.id < first; });
       for (; at != facets.end() && at->id >> 3 == id; ++at) {
-        element_of_facet_[static_cast<std::size_t>(at - facets.begin())] = {b, e};
+        element_of_facet_[at - facets.begin()] = {b, e};
       }
     }
   }

@@ -71,7 +71,7 @@ void ListWatch<Dim>::link_zones() {
     for (int k = stencil / 2; k < stencil; ++k) {  // itself, and each other zone from one side
       Zone other = zones_[a];
       for (int d = Dim - 1, rest = k; d >= 0; --d, rest /= 3) {
-        other.cell[static_cast<std::size_t>(d)] += rest % 3 - 1;
+        other.cell[d] += rest % 3 - 1;
       }
       const auto b = std::lower_bound(zones_.begin(), zones_.end(), other);
       if (b == zones_.end() || *b != other) continue;
@@ -89,7 +89,7 @@ std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     Extent extent{Vec<Dim>::Constant(kInfinity), Vec<Dim>::Constant(-kInfinity), 0};
     for (LocalIndex k = member_begin_[z]; k < member_begin_[z + 1]; ++k) {
-      const auto i = static_cast<std::size_t>(member_[static_cast<std::size_t>(k)]);
+      const auto i = static_cast<std::size_t>(member_[k]);
       for (int d = 0; d < Dim; ++d) {
         const Real u = points.x[i][d] - x_[i][d];
         if (!(extent.lower[d] <= u)) extent.lower[d] = u;  // takes in what is not a number
@@ -105,8 +105,7 @@ std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
 template <int Dim>
 bool ListWatch<Dim>::touching_zones_hold(const std::vector<Extent>& extents) const {
   for (const auto [a, b] : touching_) {
-    const Extent &A = extents[static_cast<std::size_t>(a)],
-                 &B = extents[static_cast<std::size_t>(b)];
+    const Extent &A = extents[a], &B = extents[b];
     Real approach2 = 0;
     for (int d = 0; d < Dim; ++d) {
       const Real relative = std::max(A.upper[d] - B.lower[d], B.upper[d] - A.lower[d]);

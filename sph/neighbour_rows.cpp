@@ -33,9 +33,7 @@ BRUNT_INLINE PackMask inside_support(const MotionRecord<Dim>* records, const Rea
 
 template <int Dim>
 void NeighbourRows<Dim>::merge_copies(std::span<const GlobalId> id, LocalIndex n_owned) {
-  const auto before = [&](LocalIndex a, LocalIndex b) {
-    return id[static_cast<std::size_t>(a)] < id[static_cast<std::size_t>(b)];
-  };
+  const auto before = [&](LocalIndex a, LocalIndex b) { return id[a] < id[b]; };
   const auto all = list_.neighbour.begin();
   for (std::size_t i = 0; i + 1 < list_.offset.size(); ++i) {
     const auto begin = all + list_.offset[i], end = all + list_.offset[i + 1];

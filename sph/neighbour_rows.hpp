@@ -28,8 +28,8 @@ class NeighbourRows {
     return {near_.data() + first_[k], padded};
   }
   /// What the first pass leaves to the second of each pair of the row, beside row(i).
-  Real* weights(LocalIndex i) { return weight_.data() + first_[static_cast<std::size_t>(i)]; }
-  int count(LocalIndex i) const { return count_[static_cast<std::size_t>(i)]; }
+  Real* weights(LocalIndex i) { return weight_.data() + first_[i]; }
+  int count(LocalIndex i) const { return count_[i]; }
   std::size_t n_candidates() const { return list_.neighbour.size(); }
 
  private:

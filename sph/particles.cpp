@@ -111,7 +111,7 @@ void SphParticles<Dim>::refresh_gradients() {
         rows_.refresh(motion_.data(), i);
         const auto sums =
             sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i), rows_.weights(i));
-        auto& state = state_[static_cast<std::size_t>(i)];
+        auto& state = state_[i];
         const bool usable = corrected && rows_.count(i) >= Dim + 1;
         invert_moment<Dim>(sums.moment, usable, state.correction);
         correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
@@ -147,7 +147,7 @@ void SphParticles<Dim>::publish_materials() {
     const auto& state = block.state;
     const auto& strength = *block.set.material->strength;
     for_each(block.set.particle.size(), [&](std::size_t slot) {
-      auto& shown = surface_.particle_material[static_cast<std::size_t>(block.set.particle[slot])];
+      auto& shown = surface_.particle_material[block.set.particle[slot]];
       shown.temperature =
           state.temperature.empty() ? block.set.temperature : state.temperature[slot];
       shown.flow_stress = strength.flow_stress(state, slot, block.set.temperature);
@@ -172,7 +172,6 @@ void SphParticles<Dim>::update_state(Real dt) {
     state.artificial_work -= dot<Dim>(state.artificial_force, half);
   });
   refresh_motion();
-  renew_lists_where_due();
   move_with_neighbours(dt);
   refresh_gradients();
   if (surface_.needs_spin) publish_spins();

@@ -89,13 +89,13 @@ class SphParticles final : public Solid<Dim> {
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
   Surface<Dim>& surface() override { return surface_; }
+  void renew_lists() override;
   void update_state(Real dt) override;
   void refresh_state() override;
   void add_internal_forces(Real dt) override;
   void add_conduction(Real dt, std::int64_t step) override;
   StepLimit stable_step() const override;
   void rearrange() override;
-  WallTime take_list_time() override { return std::exchange(list_time_, {}); }
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
   BodyView view(Label body) const override;
@@ -119,7 +119,7 @@ class SphParticles final : public Solid<Dim> {
 
  private:
   struct TileStress;
-  std::size_t n_owned() const { return static_cast<std::size_t>(points_.n_owned); }
+  std::size_t n_owned() const { return points_.owned(); }
   void hold(std::size_t n);
   void label_sums();
   void publish_spins();
@@ -129,7 +129,6 @@ class SphParticles final : public Solid<Dim> {
   void refresh_ghost_positions();
   bool sums_hold(bool mine_hold) const;
   bool lists_hold() const;
-  void renew_lists_where_due();
   void refresh_motion();
   void refresh_gradients();
   void move_with_neighbours(Real dt);
@@ -174,7 +173,6 @@ class SphParticles final : public Solid<Dim> {
   Real skin_ratio_ = 0.35;  // [1] of the largest smoothing length; flat optimum
   SearchMode search_ = SearchMode::grid;
   std::int64_t n_searches_ = 0;
-  WallTime list_time_;  // within update_state, not taken yet
 };
 
 }  // namespace brunt

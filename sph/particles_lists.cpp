@@ -34,15 +34,11 @@ bool SphParticles<Dim>::lists_hold() const {
   return ranks_->alone() ? mine_hold : sums_hold(mine_hold);
 }
 
-/// After any motion, before the lists are read: this is an exact check, so that no list is late
-/// however far a step or its supports have moved the particles.
+/// An exact check, so that no list is late however far a step or its supports have moved the
+/// particles.
 template <int Dim>
-void SphParticles<Dim>::renew_lists_where_due() {
-  if (held_) return;
-  const WallTimer timer(list_time_, *ranks_);
-  if (lists_hold()) return;
-  rearrange();
-  if (!ranks_->alone()) refresh_motion();  // of copies that are new
+void SphParticles<Dim>::renew_lists() {
+  if (!held_ && !lists_hold()) rearrange();
 }
 
 template <int Dim>
@@ -85,7 +81,7 @@ Real shear_share(const Material& material, const ParticleState<Dim>& state) {
 
 template <int Dim>
 void SphParticles<Dim>::find_spread(const ParticleBlock& block, LocalIndex i) {
-  auto& state = state_[static_cast<std::size_t>(i)];
+  auto& state = state_[i];
   state.spread = {};
   if (!(frobenius_square<Dim>(state.correction) > kSteepCorrection)) return;
   state.spread = inverse_spread<Dim>(motion_.data(), i, rows_.row(i), rows_.weights(i),
@@ -105,8 +101,8 @@ void SphParticles<Dim>::seed_step_limits() {
         const LocalIndex i = block.set.particle[slot];
         const auto sums =
             sum_forces<Dim, Kernel>(records, i, rows_.row(i), rows_.weights(i), inviscid);
-        state_[static_cast<std::size_t>(i)].speed = sums.speed;
-        state_[static_cast<std::size_t>(i)].mu = sums.mu;
+        state_[i].speed = sums.speed;
+        state_[i].mu = sums.mu;
         find_spread(block, i);
       });
     });
@@ -146,8 +142,8 @@ StepLimit SphParticles<Dim>::stable_step() const {
 
 template bool SphParticles<2>::lists_hold() const;
 template bool SphParticles<3>::lists_hold() const;
-template void SphParticles<2>::renew_lists_where_due();
-template void SphParticles<3>::renew_lists_where_due();
+template void SphParticles<2>::renew_lists();
+template void SphParticles<3>::renew_lists();
 template void SphParticles<2>::set_skin(Real);
 template void SphParticles<3>::set_skin(Real);
 template void SphParticles<2>::label_sums();

@@ -42,14 +42,14 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
   std::vector<Real> spacing;
   spacing.reserve(kept.size());
   for (const LocalIndex i : kept) {
-    spacing.push_back(whole.state_[static_cast<std::size_t>(i)].spacing);
+    spacing.push_back(whole.state_[i].spacing);
   }
   std::vector<ParticleSet> sets;
   for (const auto& block : whole.blocks_) {
     auto& set = sets.emplace_back(block.set);
     set.particle.clear();
     for (const LocalIndex i : block.set.particle) {
-      const LocalIndex here = place[static_cast<std::size_t>(i)];
+      const LocalIndex here = place[i];
       if (here >= 0) set.particle.push_back(here);
     }
   }

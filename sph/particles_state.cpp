@@ -19,8 +19,7 @@ template <int Dim>
 void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_points(points_, tables);
   save_rows(
-      "particles.state", static_cast<std::size_t>(points_.n_owned),
-      [&](std::size_t i) { return points_.id[i]; },
+      "particles.state", points_.owned(), [&](std::size_t i) { return points_.id[i]; },
       [&](auto& row, std::size_t i) { visit_particle(state_[i], saved_in(row)); }, tables);
   for (const auto& block : blocks_) {
     // Ghosts come last among the points, so their slots come last among the slots of a block.
@@ -28,8 +27,7 @@ void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
     const auto owned = static_cast<std::size_t>(
         std::lower_bound(particle.begin(), particle.end(), points_.n_owned) - particle.begin());
     save_rows(
-        table_of(block), owned,
-        [&](std::size_t slot) { return points_.id[static_cast<std::size_t>(particle[slot])]; },
+        table_of(block), owned, [&](std::size_t slot) { return points_.id[particle[slot]]; },
         [&](auto& row, std::size_t slot) { visit_slot(block, slot, saved_in(row)); }, tables);
   }
 }
@@ -44,7 +42,7 @@ void SphParticles<Dim>::load_state(const StateTables& tables) {
     const auto& particle = block.set.particle;
     load_rows(
         table_of(block), particle.size(),
-        [&](std::size_t slot) { return points_.id[static_cast<std::size_t>(particle[slot])]; },
+        [&](std::size_t slot) { return points_.id[particle[slot]]; },
         [&](auto& row, std::size_t slot) { visit_slot(block, slot, saved_in(row)); }, tables);
   }
   for (std::size_t i = 0; i < n_owned(); ++i) set_size(i);

@@ -97,7 +97,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
   const ParticleState<Dim> resting;
   for (int slot = 0; slot < kTile; ++slot) {
     const std::size_t k = first + static_cast<std::size_t>(slot);
-    const auto& state = k < n ? state_[static_cast<std::size_t>(block.set.particle[k])] : resting;
+    const auto& state = k < n ? state_[block.set.particle[k]] : resting;
     for (int c = 0; c < Dim * Dim; ++c) {
       stress.gradient[c][slot] = dt * state.velocity_gradient[c];
     }
@@ -185,8 +185,8 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
   shift.resize(state_.size(), Vec<Dim>::Zero());
   for_each(n_owned(), [&](std::size_t i) { points_.move(i, shift[i]); });
   refresh_ghost_positions();
+  renew_lists();
   refresh_motion();
-  renew_lists_where_due();
 }
 
 template struct SphParticles<2>::TileStress;

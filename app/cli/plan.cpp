@@ -179,7 +179,7 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   scene->rigid_motions.start();
   scene->boundaries.start();
   scene->rearrange();
-  const StepLimit step_limit = scene->stable_step(0, 0);
+  const StepLimit step_limit = scene->stable_step(0);
   const Deck& deck = loaded.deck;
   const Real dt =
       std::min(deck.time.safety * step_limit.step, deck.time.max_step.value_or(kInfinity));

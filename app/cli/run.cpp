@@ -119,7 +119,7 @@ void log_windows(const Scene<Dim>& scene, const Clock& clock, int heat_every, sp
   const auto smallest = [&](const StepLimit& step_limit) {
     return over_ranks({step_limit, {}}, *scene.ranks).step_limit;
   };
-  const Real step = clock.unshortened(smallest(scene.stable_step(clock.time(), clock.dt())));
+  const Real step = clock.unshortened(smallest(scene.stable_step(clock.time())));
   const Real longest = smallest(scene.heat_step()).step;
   log.info("conduction of every {}th step acts for {} s, {:.2g} of its longest stable step",
            heat_every, heat_every * step, step / longest);

@@ -36,6 +36,7 @@ template <int Dim>
 void evaluate(Scene<Dim>& scene, Solid<Dim>& solid, Real dt) {
   for (auto& f : solid.points().f) f.setZero();
   scene.refresh_motion();
+  solid.renew_lists();
   solid.update_state(dt);
   solid.refresh_state();
   solid.add_internal_forces(dt);
@@ -66,7 +67,7 @@ std::vector<Vec<Dim>> forces_at_rest(Scene<Dim>& scene, Solid<Dim>& solid, Real 
 template <int Dim>
 bool grows(Scene<Dim>& scene, Solid<Dim>& solid, Real dt) {
   auto& points = solid.points();
-  const auto n = static_cast<std::size_t>(points.n_owned);
+  const auto n = points.owned();
   const auto at_rest = forces_at_rest(scene, solid, dt);
   for (std::size_t i = 0; i < n; ++i) {
     if (points.mass[i] == 0) continue;

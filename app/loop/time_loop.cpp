@@ -11,7 +11,7 @@ namespace {
 template <int Dim>
 StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
   const PhaseTimer timer(scene.phases, Phase::step_bound);
-  const StepLimit step_limit = scene.stable_step(clock.time(), clock.dt());
+  const StepLimit step_limit = scene.stable_step(clock.time());
   return over_ranks({step_limit, observer.requests(scene, clock)}, *scene.ranks);
 }
 
@@ -78,11 +78,12 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     move(scene, clock, dt);
     for (auto& solid : scene.solids) {
       {
-        const PhaseTimer timer(phases, phase_of(*solid));
-        solid->update_state(dt);
-        solid->refresh_state();
+        const PhaseTimer timer(phases, Phase::search);
+        solid->renew_lists();
       }
-      phases.rebook(phase_of(*solid), Phase::search, solid->take_list_time());
+      const PhaseTimer timer(phases, phase_of(*solid));
+      solid->update_state(dt);
+      solid->refresh_state();
     }
     if (scene.contact) {
       {

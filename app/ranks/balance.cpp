@@ -130,7 +130,7 @@ void Balance<Dim>::repartition(Scene<Dim>& scene) {
   std::vector<Weighted<Dim>> points;
   for (const auto& solid : scene.solids) {
     const auto& of = solid->points();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(of.n_owned); ++i) {
+    for (std::size_t i = 0; i < of.owned(); ++i) {
       Weighted<Dim> one{of.id[i], {}, weight[points.size()]};
       for (int c = 0; c < Dim; ++c) one.x[c] = of.x[i][c];
       points.push_back(one);

@@ -18,8 +18,7 @@ std::ptrdiff_t place_of(const BodyView& view, bool cell, GlobalId id) {
   const auto at = std::find(ids->values.begin(), ids->values.end(), static_cast<Real>(id));
   if (at == ids->values.end()) return -1;
   const auto place = at - ids->values.begin();
-  const bool copy =
-      !cell && !view.point_owned.empty() && view.point_owned[static_cast<std::size_t>(place)] == 0;
+  const bool copy = !cell && !view.point_owned.empty() && view.point_owned[place] == 0;
   return copy ? -1 : place;
 }
 
@@ -68,7 +67,7 @@ std::vector<Real> probe_values(const Probe& probe, const BodyView& mine,
       const auto place = place_of(mine, cell, cell ? probe.cell : probe.points[k]);
       if (place < 0) continue;
       if (mine_values.empty()) mine_values = field_values(mine, probe.fields[f]);
-      known.back().value = mine_values[static_cast<std::size_t>(place)];
+      known.back().value = mine_values[place];
       known.back().here = true;
     }
   }

@@ -12,15 +12,16 @@
 namespace brunt {
 
 template <int Dim>
-StepLimit Scene<Dim>::stable_step(Real time, Real dt_last) const {
+StepLimit Scene<Dim>::stable_step(Real time) const {
   StepLimit step_limit;
   for (const auto& solid : solids) {
     step_limit.take(solid->stable_step());
   }
   step_limit.take(heat_step());
-  if (contact) step_limit.take(contact->stable_step(dt_last));
+  if (contact) step_limit.take(contact->stable_step());
   if (rigid) step_limit.take(rigid->stable_step());
   step_limit.take(loads.stable_step(time));
+  step_limit.take(boundaries.stable_step());
   return step_limit;
 }
 
@@ -152,7 +153,7 @@ Totals<Dim> Scene<Dim>::totals(Real dt) const {
   totals.bodies.resize(body_names.size());
   for (const auto& solid : solids) {
     const auto& points = solid->points();
-    const auto n = static_cast<std::size_t>(points.n_owned);
+    const auto n = points.owned();
     add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
       add_points(points, first, last, dt, part);
     });
@@ -216,7 +217,7 @@ void Scene<Dim>::check_own(Real time) const {
   if (contact) contact->check(time, origin);
   for (const auto& solid : solids) {
     const auto& points = solid->points();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+    for (std::size_t i = 0; i < points.owned(); ++i) {
       // One test finds NaN and infinity in either vector.
       Real sum = points.x[i].sum() + points.v[i].sum();
       const bool moves = sum - sum == 0;

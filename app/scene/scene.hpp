@@ -54,7 +54,7 @@ struct Scene {
   std::unique_ptr<const Partition> partition;  ///< whose each point is; none on a lone rank
 
   /// The smallest step limit of this rank, and whose. Not collective.
-  StepLimit stable_step(Real time, Real dt_last) const;
+  StepLimit stable_step(Real time) const;
   /// True where some group has temperatures.
   bool conducts() const;
   /// Positions, velocities and temperatures of copies, from their owners. Collective, as all that

@@ -38,8 +38,8 @@ SectionForce Sections<Dim>::force(const MaterialSection<Dim>& section, const Poi
     const Vec3 f = in_space<Dim>(on_beyond);
     const Vec3 m = in_space<Dim>(Vec<Dim>(origin + points.x[i])).cross(f);
     for (int c = 0; c < 3; ++c) {
-      sums[static_cast<std::size_t>(c)].add(-f[c]);
-      sums[static_cast<std::size_t>(3 + c)].add(-m[c]);
+      sums[c].add(-f[c]);
+      sums[3 + c].add(-m[c]);
     }
   }
   ranks.reduce_all(std::span<ExactSum>(sums), [](ExactSum& a, const ExactSum& b) { a.add(b); });

@@ -37,7 +37,7 @@ void take_elements(const Mesh<Dim>& mesh, const Formulation<Dim>& kind, BodyElem
                    std::vector<Label>& piece) {
   const auto require = [&](bool sound, int node) {
     if (sound) return;
-    const auto& x = mesh.nodes[static_cast<std::size_t>(node)];
+    const auto& x = mesh.nodes[node];
     throw std::invalid_argument(
         "its mesh folds over near (" + deck::short_text(x[0]) + ", " + deck::short_text(x[1]) +
         ") m: put `corners` where the outline turns, or fill it with particles (method: sph)");
@@ -46,7 +46,7 @@ void take_elements(const Mesh<Dim>& mesh, const Formulation<Dim>& kind, BodyElem
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const auto& box = mesh.elements[e];
     std::array<Vec<Dim>, Shape<Dim>::kCorners> x;
-    for (std::size_t c = 0; c < x.size(); ++c) x[c] = mesh.nodes[static_cast<std::size_t>(box[c])];
+    for (std::size_t c = 0; c < x.size(); ++c) x[c] = mesh.nodes[box[c]];
     require(orientation<Dim>(x) > 0, box[0]);
     kind.cut_box(box, elements.corner);
     piece.resize(elements.size(), mesh.piece[e]);
@@ -54,7 +54,7 @@ void take_elements(const Mesh<Dim>& mesh, const Formulation<Dim>& kind, BodyElem
   if (elements.size() == mesh.elements.size()) return;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     std::vector<Vec<Dim>> x;
-    for (const int node : elements[e]) x.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+    for (const int node : elements[e]) x.push_back(mesh.nodes[node]);
     require(kind.volume(x, true, Thickness{}) > 0, elements[e][0]);
   }
 }

@@ -18,14 +18,12 @@ struct Choose {
   Real tolerance;  // [m]
   const std::vector<PointSet>& sets;
 
-  Vec<Dim> place(LocalIndex i) const {
-    return points.x_start[static_cast<std::size_t>(i)] + origin;
-  }
+  Vec<Dim> place(LocalIndex i) const { return points.x_start[i] + origin; }
   template <class Test>
   std::vector<LocalIndex> where(Test test) const {
     std::vector<LocalIndex> chosen;
     for (LocalIndex i = 0; i < points.n_owned; ++i) {
-      if (points.body[static_cast<std::size_t>(i)] == body && test(i)) chosen.push_back(i);
+      if (points.body[i] == body && test(i)) chosen.push_back(i);
     }
     return chosen;
   }
@@ -36,8 +34,7 @@ struct Choose {
   std::vector<LocalIndex> operator()(const deck::WhereSurface&) const {
     std::set<LocalIndex> outer;
     for (const auto& facet : surface.facets) {
-      for (int k = 0; k < facet.n_nodes(); ++k)
-        outer.insert(facet.node[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < facet.n_nodes(); ++k) outer.insert(facet.node[k]);
     }
     return where([&](LocalIndex i) { return outer.count(i) > 0; });
   }
@@ -115,7 +112,7 @@ Patch<Dim> patch_of(const std::string& name, const LoadedDeck& loaded, Label lab
     return patch;
   }
   for (const LocalIndex i : patch.chosen) {
-    patch.spacing.push_back(2 * surface.particles[static_cast<std::size_t>(i)].radius);
+    patch.spacing.push_back(2 * surface.particles[i].radius);
   }
   return patch;
 }
@@ -169,7 +166,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
   }
   if (!deck.gravity.empty()) {
     Vec<Dim> g;
-    for (int c = 0; c < Dim; ++c) g[c] = deck.gravity[static_cast<std::size_t>(c)];
+    for (int c = 0; c < Dim; ++c) g[c] = deck.gravity[c];
     scene.loads.gravity(g);
   }
   if (deck.damping) scene.loads.damp(deck.damping->rate, deck.damping->until);
@@ -189,7 +186,7 @@ void hold_temperatures(const LoadedDeck& loaded, Scene<Dim>& scene) {
     if (!solid || !solid->points().conducts) continue;
     std::vector<LocalIndex> all;
     for (LocalIndex i = 0; i < solid->points().n_owned; ++i) {
-      if (solid->points().body[static_cast<std::size_t>(i)] == label) all.push_back(i);
+      if (solid->points().body[i] == label) all.push_back(i);
     }
     SurfaceHeat heat;
     heat.temperature = body.motion->temperature;

@@ -21,7 +21,7 @@ struct Window {
 
 template <int Dim>
 Vec3 place_of(const Patch<Dim>& patch, LocalIndex point) {
-  return in_space<Dim>(patch.points->x_start[static_cast<std::size_t>(point)] + patch.origin);
+  return in_space<Dim>(patch.points->x_start[point] + patch.origin);
 }
 
 template <class Points>

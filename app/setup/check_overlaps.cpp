@@ -73,7 +73,7 @@ std::vector<Skin<Dim>> skins_of(const Deck& deck, Scene<Dim>& scene) {
   for (auto& solid : scene.solids) {
     const auto& x = solid->points().x;
     const auto& surface = solid->surface();
-    const auto at = [&](LocalIndex i) { return x[static_cast<std::size_t>(i)]; };
+    const auto at = [&](LocalIndex i) { return x[i]; };
     for (const auto& facet : surface.facets) {
       auto& skin = skins[facet.body];
       if constexpr (Dim == 2) {
@@ -89,7 +89,7 @@ std::vector<Skin<Dim>> skins_of(const Deck& deck, Scene<Dim>& scene) {
       const Real size = facet.compliance > 0 ? 2 * facet.depth : edge;
       if (!facet.rigid()) skin.size = std::min(skin.size, size);
       for (int k = 0; k < facet.n_nodes(); ++k) {
-        const LocalIndex node = facet.node[static_cast<std::size_t>(k)];
+        const LocalIndex node = facet.node[k];
         if (used[facet.body].emplace(node, true).second) skin.points.push_back(at(node));
       }
     }
@@ -157,7 +157,7 @@ Real depth_of_particles(const Skin<Dim>& a, const Skin<Dim>& b, std::size_t& in_
   const auto cell_of = [&](const Vec<Dim>& x) {
     std::array<long, Dim> cell;
     for (int c = 0; c < Dim; ++c) {
-      cell[static_cast<std::size_t>(c)] = static_cast<long>(std::floor(x[c] / h));
+      cell[c] = static_cast<long>(std::floor(x[c] / h));
     }
     return cell;
   };
@@ -171,7 +171,7 @@ Real depth_of_particles(const Skin<Dim>& a, const Skin<Dim>& b, std::size_t& in_
     for (int k = 0; k < kAround && !cells.empty(); ++k) {
       auto cell = cell_of(x);
       for (int c = 0, rest = k; c < Dim; ++c, rest /= 3) {
-        cell[static_cast<std::size_t>(c)] += rest % 3 - 1;
+        cell[c] += rest % 3 - 1;
       }
       const auto found = cells.find(cell);
       if (found == cells.end()) continue;

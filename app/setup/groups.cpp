@@ -167,7 +167,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     for (std::size_t e = 0; e < bodies[b].elements.size(); ++e) {
       Vec<Dim> center = Vec<Dim>::Zero();
       for (const int node : bodies[b].elements[e]) {
-        center += bodies[b].points[static_cast<std::size_t>(node)] - scene.origin;
+        center += bodies[b].points[node] - scene.origin;
       }
       elements.push_back({b, e});
       centers.push_back(center / static_cast<Real>(bodies[b].elements.type->corners));
@@ -195,8 +195,8 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     }
     auto& corners = set->corners.emplace_back();
     for (const int node : geometry.elements[e]) {
-      corners[corners.n++] = gathered.place_of[b][static_cast<std::size_t>(node)];
-      gathered.points.piece[static_cast<std::size_t>(corners[corners.n - 1])] = geometry.piece[e];
+      corners[corners.n++] = gathered.place_of[b][node];
+      gathered.points.piece[corners[corners.n - 1]] = geometry.piece[e];
     }
     set->id.push_back(next.element++);
     set->body.push_back(geometry.label);
@@ -296,8 +296,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
       const auto& corners = bodies[b].facets[f];
       Facet<Dim> facet;
       for (std::size_t c = 0; c < corners.size(); ++c) {
-        facet.node[c] =
-            corners[c] < 0 ? -1 : gathered.place_of[b][static_cast<std::size_t>(corners[c])];
+        facet.node[c] = corners[c] < 0 ? -1 : gathered.place_of[b][corners[c]];
       }
       facet.id = next.element++ << 3;
       facet.body = bodies[b].label;
@@ -305,7 +304,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
       facet.temperature =
           loaded.deck.bodies[facet.body].value.temperature.value_or(loaded.deck.ambient);
       for (int c = 0; c < facet.n_nodes(); ++c) {
-        const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
+        const auto node = static_cast<std::size_t>(facet.node[c]);
         gathered.points.piece[node] = facet.piece;
       }
       if (warm) facet.capacity = kInfinity;

@@ -77,7 +77,7 @@ Real mean_compliance_of(const FreeBody<Dim>& made, const Points<Dim>& points,
     Vec3 middle = Vec3::Zero();
     for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
       arm[c] = -made.center;
-      arm[c].template head<Dim>() += points.x_start[static_cast<std::size_t>(facet.node[c])];
+      arm[c].template head<Dim>() += points.x_start[facet.node[c]];
       middle += arm[c] / n;
     }
     const Real area = Dim == 2 ? (arm[1] - arm[0]).norm()
@@ -106,7 +106,7 @@ void set_facets(const Material& material, const MassProperties& properties,
     facet.compliance = 1 / made.state.mass;
     facet.mean_compliance = mean;
     for (int c = 0; c < facet.n_nodes() && made.turns; ++c) {
-      const auto node = static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)]);
+      const auto node = static_cast<std::size_t>(facet.node[c]);
       Vec3 arm = -made.center;
       arm.template head<Dim>() += points.x_start[node];
       facet.compliance = std::max(facet.compliance,

@@ -82,7 +82,7 @@ class Places {
     const auto& box = boxes_[*label];
     const Real near = nearness(body, box);
     Vec<Dim> at;
-    for (int c = 0; c < Dim; ++c) at[c] = place[static_cast<std::size_t>(c)];
+    for (int c = 0; c < Dim; ++c) at[c] = place[c];
     const Real far = distance(*label, at);
     if (far <= near) return;
     constexpr Real kFar = 100;  // metres that were to be millimetres

@@ -27,7 +27,7 @@ void drop_idle_copies(BodyView& view) {
   std::vector<std::int64_t> number(keep.size());
   std::int64_t n = 0;
   for (std::size_t i = 0; i < keep.size(); ++i) number[i] = keep[i] ? n++ : -1;
-  for (auto& corner : view.connectivity) corner = number[static_cast<std::size_t>(corner)];
+  for (auto& corner : view.connectivity) corner = number[corner];
   keep_rows(view.position, keep, 3);
   keep_rows(view.point_mass, keep, 1);
   keep_rows(view.point_radius, keep, 1);

@@ -76,7 +76,7 @@ void HistoryColumns<Dim>::add_watched(const Scene<Dim>& scene, std::vector<Real>
     const auto total = scene.sections.force(section, points, scene.origin, *scene.ranks);
     for (std::size_t c = 0; c < Dim; ++c) values.push_back(total.force[c]);
     for (int c = first_torque(scene); c < 3; ++c) {
-      values.push_back(total.moment[static_cast<std::size_t>(c)]);
+      values.push_back(total.moment[c]);
     }
   }
 }
@@ -124,9 +124,9 @@ void HistoryColumns<Dim>::add_pairs(const Scene<Dim>& scene, Row& row) {
     if (pair.max_penetration > deepest) {
       deepest = pair.max_penetration, row.deepest_pair = pair.name;
     }
-    for (int c = 0; c < Dim; ++c) values.push_back(pair.force[static_cast<std::size_t>(c)]);
+    for (int c = 0; c < Dim; ++c) values.push_back(pair.force[c]);
     for (int c = first_torque(scene); c < 3; ++c) {
-      values.push_back(pair.torque[static_cast<std::size_t>(c)]);
+      values.push_back(pair.torque[c]);
     }
     values.insert(values.end(), {pair.area, pair.heat_rate, pair.friction_heat,
                                  pair.max_penetration, static_cast<Real>(pair.planes)});

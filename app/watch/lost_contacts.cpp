@@ -8,7 +8,7 @@ namespace {
 std::string place_text(const LostReport& lost, int dim) {
   std::string text = "t = " + deck::time_text(lost.time) + ", at (";
   for (int c = 0; c < dim; ++c) {
-    text += (c == 0 ? "" : ", ") + deck::short_text(lost.point[static_cast<std::size_t>(c)]);
+    text += (c == 0 ? "" : ", ") + deck::short_text(lost.point[c]);
   }
   return text + ") m";
 }

@@ -27,7 +27,7 @@ Real center(const Scene<Dim>& scene, Label body, int axis) {
   auto& [mass, moment] = sums;
   for (const auto& solid : scene.solids) {
     const auto& points = solid->points();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+    for (std::size_t i = 0; i < points.owned(); ++i) {
       if (points.body[i] != body) continue;
       mass.add(points.mass[i]);
       moment.add(points.mass[i] * points.x[i][axis]);
@@ -137,7 +137,7 @@ void Monitor<Dim>::refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Cl
   const auto found = std::find_if(row.values.begin(), row.values.end(), is_none);
   if (found == row.values.end()) return;
   scene.check(clock.time());
-  const std::string& column = columns_[static_cast<std::size_t>(found - row.values.begin())];
+  const std::string& column = columns_[found - row.values.begin()];
   throw PhysicsError({clock.time(), "", "step " + std::to_string(clock.step()),
                       "step [s] in which column '" + column + "' is no finite number", clock.dt(),
                       "this row is not written; try a smaller time.safety, and look at the last "
@@ -274,7 +274,7 @@ void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
     Real fastest = 0;
     for (const auto& solid : scene.solids) {
       const auto& points = solid->points();
-      for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+      for (std::size_t i = 0; i < points.owned(); ++i) {
         if (points.body[i] == body) fastest = std::max(fastest, points.v[i].squaredNorm());
       }
     }

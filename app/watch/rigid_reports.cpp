@@ -61,7 +61,7 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
   }
   std::vector<Sums> sums(number.size());
   const auto& points = *rigid.points;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+  for (std::size_t i = 0; i < points.owned(); ++i) {
     const auto found = number.find(points.body[i]);
     if (found == number.end() || points.f[i].squaredNorm() == 0) continue;
     const Vec3 force = in_space<Dim>(points.f[i]);
@@ -77,8 +77,8 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
   });
   for (const auto& [body, k] : number) {
     for (int c = 0; c < 3; ++c) {
-      reports[body].force[c] = sums[k].sum[static_cast<std::size_t>(c)].value();
-      reports[body].torque[c] = sums[k].sum[static_cast<std::size_t>(3 + c)].value();
+      reports[body].force[c] = sums[k].sum[c].value();
+      reports[body].torque[c] = sums[k].sum[3 + c].value();
     }
   }
 }

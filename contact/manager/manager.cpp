@@ -53,7 +53,7 @@ template <int Dim>
 ContactManager<Dim>::~ContactManager() = default;
 
 template <int Dim>
-StepLimit ContactManager<Dim>::stable_step(Real) const {
+StepLimit ContactManager<Dim>::stable_step() const {
   StepLimit step_limit = implementation_->evaluation.step_limit();
   step_limit.take(implementation_->friction_check.step_limit());
   return step_limit;

@@ -79,7 +79,7 @@ class ContactManager {
 
   /// Step limits before the step, from each face's own spring and from near pairs
   /// (docs/theory/contact.md (C39) to (C44)).
-  StepLimit stable_step(Real dt_last) const;
+  StepLimit stable_step() const;
   /// Reads the surfaces anew and rebuilds the lists; what is booked stays with the points' ids.
   void rearrange();
   /// Before the first step: where bodies press at time 0, accelerations of their points and the

@@ -66,6 +66,15 @@ void Boundaries<Dim>::take_reactions(Real time, Real dt) {
 }
 
 template <int Dim>
+StepLimit Boundaries<Dim>::stable_step() const {
+  StepLimit step_limit;
+  each([&](const auto& one) {
+    if constexpr (requires { one.stable_step(); }) step_limit.take(one.stable_step());
+  });
+  return step_limit;
+}
+
+template <int Dim>
 void Boundaries<Dim>::add_totals(Totals<Dim>& totals) const {
   each([&](const auto& one) { one.add_totals(totals); });
 }

@@ -5,6 +5,7 @@
 
 #include "core/boundaries/catalog.hpp"
 #include "core/points_state.hpp"
+#include "core/step_limit.hpp"
 
 namespace brunt {
 
@@ -59,6 +60,8 @@ class Boundaries {
   /// After all forces: complete_forces(time, dt) of those that follow the velocity at the end of
   /// the step, then take_reactions(time, dt).
   void take_reactions(Real time, Real dt);
+  /// The smallest of stable_step() of the owned points.
+  StepLimit stable_step() const;
   /// add_totals(totals): work to the column `boundary`, heat to the books of heat.
   void add_totals(Totals<Dim>& totals) const;
   /// Saved fields of the owned points.

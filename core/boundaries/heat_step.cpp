@@ -7,7 +7,7 @@ StepLimit heat_step(const Points<Dim>& points) {
   StepLimit step_limit;
   if (!points.conducts) return step_limit;
   const Real steps = points.conduction_every;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points.n_owned); ++i) {
+  for (std::size_t i = 0; i < points.owned(); ++i) {
     // Infinite where nothing flows.
     const Real step = points.least_capacity(i) / (steps * points.conductance[i]);
     step_limit.take({step >= 0 ? step : 0.0, "heat of point", points.body[i], points.id[i]});

@@ -8,7 +8,7 @@ namespace brunt {
 
 template <int Dim>
 void Loads<Dim>::act_on(Points<Dim>& points) {
-  const auto n = static_cast<std::size_t>(points.n_owned);
+  const auto n = points.owned();
   Body body{&points, {}, {}, {}, true};
   if (has_gravity_) body.load_work.assign(n, 0.0);
   if (rate_ > 0) {
@@ -139,8 +139,7 @@ void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
         "loads", [&](auto& row) { row(fresh); }, tables);
     if (body.load_work.empty() && body.damping_work.empty()) continue;
     save_rows(
-        "loads.points", static_cast<std::size_t>(body.points->n_owned),
-        [&](std::size_t i) { return body.points->id[i]; },
+        "loads.points", body.points->owned(), [&](std::size_t i) { return body.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_body(row, body, i); }, tables);
   }
   if (rigid_) {
@@ -159,8 +158,7 @@ void Loads<Dim>::load_state(const StateTables& tables) {
     body.fresh = fresh != 0;
     if (body.load_work.empty() && body.damping_work.empty()) continue;
     load_rows(
-        "loads.points", static_cast<std::size_t>(body.points->n_owned),
-        [&](std::size_t i) { return body.points->id[i]; },
+        "loads.points", body.points->owned(), [&](std::size_t i) { return body.points->id[i]; },
         [&](auto& row, std::size_t i) { visit_body(row, body, i); }, tables);
   }
   if (rigid_) {

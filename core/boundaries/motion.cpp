@@ -15,7 +15,7 @@ MotionSupport<Dim>::MotionSupport(const PrescribedMotion& motion, Patch<Dim> on)
     : patch(std::move(on)) {
   for (const auto& axis : motion.fix) {
     const int c = axis[0] - 'x';
-    if (c < Dim) velocity[static_cast<std::size_t>(c)] = [](Real, const Vec3&) { return 0.0; };
+    if (c < Dim) velocity[c] = [](Real, const Vec3&) { return 0.0; };
   }
   for (std::size_t c = 0; motion.velocity && c < motion.velocity->size() && c < Dim; ++c) {
     if ((*motion.velocity)[c]) velocity[c] = function_of(*(*motion.velocity)[c]);

@@ -20,7 +20,7 @@ std::vector<std::size_t> Patch<Dim>::follow(const Points<Dim>& old, Points<Dim>&
   for (auto facet : facets) {
     bool all = true, any_owned = false;
     for (int c = 0; c < facet.n_nodes(); ++c) {
-      auto& node = facet.node[static_cast<std::size_t>(c)];
+      auto& node = facet.node[c];
       node = here(node);
       all = all && node >= 0;
       any_owned = any_owned || (node >= 0 && node < now.n_owned);
@@ -69,7 +69,7 @@ std::vector<Facet<Dim>> facets_between(const Surface<Dim>& surface,
   for (const auto& facet : surface.facets) {
     bool all = true;
     for (int k = 0; k < facet.n_nodes(); ++k) {
-      const LocalIndex node = facet.node[static_cast<std::size_t>(k)];
+      const LocalIndex node = facet.node[k];
       all = all && std::binary_search(chosen.begin(), chosen.end(), node);
     }
     if (all) facets.push_back(facet);
@@ -115,7 +115,7 @@ void add_points(const Patch<3>& patch, const Facet<3>& facet, FacetPoints<3>& to
     const Real xi = kGauss * kXi[g], eta = kGauss * kEta[g];
     Vec3 along_xi = Vec3::Zero(), along_eta = Vec3::Zero();
     for (std::size_t c = 0; c < 4; ++c) {
-      const Vec3& x = patch.points->x[static_cast<std::size_t>(facet.node[c])];
+      const Vec3& x = patch.points->x[facet.node[c]];
       point.shape[c] = 0.25 * (1 + kXi[c] * xi) * (1 + kEta[c] * eta);
       along_xi += 0.25 * kXi[c] * (1 + kEta[c] * eta) * x;
       along_eta += 0.25 * kEta[c] * (1 + kXi[c] * xi) * x;
@@ -133,8 +133,7 @@ FacetPoints<Dim> facet_points(const Patch<Dim>& patch, const Facet<Dim>& facet) 
     Vec<Dim> start = patch.origin;
     for (int c = 0; c < facet.n_nodes(); ++c) {
       const auto corner = static_cast<std::size_t>(c);
-      start += all.point[k].shape[corner] *
-               patch.points->x_start[static_cast<std::size_t>(facet.node[corner])];
+      start += all.point[k].shape[corner] * patch.points->x_start[facet.node[corner]];
     }
     all.point[k].start = in_space<Dim>(start);
   }

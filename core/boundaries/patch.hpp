@@ -84,7 +84,7 @@ std::vector<Value> Patch<Dim>::integral(const Value& zero, const F& f) const {
       const Value value = f(at);
       for (std::size_t c = 0; c < at.shape.size(); ++c) {
         const LocalIndex place = corners[k][c];
-        if (place >= 0) sum[static_cast<std::size_t>(place)] += at.shape[c] * value;
+        if (place >= 0) sum[place] += at.shape[c] * value;
       }
     }
   }

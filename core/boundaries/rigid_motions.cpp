@@ -80,7 +80,7 @@ template <int Dim>
 void RigidMotions<Dim>::take_reactions(Real dt) {
   for (auto& rigid : groups_) {
     // Every rank has all rigid points; the owner of each knows its force and keeps its books.
-    for (std::size_t i = 0; i < static_cast<std::size_t>(rigid.points->n_owned); ++i) {
+    for (std::size_t i = 0; i < rigid.points->owned(); ++i) {
       if (rigid.motion_of_point[i] == kFree) continue;
       const Vec<Dim> reaction = -rigid.points->f[i];
       rigid.work[i] += 0.5 * dt * rigid.points->v[i].dot(rigid.reaction[i] + reaction);
@@ -107,8 +107,7 @@ void RigidMotions<Dim>::save_state(std::vector<StateTable>& tables) const {
   for (std::size_t k = 0; k < groups_.size(); ++k) {
     const auto& rigid = groups_[k];
     save_rows(
-        table_of(k), static_cast<std::size_t>(rigid.points->n_owned),
-        [&](std::size_t i) { return rigid.points->id[i]; },
+        table_of(k), rigid.points->owned(), [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { rigid.visit_fields(rigid, saved_in(row, i)); }, tables);
   }
 }
@@ -118,8 +117,7 @@ void RigidMotions<Dim>::load_state(const StateTables& tables) {
   for (std::size_t k = 0; k < groups_.size(); ++k) {
     auto& rigid = groups_[k];
     load_rows(
-        table_of(k), static_cast<std::size_t>(rigid.points->n_owned),
-        [&](std::size_t i) { return rigid.points->id[i]; },
+        table_of(k), rigid.points->owned(), [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { rigid.visit_fields(rigid, saved_in(row, i)); }, tables);
   }
 }

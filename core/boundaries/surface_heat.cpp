@@ -100,9 +100,7 @@ namespace {
 /// where that of node c goes, null: nowhere
 template <class To>
 void add_area(const Patch<3>& patch, const Facet<3>& facet, const To& to) {
-  const auto x = [&](int c) -> const Vec3& {
-    return patch.points->x[static_cast<std::size_t>(facet.node[static_cast<std::size_t>(c)])];
-  };
+  const auto x = [&](int c) -> const Vec3& { return patch.points->x[facet.node[c]]; };
   const int n = facet.n_nodes();
   const Vec3 a = x(2) - x(0), b = n == 3 ? Vec3(x(1) - x(0)) : Vec3(x(3) - x(1));
   const Vec3 cross = a.cross(b);
@@ -134,7 +132,7 @@ std::vector<Real> HeatBoundary<Dim>::areas() const {
   for (std::size_t f = 0; f < patch.facets.size(); ++f) {
     add_area(patch, patch.facets[f], [&](std::size_t c) {
       const LocalIndex k = patch.corners[f][c];
-      return k < 0 ? nullptr : &area[static_cast<std::size_t>(k)];
+      return k < 0 ? nullptr : &area[k];
     });
   }
   return area;

@@ -36,8 +36,8 @@ struct BadEdges {
     if (count++ == 0) first = edge;
   }
   std::string first_text(const std::vector<Vec3>& nodes) const {
-    return "from " + place_text(nodes[static_cast<std::size_t>(first.first)]) + " to " +
-           place_text(nodes[static_cast<std::size_t>(first.second)]) + " m";
+    return "from " + place_text(nodes[first.first]) + " to " + place_text(nodes[first.second]) +
+           " m";
   }
 };
 
@@ -86,7 +86,7 @@ ClosedSurface::ClosedSurface(std::vector<Vec3> nodes, std::vector<std::array<int
   require_closed();
   low_ = high_ = nodes_.front();
   for (const Vec3& x : nodes_) low_ = low_.cwiseMin(x), high_ = high_.cwiseMax(x);
-  const auto at = [&](int node) { return Vec3(nodes_[static_cast<std::size_t>(node)] - low_); };
+  const auto at = [&](int node) { return Vec3(nodes_[node] - low_); };
   for (const auto& [a, b, c] : triangles_) volume_ += at(a).dot(at(b).cross(at(c))) / 6;
   if (volume_ < 0) {
     for (auto& triangle : triangles_) std::swap(triangle[0], triangle[1]);
@@ -129,8 +129,8 @@ void ClosedSurface::sort_into_columns(Real cell) {
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
     for (const int node : triangles_[t]) {
-      low = low.cwiseMin(nodes_[static_cast<std::size_t>(node)]);
-      high = high.cwiseMax(nodes_[static_cast<std::size_t>(node)]);
+      low = low.cwiseMin(nodes_[node]);
+      high = high.cwiseMax(nodes_[node]);
     }
     for (std::size_t i = column_of(low[0], 0); i <= column_of(high[0], 0); ++i) {
       for (std::size_t j = column_of(low[1], 1); j <= column_of(high[1], 1); ++j) {
@@ -143,17 +143,16 @@ void ClosedSurface::sort_into_columns(Real cell) {
 int ClosedSurface::winding(const Vec3& x) const {
   int winding = 0;
   for (const int t : columns_[column_of(x[0], 0) * count_[1] + column_of(x[1], 1)]) {
-    const auto& triangle = triangles_[static_cast<std::size_t>(t)];
+    const auto& triangle = triangles_[t];
     int sides[3];
     Real height = 0, whole = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const int a = triangle[c], b = triangle[(c + 1) % 3];
-      const Vec3 &xa = nodes_[static_cast<std::size_t>(a)],
-                 &xb = nodes_[static_cast<std::size_t>(b)];
+      const Vec3 &xa = nodes_[a], &xb = nodes_[b];
       // Both triangles of an edge take it the same way, and rounding does not part them.
       sides[c] = a < b ? side(xa, xb, x) : -side(xb, xa, x);
       const Real share = (xa[0] - x[0]) * (xb[1] - x[1]) - (xa[1] - x[1]) * (xb[0] - x[0]);
-      height += share * nodes_[static_cast<std::size_t>(triangle[(c + 2) % 3])][2];
+      height += share * nodes_[triangle[(c + 2) % 3]][2];
       whole += share;
     }
     if (sides[0] == 0 || sides[0] != sides[1] || sides[1] != sides[2] || whole == 0) continue;

@@ -30,7 +30,7 @@ std::vector<Vec<Dim>> lattice_points(const Vec<Dim>& low, const Vec<Dim>& high,
   Real d[3] = {0, 0, 0};
   for (int c = 0; c < Dim; ++c) {
     const Real h = spacing[std::min<std::size_t>(static_cast<std::size_t>(c), spacing.size() - 1)];
-    std::tie(n[static_cast<std::size_t>(c)], d[c]) = layers(high[c] - low[c], h * factor[c]);
+    std::tie(n[c], d[c]) = layers(high[c] - low[c], h * factor[c]);
   }
   std::vector<Vec<Dim>> points;
   for (int i = 0; i < n[0]; ++i) {

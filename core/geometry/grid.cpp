@@ -19,7 +19,7 @@ Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max,
         const int cell[3] = {i, j, k};
         Vec<Dim> x;
         for (int c = 0; c < Dim; ++c) {
-          x[c] = layers[static_cast<std::size_t>(c)].between(min[c], max[c], cell[c]);
+          x[c] = layers[c].between(min[c], max[c], cell[c]);
         }
         mesh.nodes.push_back(x);
       }
@@ -150,9 +150,9 @@ namespace {
 /// that the face is counter-clockwise seen from outside.
 std::array<int, 3> face_point(int axis, bool high, int m, int a, int b) {
   std::array<int, 3> p{};
-  p[static_cast<std::size_t>(axis)] = high ? m : 0;
-  p[static_cast<std::size_t>((axis + 1) % 3)] = high ? a : b;
-  p[static_cast<std::size_t>((axis + 2) % 3)] = high ? b : a;
+  p[axis] = high ? m : 0;
+  p[(axis + 1) % 3] = high ? a : b;
+  p[(axis + 2) % 3] = high ? b : a;
   return p;
 }
 }  // namespace

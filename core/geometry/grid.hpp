@@ -36,8 +36,7 @@ struct Layers {
   /// a plane touch without a gap.
   Real between(Real low, Real high, int k) const {
     if (k == n) return high;
-    return at.empty() ? low + (high - low) * k / n
-                      : low + (high - low) * at[static_cast<std::size_t>(k)];
+    return at.empty() ? low + (high - low) * k / n : low + (high - low) * at[k];
   }
 };
 

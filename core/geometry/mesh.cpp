@@ -93,7 +93,7 @@ struct Mesher3 {
     const Vec3 low = to_vector<3>(box.min), high = to_vector<3>(box.max);
     std::array<Layers, 3> layers;
     for (int c = 0; c < 3; ++c) {
-      layers[static_cast<std::size_t>(c)] = layers_along(sizing, c, high[c] - low[c]);
+      layers[c] = layers_along(sizing, c, high[c] - low[c]);
     }
     return box_grid<3>(low, high, layers);
   }
@@ -195,13 +195,13 @@ struct Mesher2 {
       std::map<int, int> kept;
       for (const auto& quad : disc.elements) {
         Real center = 0;
-        for (const int c : quad) center += disc.nodes[static_cast<std::size_t>(c)][0];
+        for (const int c : quad) center += disc.nodes[c][0];
         if (center < 0) continue;
         std::array<int, 4> corners;
         for (std::size_t c = 0; c < 4; ++c) {
           const auto [found, fresh] = kept.emplace(quad[c], static_cast<int>(half.nodes.size()));
           if (fresh) {
-            Vec<2> x = disc.nodes[static_cast<std::size_t>(quad[c])];
+            Vec<2> x = disc.nodes[quad[c]];
             if (std::fabs(x[0]) < 1e-9 * s.radius) x[0] = 0;
             half.nodes.push_back(x);
           }
@@ -254,7 +254,7 @@ std::vector<std::array<int, Facet<Dim>::kNodes>> outer_faces(const Mesh<Dim>& me
       for (const auto& local : Shape<Dim>::kFace) {
         Face face;
         for (std::size_t c = 0; c < face.size(); ++c) {
-          face[c] = element[static_cast<std::size_t>(local[c])];
+          face[c] = element[local[c]];
         }
         use(face);
       }

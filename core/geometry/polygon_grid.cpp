@@ -24,8 +24,8 @@ std::array<std::vector<Vec<2>>, 4> sides_of(const PolygonShape& polygon) {
   std::array<std::vector<Vec<2>>, 4> sides;
   Real area = 0;
   for (int i = 0; i < n; ++i) {
-    const auto a = to_vector<2>(polygon.points[static_cast<std::size_t>(i)]);
-    const auto b = to_vector<2>(polygon.points[static_cast<std::size_t>((i + 1) % n)]);
+    const auto a = to_vector<2>(polygon.points[i]);
+    const auto b = to_vector<2>(polygon.points[(i + 1) % n]);
     area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
   }
   const int step = area > 0 ? 1 : -1;  // corners and points may run clockwise
@@ -41,10 +41,10 @@ std::array<std::vector<Vec<2>>, 4> sides_of(const PolygonShape& polygon) {
   for (std::size_t s = 0; s < 4; ++s) {
     int i = corners[s];
     const int last = corners[(s + 1) % 4];
-    sides[s].push_back(to_vector<2>(polygon.points[static_cast<std::size_t>(i)]));
+    sides[s].push_back(to_vector<2>(polygon.points[i]));
     while (i != last) {
       i = (i + step + n) % n;
-      sides[s].push_back(to_vector<2>(polygon.points[static_cast<std::size_t>(i)]));
+      sides[s].push_back(to_vector<2>(polygon.points[i]));
     }
   }
   return sides;

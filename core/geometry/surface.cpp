@@ -18,16 +18,16 @@ FacetMesh<Dim> outside(const Mesh<Dim>& mesh) {
   std::vector<int> kept(mesh.nodes.size(), -1);
   std::vector<Label> piece(mesh.nodes.size(), 0);  // pieces share no nodes
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    for (const int node : mesh.elements[e]) piece[static_cast<std::size_t>(node)] = mesh.piece[e];
+    for (const int node : mesh.elements[e]) piece[node] = mesh.piece[e];
   }
   surface.piece_names = mesh.piece_names;
   for (auto face : outer_faces(mesh)) {
-    surface.piece.push_back(piece[static_cast<std::size_t>(face[0])]);
+    surface.piece.push_back(piece[face[0]]);
     for (auto& node : face) {
-      int& place = kept[static_cast<std::size_t>(node)];
+      int& place = kept[node];
       if (place < 0) {
         place = static_cast<int>(surface.nodes.size());
-        surface.nodes.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+        surface.nodes.push_back(mesh.nodes[node]);
       }
       node = place;
     }
@@ -85,7 +85,7 @@ Real turn(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec<2>>& points) {
   std::vector<int> left(points.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
-  const auto at = [&](int i) -> const Vec<2>& { return points[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) -> const Vec<2>& { return points[i]; };
   std::vector<std::array<int, 3>> triangles;
   while (left.size() > 3) {
     bool cut = false;
@@ -153,11 +153,11 @@ FacetMesh<3> revolved_surface(const Ogive& ogive, const Sizing& sizing) {
   const int rings = static_cast<int>(stations.size()) - 1;  // the last station is the tip
   const auto node = [&](int ring, int k) { return 1 + ring * around + k % around; };
   for (int ring = 0; ring < rings; ++ring) {
-    const Real r = profile.radius(stations[static_cast<std::size_t>(ring)]);
+    const Real r = profile.radius(stations[ring]);
     for (int k = 0; k < around; ++k) {
       const Real angle = 2 * kPi * k / around;
-      surface.nodes.push_back(frame.place(Vec3(r * std::cos(angle), r * std::sin(angle),
-                                               stations[static_cast<std::size_t>(ring)])));
+      surface.nodes.push_back(
+          frame.place(Vec3(r * std::cos(angle), r * std::sin(angle), stations[ring])));
     }
   }
   surface.nodes.push_back(frame.place(Vec3(0, 0, ogive.length)));

@@ -182,12 +182,12 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& retur
   const int packs = n / kStep;
   for (int k = 0; k < packs; ++k) {
     const int i = k * kStep;
-    ReturnPoint<V>& p = points[static_cast<std::size_t>(k)];
+    ReturnPoint<V>& p = points[k];
     p.q_trial = load_as<V>(c.q_trial + i);
     p.temperature = load_as<V>(c.temperature + i);
     p.heating = load_as<V>(c.heating + i);
     const Near near = law_.near(load_as<V>(c.eps_p + i), p.temperature);
-    laws[static_cast<std::size_t>(k)] = near;
+    laws[k] = near;
     const V yield = near.static_stress();
     p.q_old = vmax(load_as<V>(c.q_old + i), yield);
     p.lo = p.step = broadcast<V>(0.0);
@@ -202,14 +202,14 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& retur
   for (int iteration = 0; busy && iteration < kMaxIterations; ++iteration) {
     busy = false;
     for (int k = 0; k < packs; ++k) {
-      ReturnPoint<V>& p = points[static_cast<std::size_t>(k)];
+      ReturnPoint<V>& p = points[k];
       if (!any(p.active)) continue;
-      newton_step(p, laws[static_cast<std::size_t>(k)], shear, inverse_dt, iteration);
+      newton_step(p, laws[k], shear, inverse_dt, iteration);
       busy = busy || any(p.active);
     }
   }
   for (int i = 0; i < c.count; ++i) {
-    const ReturnPoint<V>& p = points[static_cast<std::size_t>(i / kStep)];
+    const ReturnPoint<V>& p = points[i / kStep];
     const Real q_trial = lane_of(p.q_trial, i % kStep), d = lane_of(p.increment, i % kStep);
     if (d == 0) continue;
     const Real q = vmax(q_trial - 3.0 * shear * d, 0.0);

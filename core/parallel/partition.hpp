@@ -9,7 +9,7 @@ namespace brunt {
 /// Which rank owns each point of the scene, by point id.
 struct Partition {
   std::vector<std::int32_t> owner;
-  int of(GlobalId point) const { return owner[static_cast<std::size_t>(point)]; }
+  int of(GlobalId point) const { return owner[point]; }
 };
 
 /// Partitions points by recursive coordinate bisection (Zoltan), so that every rank gets about the

@@ -30,7 +30,7 @@ struct FreeBodies<Dim>::Sums {
   }
   Vec3 force() const {
     Vec3 value = Vec3::Zero();
-    for (int c = 0; c < Dim; ++c) value[c] = sum[static_cast<std::size_t>(c)].value();
+    for (int c = 0; c < Dim; ++c) value[c] = sum[c].value();
     return value;
   }
   Vec3 torque() const {
@@ -55,7 +55,7 @@ void FreeBodies<Dim>::find_points(Group& group) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) number[bodies_[b].piece] = b;
   group.chosen.clear(), group.body_of.clear();
   for (LocalIndex i = 0; i < group.points->size(); ++i) {
-    const auto found = number.find(group.points->piece[static_cast<std::size_t>(i)]);
+    const auto found = number.find(group.points->piece[i]);
     if (found == number.end()) continue;
     group.chosen.push_back(i);
     group.body_of.push_back(found->second);
@@ -268,8 +268,8 @@ void FreeBodies<Dim>::add_body_totals(Real dt, Totals<Dim>& totals) const {
     hash_values<3>(hash, [&](const auto& add) { visit_free_body(body, add); });
     totals.state_hash += hash.value();
     for (int c = 0; c < Dim; ++c) {
-      sums.mass_position[static_cast<std::size_t>(c)].add(state.mass * state.x[c]);
-      sums.momentum[static_cast<std::size_t>(c)].add(state.mass * state.v[c]);
+      sums.mass_position[c].add(state.mass * state.x[c]);
+      sums.momentum[c].add(state.mass * state.v[c]);
     }
     totals.add(Column::integration, body.integration);
     sums.integration.add(body.integration);

@@ -35,7 +35,7 @@ struct FreeBody {
   Real integration = 0;              ///< [J] booked since time 0
   Real boundary = 0;                 ///< [J]
 
-  bool is_free(int c) const { return free[static_cast<std::size_t>(c)]; }
+  bool is_free(int c) const { return free[c]; }
 };
 
 /// All rigid bodies that follow their forces. Every rank has all of them and steps them by the

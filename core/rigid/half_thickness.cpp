@@ -31,7 +31,7 @@ struct Ray {
 
 template <int Dim>
 Vec<Dim> corner_of(const Facet<Dim>& facet, std::span<const Vec<Dim>> x, std::size_t c) {
-  return x[static_cast<std::size_t>(facet.node[c])];
+  return x[facet.node[c]];
 }
 
 template <int Dim>
@@ -145,7 +145,7 @@ void follow(std::span<const Vec<Dim>> x, Real length, std::size_t n_boxes,
     return own != f && facets[own].body == facets[f].body && facets[own].piece == facets[f].piece;
   };
   for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, SearchMode::grid)) {
-    take_exit(facets[static_cast<std::size_t>(i)], x, rays[ray_of(j)]);
+    take_exit(facets[i], x, rays[ray_of(j)]);
   }
 }
 }  // namespace

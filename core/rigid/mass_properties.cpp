@@ -18,7 +18,7 @@ struct Moments {
     Vec<Dim> sum = Vec<Dim>::Zero();
     Eigen::Matrix<Real, Dim, Dim> columns, products = Eigen::Matrix<Real, Dim, Dim>::Zero();
     for (int c = 0; c < Dim; ++c) {
-      const auto& x = corner[static_cast<std::size_t>(c)];
+      const auto& x = corner[c];
       columns.col(c) = x;
       sum += x;
       products += x * x.transpose();
@@ -34,9 +34,7 @@ struct Moments {
 template <class Take>
 void for_simplices(const Points<2>& points, const Facet<2>& facet, const Vec<2>& from,
                    const Take& take) {
-  const auto at = [&](std::size_t c) -> Vec<2> {
-    return points.x[static_cast<std::size_t>(facet.node[c])] - from;
-  };
+  const auto at = [&](std::size_t c) -> Vec<2> { return points.x[facet.node[c]] - from; };
   take(std::array{at(0), at(1)}, (at(1) - at(0)).norm());
 }
 template <class Take>
@@ -46,7 +44,7 @@ void for_simplices(const Points<3>& points, const Facet<3>& facet, const Vec3& f
   std::array<Vec3, 4> x;
   Vec3 middle = Vec3::Zero();
   for (std::size_t c = 0; c < n; ++c) {
-    x[c] = points.x[static_cast<std::size_t>(facet.node[c])] - from;
+    x[c] = points.x[facet.node[c]] - from;
     middle += x[c] / static_cast<Real>(n);
   }
   const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -69,7 +67,7 @@ template <int Dim>
 MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
                                Real density, Geometry geometry, Real depth) {
   // Moments about a point near the body lose no digits to its distance from the origin.
-  const Vec<Dim> from = points.x[static_cast<std::size_t>(facets.front().node[0])];
+  const Vec<Dim> from = points.x[facets.front().node[0]];
   Moments<Dim> moments;
   MassProperties body;
   for (const auto& facet : facets) {
@@ -77,7 +75,7 @@ MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<
     if (geometry == Geometry::axisymmetric) {
       breadth = 0;  // 2 pi times the mean radius
       for (const LocalIndex node : facet.node) {
-        breadth += kPi * points.x[static_cast<std::size_t>(node)][0];
+        breadth += kPi * points.x[node][0];
       }
     }
     for_simplices(points, facet, from, [&](const std::array<Vec<Dim>, Dim>& corner, Real area) {

@@ -40,11 +40,11 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Partition& partition,
   }
   auto facets = surface_.facets;
   for (auto& facet : facets) {
-    facet.owned = partition.of(points_.id[static_cast<std::size_t>(facet.node[0])]) == ranks.rank();
+    facet.owned = partition.of(points_.id[facet.node[0]]) == ranks.rank();
   }
   for (auto& facet : facets) {
     for (auto& node : facet.node) {
-      if (node >= 0) node = place[static_cast<std::size_t>(node)];
+      if (node >= 0) node = place[node];
     }
   }
   auto here = std::make_unique<RigidSurfaces>(points_.subset(order, n_owned), std::move(facets));
@@ -52,7 +52,7 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Partition& partition,
   if (shares_.empty()) return here;
   std::vector<Real> shares;
   shares.reserve(order.size());
-  for (const LocalIndex i : order) shares.push_back(shares_[static_cast<std::size_t>(i)]);
+  for (const LocalIndex i : order) shares.push_back(shares_[i]);
   here->set_shares(std::move(shares));
   return here;
 }
@@ -84,7 +84,7 @@ BodyView RigidSurfaces<Dim>::view(Label body) const {
     if (facet.body != body || !shows_facets_) continue;
     for (int c = 0; c < view.corners; ++c) {
       const int corner = std::min(c, facet.n_nodes() - 1);
-      view.connectivity.push_back(local[static_cast<std::size_t>(facet.node[corner])]);
+      view.connectivity.push_back(local[facet.node[corner]]);
     }
   }
   view.point_fields = {displacement, velocity, force, id};

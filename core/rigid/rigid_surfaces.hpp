@@ -51,9 +51,7 @@ class RigidSurfaces final : public Solid<Dim> {
   const GhostPlan& ghosts() const override { return ghosts_; }
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return 0; }
-  std::vector<Real> point_work() const override {
-    return std::vector<Real>(static_cast<std::size_t>(points_.n_owned), 0.0);
-  }
+  std::vector<Real> point_work() const override { return std::vector<Real>(points_.owned(), 0.0); }
   void save_state(std::vector<StateTable>& tables) const override { save_points(points_, tables); }
   void load_state(const StateTables& tables) override { load_points(points_, tables); }
 

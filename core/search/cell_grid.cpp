@@ -94,23 +94,22 @@ typename CellGrid<Dim>::LevelChoice CellGrid<Dim>::choose_levels(
   }
   choice.base = base > 0 ? base : 1;
   for (int level = -kMaxLevel; level <= kMaxLevel; ++level) {
-    choice.per_length[static_cast<std::size_t>(level + kMaxLevel)] =
-        std::ldexp(1 / choice.base, -level);
+    choice.per_length[level + kMaxLevel] = std::ldexp(1 / choice.base, -level);
   }
 
   std::array<int, 2 * kMaxLevel + 1> count{};
   for (const Real size : extent) {
     if (!usable(size)) continue;
     const int level = level_of(size, choice.base);
-    if (level <= kMaxLevel) ++count[static_cast<std::size_t>(level + kMaxLevel)];
+    if (level <= kMaxLevel) ++count[level + kMaxLevel];
   }
   int carried = 0, first = -kMaxLevel;
   choice.merged.fill(LevelChoice::kOversize);
   for (int level = -kMaxLevel; level <= kMaxLevel; ++level) {
-    carried += count[static_cast<std::size_t>(level + kMaxLevel)];
+    carried += count[level + kMaxLevel];
     if (carried < kFewestOfALevel) continue;
     for (int l = first; l <= level; ++l) {
-      choice.merged[static_cast<std::size_t>(l + kMaxLevel)] = level;
+      choice.merged[l + kMaxLevel] = level;
     }
     choice.used.push_back(level);
     carried = 0;
@@ -127,11 +126,11 @@ void CellGrid<Dim>::insert_all(std::span<const Vec<Dim>> anchor, std::span<const
   LocalIndex last = -1;  // neighbours in memory mostly share their cell
   for (LocalIndex i = 0; i < n; ++i) {
     int level = usable(extent[i]) ? level_of(extent[i], choice.base) : LevelChoice::kOversize;
-    if (level <= kMaxLevel) level = choice.merged[static_cast<std::size_t>(level + kMaxLevel)];
+    if (level <= kMaxLevel) level = choice.merged[level + kMaxLevel];
     bool inside = level <= kMaxLevel;
     Coords coords{};
     if (inside) {
-      const Real per_length = choice.per_length[static_cast<std::size_t>(level + kMaxLevel)];
+      const Real per_length = choice.per_length[level + kMaxLevel];
       for (int c = 0; c < Dim; ++c) {
         const Real coordinate = std::floor(anchor[i][c] * per_length);
         inside = inside && std::fabs(coordinate) <= kLargestCoordinate;

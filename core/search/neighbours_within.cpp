@@ -185,7 +185,7 @@ void append_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candida
   chunk.neighbours.resize(before + length);
   std::copy_n(candidates.row.data(), length, chunk.neighbours.data() + before);
   chunk.points.push_back(i);
-  count[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(length);
+  count[i] = static_cast<std::int64_t>(length);
 }
 
 /// Rows of all points of a cell: its surroundings are gathered once.
@@ -225,8 +225,7 @@ void append_oversize_rows(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
       if (j != i && are_neighbours(q, i, j)) chunk.neighbours.push_back(j);
     }
     chunk.points.push_back(i);
-    count[static_cast<std::size_t>(i)] =
-        static_cast<std::int64_t>(chunk.neighbours.size() - before);
+    count[i] = static_cast<std::int64_t>(chunk.neighbours.size() - before);
   }
 }
 

@@ -57,7 +57,7 @@ std::vector<IndexPair> sorted(const std::vector<std::vector<IndexPair>>& parts, 
   std::vector<IndexPair> pairs(static_cast<std::size_t>(begin[n]));
   std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
   for (const auto& part : parts) {
-    for (const auto& pair : part) pairs[static_cast<std::size_t>(next[pair.first]++)] = pair;
+    for (const auto& pair : part) pairs[next[pair.first]++] = pair;
   }
 #pragma omp parallel for schedule(static) if (n > 4096)
   for (std::size_t i = 0; i < n; ++i) {

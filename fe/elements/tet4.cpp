@@ -179,7 +179,7 @@ class TetFormulation final : public Formulation<3> {
     const auto apex = std::min_element(box.begin(), box.end());
     for (const auto& face : Hex8::kFace) {
       std::array<int, 4> node;
-      for (std::size_t i = 0; i < 4; ++i) node[i] = box[static_cast<std::size_t>(face[i])];
+      for (std::size_t i = 0; i < 4; ++i) node[i] = box[face[i]];
       if (std::find(node.begin(), node.end(), *apex) != node.end()) continue;
       std::rotate(node.begin(), std::min_element(node.begin(), node.end()), node.end());
       // Seen from the apex, inside, a face runs clockwise.

@@ -73,7 +73,7 @@ void Echo::text(const Key& key, std::string& value) {
   if (!value.empty()) put(key.name, text_node(value));
 }
 void Echo::choice(const Key& key, int& index, std::span<const char* const> words) {
-  put(key.name, scalar_node(main_word(words[static_cast<std::size_t>(index)])));
+  put(key.name, scalar_node(main_word(words[index])));
 }
 void Echo::list(const Key& key, std::vector<Real>& value, const Quantity&, int, bool) {
   if (!value.empty()) put(key.name, numbers(value));
@@ -128,7 +128,7 @@ void Echo::components(const Key& key, std::optional<std::vector<std::optional<Va
 
 void Echo::value(Real& value, const Quantity&, const char*) { stack_.back() = number(value); }
 void Echo::value(int& index, std::span<const char* const> words, const char*) {
-  stack_.back() = scalar_node(main_word(words[static_cast<std::size_t>(index)]));
+  stack_.back() = scalar_node(main_word(words[index]));
 }
 void Echo::value(std::string& text, const char*) { stack_.back() = scalar_node(text); }
 

@@ -49,7 +49,7 @@ class KeyWalker final : public Schema {
   void choice(const Key& key, int& index, std::span<const char* const> words) override {
     KeyInfo& info = add(key, KeyInfo::Type::choice);
     take_words(info, words);
-    if (!info.required) info.fallback = main_word(words[static_cast<std::size_t>(index)]);
+    if (!info.required) info.fallback = main_word(words[index]);
   }
   void list(const Key& key, std::vector<Real>& value, const Quantity& quantity, int size,
             bool allow_free) override {

@@ -59,7 +59,7 @@ std::optional<std::vector<Real>> Reader::list_values(const Node& given, const st
   const Node* bare = nullptr;
   const Node* with_unit = nullptr;
   for (int i = 0; i < count; ++i) {
-    const Node& item = node->items[static_cast<std::size_t>(i)];
+    const Node& item = node->items[i];
     const std::string item_path = path + "." + std::to_string(i);
     if (allow_free && item.is_scalar() && item.text == "free") {
       values.push_back(std::nan(""));

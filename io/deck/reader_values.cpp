@@ -255,7 +255,7 @@ void Reader::words(const Key& key, std::vector<std::string>& value,
   std::vector<bool> there(words.size());
   for (std::size_t i = 0; i < node->items.size(); ++i) {
     const auto index = word_index(node->items[i], path + "." + std::to_string(i), words);
-    if (index) there[static_cast<std::size_t>(*index)] = true;
+    if (index) there[*index] = true;
   }
   value.clear();
   for (std::size_t i = 0; i < words.size(); ++i) {

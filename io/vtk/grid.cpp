@@ -111,7 +111,7 @@ void set_cells(const BodyView& view, std::size_t n_points, vtkUnstructuredGrid& 
       const bool fourth = corners == 4 && view.cell_dimension != 3 && c == first + 3;
       if (fourth && (point < 0 || point == connectivity[c - 1])) continue;  // a triangle
       if (point < 0 || point >= static_cast<std::int64_t>(n_points)) misfit("connectivity");
-      cell[static_cast<std::size_t>(n++)] = point;
+      cell[n++] = point;
     }
     cells->InsertNextCell(n, cell.data());
     types->InsertNextValue(cell_type(n, view.cell_dimension));
@@ -168,7 +168,7 @@ int corners_of(vtkUnstructuredGrid& grid) {
 std::vector<std::size_t> polydata_order(const ContactView& view) {
   std::array<std::vector<std::size_t>, 3> orders;
   for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
-    orders[static_cast<std::size_t>(std::clamp(view.polygon_size[i], 1, 3) - 1)].push_back(i);
+    orders[std::clamp(view.polygon_size[i], 1, 3) - 1].push_back(i);
   }
   std::vector<std::size_t> order;
   for (const auto& part : orders) order.insert(order.end(), part.begin(), part.end());

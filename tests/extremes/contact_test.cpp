@@ -46,7 +46,7 @@ TEST(ContactExtremes, NoStiffnessThrowsACornerParticleOut) {
     const Real start = scene.kinetic(0);
     Real deepest = 0, dt = 0;
     for (int step = 0; step < 100000 && particle.x[0][0] < 0.5 * kSpacing + 2e-3; ++step) {
-      dt = std::min(0.9 * scene.contact->stable_step(dt).step, 0.01);
+      dt = std::min(0.9 * scene.contact->stable_step().step, 0.01);
       scene.step(dt);
       deepest = std::max(deepest, 0.5 * kSpacing - particle.x[0].minCoeff());
     }
@@ -67,7 +67,7 @@ TEST(ContactExtremes, NoStiffnessThrowsACornerParticleOutUndamped) {
     scene.start();
     auto& particle = scene.groups[1].points;
     particle.v[0] = Vec3::Constant(-0.04);
-    const Real start = scene.kinetic(0), dt = 1e-3 * scene.contact->stable_step(0).step;
+    const Real start = scene.kinetic(0), dt = 1e-3 * scene.contact->stable_step().step;
     Real deepest = 0;
     for (int step = 0; step < 100000 && particle.x[0][0] < 0.5 * kSpacing + 2e-3; ++step) {
       scene.step(dt);
@@ -121,7 +121,7 @@ TEST(ContactExtremes, SoftOnHardCostsNoStep) {
     hooks.step_done = [&](Scene<3>& scene, const Clock& clock) {
       StepLimit solids;
       for (const auto& solid : scene.solids) solids.take(solid->stable_step());
-      const auto step_limit = scene.contact->stable_step(clock.dt());
+      const auto step_limit = scene.contact->stable_step();
       // The step that `end` cuts allows four of its own length.
       if (clock.dt() < 0.5 * solids.step) return;
       EXPECT_GE(step_limit.step, own_spring * solids.step) << step_limit.reason;

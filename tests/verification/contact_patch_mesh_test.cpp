@@ -122,7 +122,7 @@ struct Blocks {
 
   void squeeze() {
     Real longest = std::min(block[0]->stable_step().step, block[1]->stable_step().step);
-    longest = std::min(longest, contact->stable_step(longest).step);
+    longest = std::min(longest, contact->stable_step().step);
     const int steps = static_cast<int>(std::ceil(kEnd / (0.7 * longest)));
     for (int n = 0; n < steps; ++n) step(n * kEnd / steps, kEnd / steps);
   }

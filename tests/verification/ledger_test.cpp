@@ -50,7 +50,7 @@ class Broken final : public Solid<3> {
   }
   StepLimit stable_step() const override { return solid_->stable_step(); }
   void rearrange() override { solid_->rearrange(); }
-  WallTime take_list_time() override { return solid_->take_list_time(); }
+  void renew_lists() override { solid_->renew_lists(); }
   void add_totals(Totals<3>& totals) const override { solid_->add_totals(totals); }
   void check(Real time, const std::vector<std::string>& names) const override {
     solid_->check(time, names);

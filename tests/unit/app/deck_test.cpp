@@ -167,13 +167,15 @@ TEST(Deck, WrongFrictionIsToldAtItsPlace) {
 TEST(Deck, BoundariesVaryOverTime) {
   const Deck deck = load_deck_text(kTaylor, "deck").deck;
   EXPECT_EQ(deck.boundaries[0].name, "0");
-  EXPECT_EQ(deck.boundaries[0].value.fix, (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(deck.boundaries[0].value.of<PrescribedMotion>().fix,
+            (std::vector<std::string>{"x", "y"}));
   EXPECT_EQ(std::get<deck::WhereSide>(deck.boundaries[0].value.where).side, deck::Side::max_z);
   const auto& second = deck.boundaries[1].value;
-  EXPECT_FALSE((*second.velocity)[0].has_value());
-  EXPECT_TRUE((*second.velocity)[1]->is_constant());
-  EXPECT_DOUBLE_EQ((*second.velocity)[2]->evaluate({1, 0, 0, 0}), -190 * std::exp(-1));
-  const Varying& force = *(*second.force)[1];
+  const auto& velocity = *second.of<PrescribedMotion>().velocity;
+  EXPECT_FALSE(velocity[0].has_value());
+  EXPECT_TRUE(velocity[1]->is_constant());
+  EXPECT_DOUBLE_EQ(velocity[2]->evaluate({1, 0, 0, 0}), -190 * std::exp(-1));
+  const Varying& force = *(*second.of<AppliedForce>().force)[1];
   EXPECT_EQ(force.at(-1), 0);
   EXPECT_DOUBLE_EQ(force.at(0.5e-3), 1500);  // half of 3 kN at half of 1 ms
   EXPECT_EQ(force.at(1), 3000);
@@ -186,8 +188,11 @@ TEST(Deck, EchoReadsBackToTheSame) {
   EXPECT_EQ(first.resolved, second.resolved);
   EXPECT_EQ(first.hash, second.hash);
   EXPECT_EQ(second.deck.bodies[0].value.spin->axis, first.deck.bodies[0].value.spin->axis);
-  EXPECT_EQ((*second.deck.boundaries[1].value.velocity)[2]->evaluate({0.3, 0, 0, 0}),
-            (*first.deck.boundaries[1].value.velocity)[2]->evaluate({0.3, 0, 0, 0}));
+  const auto speed = [](const LoadedDeck& loaded) {
+    const auto& velocity = *loaded.deck.boundaries[1].value.of<PrescribedMotion>().velocity;
+    return velocity[2]->evaluate({0.3, 0, 0, 0});
+  };
+  EXPECT_EQ(speed(second), speed(first));
   EXPECT_TRUE(second.warnings.empty());
 }
 
@@ -330,7 +335,7 @@ TEST(Deck, TablesFromFiles) {
   const auto loaded =
       load_deck(path, {"boundaries.1.force.2={file: " + (folder / "curve.csv").string() +
                        ", over: time, unit: [ms, kN]}"});
-  EXPECT_DOUBLE_EQ((*loaded.deck.boundaries[1].value.force)[2]->at(1e-3), 2500);
+  EXPECT_DOUBLE_EQ((*loaded.deck.boundaries[1].value.of<AppliedForce>().force)[2]->at(1e-3), 2500);
   EXPECT_THROW(load_deck(path, {"boundaries.1.force.2={file: " + (folder / "bad.csv").string() +
                                 ", over: time}"}),
                DeckError);

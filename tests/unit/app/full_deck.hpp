@@ -104,7 +104,7 @@ boundaries:
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}
   plane: {body: a, where: {plane: {axis: x, at: 1}}, force: [0, 0, 1]}
   box: {body: a, where: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, fix: [x]}
-  side: {body: a, where: {side: min-x}, fix: [x]}
+  side: {body: a, where: {side: min-x}, fix: [x], pressure: 1000, nonreflecting: true}
   set: {body: k, where: {set: foot}, fix: [x]}
   hot: {body: a, where: {side: max-x}, temperature: 400}
   warm: {body: a, where: {side: min-x}, flux: 1000, convection: {h: 10, T: 300},

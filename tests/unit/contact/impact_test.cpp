@@ -40,7 +40,7 @@ bool returns(bool rigid, Real speed, const Vec<Dim>& start, bool& slow_enough) {
   scene.start();
   Real dt = 0;
   for (int step = 0; step < 4000; ++step) {
-    dt = 0.9 * scene.contact->stable_step(dt).step;
+    dt = 0.9 * scene.contact->stable_step().step;
     dt = std::min(dt, 0.7 * kSpacing / kSound);
     const Real height = group.points.x[0][Dim - 1];
     if (scene.contact->work().contacts && height > 0 && group.points.v[0][Dim - 1] < 0) {
@@ -99,7 +99,7 @@ StepLimit step_limit_of_one_that_comes(Real height, Real depth) {
   scene.add_particle(group, x, kSpacing / 2, kModulus, kDensity * std::pow(kSpacing, Dim));
   group.points.v[0] = v;
   scene.start();
-  return scene.contact->stable_step(0);
+  return scene.contact->stable_step();
 }
 
 template <int Dim>

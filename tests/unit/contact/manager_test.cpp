@@ -109,7 +109,7 @@ TEST(ContactManager, IgnoredPairsAndPiecesDoNotTouch) {
   scene.start();
   scene.evaluate();
   EXPECT_EQ(scene.force(0).norm(), 0);
-  EXPECT_EQ(scene.contact->stable_step(0).step, kInfinity);
+  EXPECT_EQ(scene.contact->stable_step().step, kInfinity);
   EXPECT_TRUE(scene.contact->reports().empty());
 }
 
@@ -214,7 +214,7 @@ TEST(ContactManager, StepLimitIsThatOfTheFacesOwnSpring) {
   add_sheet(scene, 4, 0, 1, 0.0, true, kStiffness, 1);
   add_sheet(scene, 5, 0, 1, 1.0, false, kStiffness, 1);  // far from it
   scene.start();
-  const auto step_limit = scene.contact->stable_step(0);
+  const auto step_limit = scene.contact->stable_step();
   const Real elements = std::sqrt(1000 / kStiffness);
   EXPECT_NEAR(step_limit.step, elements * std::sqrt(2 / (1 + std::sqrt(1.25))), 1e-14);
   EXPECT_STREQ(step_limit.reason, "contact stiffness");

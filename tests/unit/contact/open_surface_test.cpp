@@ -49,8 +49,8 @@ void add_open_sheet(ContactScene<2>& scene, int n, Real size) {
 }
 
 template <int Dim>
-Real step_of(const ContactScene<Dim>& scene, Real dt) {
-  return std::min(0.9 * scene.contact->stable_step(dt).step, 0.7 * kSpacing / kSound);
+Real step_of(const ContactScene<Dim>& scene) {
+  return std::min(0.9 * scene.contact->stable_step().step, 0.7 * kSpacing / kSound);
 }
 
 /// Where a shot stands along the sheet, and a unit vector along it.
@@ -93,7 +93,7 @@ void shoot_from_both_sides(int row) {
   };
   int steps = 0;
   for (; steps < 20000 && !(steps % 50 == 0 && all_left()); ++steps) {
-    dt = step_of(scene, dt);
+    dt = step_of(scene);
     scene.step(dt);
   }
   int passed = 0;

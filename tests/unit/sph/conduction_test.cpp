@@ -48,6 +48,7 @@ const std::vector<Real>& heat_rates(SphParticles<Dim>& solid, const std::vector<
   points.temperature = T;
   std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
   std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
+  solid.renew_lists();
   solid.update_state(1);
   solid.add_conduction(1, 0);
   return points.heat_rate;
@@ -188,6 +189,7 @@ TEST(SphConduction, RatesStayUntilTheNextEvaluation) {
     }
     std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
     std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
+    solid->renew_lists();
     solid->update_state(1);
     solid->add_conduction(1, step);
     rates.push_back(points.heat_rate), conductances.push_back(points.conductance);

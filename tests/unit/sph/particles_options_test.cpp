@@ -54,6 +54,7 @@ TEST(SphParticles, XsphKeepsTheCenterOfMass) {
     const Real dt = 1e-9;
     auto& p = solid->points();
     for (std::size_t i = 0; i < p.x.size(); ++i) p.x[i] += dt * p.v[i];
+    solid->renew_lists();
     solid->update_state(dt);
     Real spread = 0;
     center.setZero();
@@ -73,6 +74,7 @@ TEST(SphParticles, XsphKeepsTheCenterOfMass) {
 TEST(SphParticles, CheckNamesTheBrokenParticle) {
   const auto material = elastic_material(kDensity, 200e9, 0.3);
   auto solid = particles<2>(lattice<2>({4, 4}, kDp, kDensity * kDp * kDp), kDp, *material, {});
+  solid->renew_lists();
   solid->update_state(1e-9);
   EXPECT_NO_THROW(solid->check(1.5, {"plate"}));
   solid->blocks()[0].state.pressure[5] = std::numeric_limits<Real>::quiet_NaN();
@@ -97,6 +99,7 @@ TEST(SphParticles, UniformStrainGivesHookesStress) {
     points.x[i][0] *= 1 + strain;
   }
   auto solid = particles<2>(std::move(points), kDp, *material, elastic_options(), 0.02);
+  solid->renew_lists();
   solid->update_state(dt);
   solid->add_internal_forces(dt);
   const auto view = solid->view(0);
@@ -134,11 +137,13 @@ TEST(SphParticles, ShowFrictionTheirMaterial) {
   JohnsonCook law;
   law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025, law.m = 1.09, law.T_melt = 1356;
   auto solid = particles<2>(lattice<2>({5, 5}, kDp, 8960 * kDp * kDp), kDp, *material, {});
+  solid->renew_lists();
   solid->update_state(1e-9);
   EXPECT_TRUE(solid->surface().particle_material.empty());
   solid->surface().needs_material = true;
   auto& state = solid->blocks()[0].state;
   state.eps_p[7] = 0.2, state.temperature[7] = 700;
+  solid->renew_lists();
   solid->update_state(1e-9);
   const auto& shown = solid->surface().particle_material;
   ASSERT_EQ(shown.size(), 25u);

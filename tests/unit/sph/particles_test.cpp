@@ -34,6 +34,7 @@ void expect_linear_field_exact() {
   }
   for (std::size_t i = 0; i < points.x.size(); ++i) points.v[i] = A * points.x[i];
   auto solid = particles<Dim>(std::move(points), kDp, *material, elastic_options());
+  solid->renew_lists();
   solid->update_state(1e-12);
   for (const auto& state : solid->states()) {
     for (int k = 0; k < Dim * Dim; ++k) {
@@ -73,6 +74,7 @@ void expect_skin_adds_nothing() {
     auto solid = particles<Dim>(std::move(points), kDp, *material, options);
     for (const std::size_t i : far) solid->points().v[i].setConstant(velocity);
     for (auto& f : solid->points().f) f.setZero();
+    solid->renew_lists();
     solid->update_state(1e-8);
     solid->add_internal_forces(1e-8);
     std::vector<Vec<Dim>> all;
@@ -123,6 +125,7 @@ TEST(SphParticles, RigidSpinKeepsTheStress) {
       points.x[i] = center + after * (x0[i] - center);
       points.v[i] = (after - before) * (x0[i] - center) / dt;
     }
+    solid->renew_lists();
     solid->update_state(dt);
   }
   for (std::size_t k = 0; k < x0.size(); ++k) EXPECT_NEAR(norm(k) / norm_0, 1, 1e-8);
@@ -290,6 +293,7 @@ TEST(SphParticles, IsolatedParticleAndNearlyCoincidentPair) {
     pair->blocks()[0].state.deviator[xx] = std::vector<Real>(kTile, 1e6);
     pair->points().v[0].setZero();
     pair->points().v[1] = Vec3(-1e-9, 0, 0);
+    pair->renew_lists();
     pair->update_state(1e-12);
     pair->add_internal_forces(1e-12);
     const auto& f = pair->points().f;
@@ -306,6 +310,7 @@ std::vector<Vec3> stiffness_times(const std::vector<Vec3>& displacement, int n,
   auto points = lattice<3>({n, n, n}, kDp, mass);
   for (std::size_t i = 0; i < points.x.size(); ++i) points.v[i] = amplitude / dt * displacement[i];
   auto solid = particles<3>(std::move(points), kDp, material, options);
+  solid->renew_lists();
   solid->update_state(dt);
   solid->add_internal_forces(dt);
   std::vector<Vec3> result;

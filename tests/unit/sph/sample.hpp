@@ -100,6 +100,7 @@ void step(SphParticles<Dim>& solid, Real dt,
     points.f[i].setZero();
   }
   if (impose) impose(points);
+  solid.renew_lists();
   solid.update_state(dt);
   solid.add_internal_forces(dt);
   for (std::size_t i = 0; i < points.x.size(); ++i) {

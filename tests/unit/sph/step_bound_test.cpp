@@ -62,6 +62,7 @@ Real stable_step_limits(Points<Dim> body, const Material& material, SphOptions o
       points.v[i] = v[i] /= std::sqrt(square);
       points.f[i].setZero();
     }
+    solid->renew_lists();
     solid->update_state(dt);
     solid->add_internal_forces(dt);
     lambda = 0;
@@ -127,6 +128,7 @@ TEST(StepBound, ThickBodiesTakeTheStepOfTheirKernels) {
   SphOptions options;
   options.viscosity = {0, 0};
   auto cube = test::particles<3>(body_of<3>({6, 6, 6}, false, 0), kDp, *material, options);
+  cube->renew_lists();
   cube->update_state(1e-15);
   for (auto& f : cube->points().f) f.setZero();
   cube->add_internal_forces(1e-15);
