@@ -14,16 +14,16 @@
 namespace brunt {
 namespace {
 
-constexpr Real kDensity = 7850, kShear = 80e9, kBulk = 160e9;
+constexpr Real kSteelDensity = 7850, kSteelShear = 80e9, kSteelBulk = 160e9;
 
 Material made_of(const StrengthLaw& strength, const EosLaw& eos, const DamageChoice& law) {
   Material made;
-  made.density = kDensity, made.shear = kShear;
+  made.density = kSteelDensity, made.shear = kSteelShear;
   made.thermal = true, made.specific_heat = SpecificHeat(450);
-  made.strength = make_strength(strength, {kShear, kDensity * 450, 0.9});
-  made.eos = make_eos(eos, {kDensity, kBulk});
+  made.strength = make_strength(strength, {kSteelShear, kSteelDensity * 450, 0.9});
+  made.eos = make_eos(eos, {kSteelDensity, kSteelBulk});
   made.bulk = made.eos->bulk_modulus();
-  made.damage = make_damage(law, {kShear});
+  made.damage = make_damage(law, {kSteelShear});
   return made;
 }
 
@@ -98,7 +98,7 @@ TEST(Damage, WithoutAnEnergyAPointFailsInOneStep) {
   OneTile points(brittle.initial_state(kTile, 298, false));
   for (int n = 0; n < 37; ++n) strain(points, brittle, 1e-4, 0, 1e-7);
   EXPECT_EQ(points.state.damage[3], 0.0);
-  EXPECT_NEAR(axial(points) / (0.0037 * (kBulk + 4 * kShear / 3)), 1, 0.01);
+  EXPECT_NEAR(axial(points) / (0.0037 * (kSteelBulk + 4 * kSteelShear / 3)), 1, 0.01);
   strain(points, brittle, 1e-4, 0, 1e-7);
   EXPECT_EQ(points.state.damage[3], 1.0);
   EXPECT_EQ(axial(points), 0.0);
@@ -106,7 +106,7 @@ TEST(Damage, WithoutAnEnergyAPointFailsInOneStep) {
   for (int n = 0; n < 37; ++n) strain(points, brittle, -1e-4, 0, 1e-7);
   EXPECT_EQ(axial(points), 0.0);
   for (int n = 0; n < 11; ++n) strain(points, brittle, -1e-4, 0, 1e-7);
-  EXPECT_NEAR(axial(points) / (-kBulk * 1e-3), 1, 0.02);
+  EXPECT_NEAR(axial(points) / (-kSteelBulk * 1e-3), 1, 0.02);
   EXPECT_EQ(points.state.deviator[xx][3], 0.0);
 }
 
@@ -161,9 +161,11 @@ TEST(Damage, OnlyWhatCarriesHeats) {
     before = now;
   }
   ASSERT_EQ(points.state.damage[3], 1.0);
-  const Real elastic = 500e6 * 500e6 / (6 * kShear);  // it held that, and no plastic flow took it
+  const Real elastic =
+      500e6 * 500e6 / (6 * kSteelShear);  // it held that, and no plastic flow took it
   EXPECT_NEAR(points.state.heat[3], 0.9 * (work - elastic), 0.005 * work);
-  EXPECT_NEAR(points.state.temperature[3], 298 + points.state.heat[3] / (kDensity * 450), 1e-9);
+  EXPECT_NEAR(points.state.temperature[3], 298 + points.state.heat[3] / (kSteelDensity * 450),
+              1e-9);
 }
 
 // The energy of an equation of state that has one is what the nominal stresses did.

@@ -11,7 +11,7 @@
 namespace brunt {
 namespace {
 
-constexpr Real kDensity = 1630;
+constexpr Real kExplosiveDensity = 1630;
 
 Jwl tnt() {
   Jwl products;
@@ -21,7 +21,7 @@ Jwl tnt() {
 }
 
 TEST(Jwl, IsThePrintedFormula) {
-  const PrintedEquation eos(tnt(), {kDensity, 0});
+  const PrintedEquation eos(tnt(), {kExplosiveDensity, 0});
   const auto printed = [](Real V, Real E) {
     return 371.2e9 * (1 - 0.3 / (4.15 * V)) * std::exp(-4.15 * V) +
            3.231e9 * (1 - 0.3 / (0.95 * V)) * std::exp(-0.95 * V) + 0.3 * E / V;
@@ -32,16 +32,16 @@ TEST(Jwl, IsThePrintedFormula) {
 }
 
 TEST(Jwl, HasTheDetonationThatItWasFittedTo) {
-  const PrintedEquation eos(tnt(), {kDensity, 0});
-  const Real p = 21e9, V = 1 - p / (kDensity * 6930 * 6930);
+  const PrintedEquation eos(tnt(), {kExplosiveDensity, 0});
+  const Real p = 21e9, V = 1 - p / (kExplosiveDensity * 6930 * 6930);
   EXPECT_NEAR(V, 0.7317, 0.0001);
   EXPECT_NEAR(eos.pressure(V, 7e9 + 0.5 * p * (1 - V)) / p, 1, 0.001);  // digits of the source
 }
 
 TEST(Jwl, ClosesItsEnergyAndHasTheTangentOfItsIsentrope) {
   for (const Real ratio : {0.75, 1.5, 4.0}) {
-    expect_energy_closes(tnt(), kDensity, ratio, 1e8);
-    expect_isentropic_tangent(tnt(), kDensity, ratio);
+    expect_energy_closes(tnt(), kExplosiveDensity, ratio, 1e8);
+    expect_isentropic_tangent(tnt(), kExplosiveDensity, ratio);
   }
 }
 
