@@ -36,7 +36,8 @@ TEST(DeckReference, FindsKeysByTheirLastParts) {
   EXPECT_EQ(paths_ending_in(root, "friction"),
             (std::vector<std::string>{"contact.default.friction", "contact.pairs.NAME.friction"}));
   EXPECT_EQ(paths_ending_in(root, "johnson-cook.T_melt"),
-            std::vector<std::string>{"materials.NAME.strength.johnson-cook.T_melt"});
+            (std::vector<std::string>{"materials.NAME.strength.johnson-cook.T_melt",
+                                      "materials.NAME.damage.johnson-cook.T_melt"}));
   EXPECT_TRUE(paths_ending_in(root, "riction").empty());
   // Whatever stands in a deck is found by its last part, and each path leads to its key.
   for (const std::string& path : paths_ending_in(root, "axis")) {

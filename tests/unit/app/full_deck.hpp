@@ -28,6 +28,15 @@ materials:
   ta: {density: 1000, eos: {tait: {c0: 1480}}}
   ig: {density: 1.2, eos: {ideal-gas: {pressure: 1e5}}}
   po: {density: 1000, elastic: {K: 2 GPa, G: 0}, eos: {polynomial: {C1: 2e9}}}
+  d1: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {j2: {yield: 1 MPa}},
+       damage: {johnson-cook: {D1: 0.1, D2: 1, D3: -2, D4: 0.01, D5: 0.1, rate: 1, T_ref: 298,
+                T_melt: 1356, energy: 1}}}
+  d2: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {j2: {yield: 1 MPa}},
+       damage: {strain: 0.5, energy: 1}}
+  d3: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {j2: {yield: 1 MPa}},
+       damage: {cockcroft_latham: 1e8, energy: 1}}
+  d4: {density: 2500, elastic: {K: 37 GPa, G: 27 GPa}, damage: {principal_stress: 1e8, energy: 1}}
+  d5: {density: 2500, elastic: {K: 37 GPa, G: 27 GPa}, damage: {mean_tension: 1e8, energy: 1}}
   jw: {density: 1630, eos: {jwl: {A: 371e9, B: 3.2e9, R1: 4, R2: 0.9, omega: 0.3, E0: 7e9}}}
 bodies:
   a:
