@@ -7,18 +7,18 @@
 namespace brunt {
 
 namespace {
-/// v: 1 up to rho = 1, then 1/(1 + (rho - 1)^4): the energy of sides that are deep over a low
-/// height a falls as a^5, so that no edge feels a step where it comes in beside them. A second fade
-/// from 4 to 8 ends them, where nothing is left to be felt.
+/// v: 1 up to rho = 1, then 1/(1 + (rho - 1)^2): the energy of sides that are deep over a low
+/// height a falls as a^3, whatever their depth, so that no edge feels a step where it comes in
+/// beside them. A second fade from 5 to 10 ends them, before they are let go as an element deep.
 struct Fading {
   Real value = 1, slope = 0;
 };
 Fading fades(Real rho) {
-  constexpr Real kLast = 4;
+  constexpr Real kLast = 5;
   if (rho >= 2 * kLast) return {0, 0};
-  const Real u = std::max(rho - 1, 0.0), v = 1 / (1 + u * u * u * u);
+  const Real u = std::max(rho - 1, 0.0), v = 1 / (1 + u * u);
   const Real s = std::clamp(rho / kLast - 1, 0.0, 1.0), w = 1 - s * s * (3 - 2 * s);
-  return {v * w, -4 * u * u * u * v * v * w - v * 6 * s * (1 - s) / kLast};
+  return {v * w, -2 * u * v * v * w - v * 6 * s * (1 - s) / kLast};
 }
 
 /// How much of the force between two borders the potential has, for what they ask.
