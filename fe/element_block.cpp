@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "core/errors.hpp"
@@ -36,6 +37,24 @@ void copy_elements(const ElementSet<Dim>& set, ElementBlock<Dim>& block) {
     block.body[e] = set.body[from];
     block.piece[e] = set.piece[from];
   }
+}
+
+/// The set with its elements by ascending id.
+template <int Dim>
+ElementSet<Dim> in_order(const ElementSet<Dim>& set) {
+  std::vector<std::size_t> order(set.id.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return set.id[a] < set.id[b]; });
+  ElementSet<Dim> sorted = set;
+  for (std::size_t e = 0; e < order.size(); ++e) {
+    sorted.corners[e] = set.corners[order[e]];
+    sorted.id[e] = set.id[order[e]];
+    sorted.body[e] = set.body[order[e]];
+    sorted.piece[e] = set.piece[order[e]];
+    if (!set.owned.empty()) sorted.owned[e] = set.owned[order[e]];
+  }
+  return sorted;
 }
 
 /// Reference volumes and masses. Throws at the first element in order of storage without volume.
@@ -93,6 +112,9 @@ std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& t
 template <int Dim>
 ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
                              const Thickness& thickness) {
+  if (!std::is_sorted(set.id.begin(), set.id.end())) {
+    return make_block(in_order(set), points, thickness);
+  }
   ElementBlock<Dim> block;
   block.material = set.material;
   block.options = set.options;

@@ -36,7 +36,7 @@ struct ElementCorners {
 template <int Dim>
 struct ElementSet {
   std::vector<ElementCorners> corners;  ///< nodes of each element
-  std::vector<GlobalId> id;             ///< ascending, unique in the scene, below 2^61
+  std::vector<GlobalId> id;             ///< unique in the scene, below 2^61; blocks sort by it
   std::vector<Label> body;
   std::vector<Label> piece;
   std::vector<char> owned;  ///< 0: another rank counts it; empty: all are owned

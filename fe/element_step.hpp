@@ -2,6 +2,7 @@
 /// What the kernels of all formulations share: the arguments of a step, moving nodal values in and
 /// corner forces out, and the bound on the time step.
 #include "fe/element_block.hpp"
+#include "fe/force_chunks.hpp"
 #include "fe/gradient.hpp"
 
 namespace brunt {
@@ -13,8 +14,8 @@ struct ElementStep {
   const Vec<Dim>* v = nullptr;        ///< [m/s] by node
   const Vec<Dim>* x_start = nullptr;  ///< [m] by node, at time 0
   Thickness thickness;
-  Real dt = 0;                   ///< [s]
-  Real* corner_force = nullptr;  ///< [N] forces on the corners, [element][corner][Dim], written
+  Real dt = 0;      ///< [s]
+  CornerSums sums;  ///< [N] take the forces on the corners
   /// [1] by node: volume of the elements about it that average volumes, over that at time 0
   const Real* node_ratio = nullptr;
 };
@@ -42,21 +43,37 @@ BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Pack (
   }
 }
 
-/// Writes the corner values of four elements, element by element.
-template <int Dim, int N>
-BRUNT_INLINE void scatter(const Pack (&node)[N][Dim], Real* out) {
-  constexpr int n = N * Dim;
-  static_assert(n % 4 == 0);
-  const Pack* row = &node[0][0];
-  for (int k = 0; k < n; k += 4) {
-    const Pack ab0 = __builtin_shufflevector(row[k], row[k + 1], 0, 4, 2, 6);
-    const Pack ab1 = __builtin_shufflevector(row[k], row[k + 1], 1, 5, 3, 7);
-    const Pack cd0 = __builtin_shufflevector(row[k + 2], row[k + 3], 0, 4, 2, 6);
-    const Pack cd1 = __builtin_shufflevector(row[k + 2], row[k + 3], 1, 5, 3, 7);
-    store(out + k, __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5));
-    store(out + n + k, __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5));
-    store(out + 2 * n + k, __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7));
-    store(out + 3 * n + k, __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7));
+/// Adds the corner values of the four elements from e on to rows of nodes, element by element.
+template <int N>
+BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][3], std::size_t e, const CornerSums& sums) {
+  const std::uint16_t* place = sums.place + (e - sums.first) * N;
+  Pack row[kLanes][N];
+  for (int I = 0; I < N; ++I) {
+    const Pack none{};
+    const Pack xy02 = __builtin_shufflevector(node[I][0], node[I][1], 0, 4, 2, 6);
+    const Pack xy13 = __builtin_shufflevector(node[I][0], node[I][1], 1, 5, 3, 7);
+    const Pack z02 = __builtin_shufflevector(node[I][2], none, 0, 4, 2, 6);
+    const Pack z13 = __builtin_shufflevector(node[I][2], none, 1, 5, 3, 7);
+    row[0][I] = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
+    row[1][I] = __builtin_shufflevector(xy13, z13, 0, 1, 4, 5);
+    row[2][I] = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
+    row[3][I] = __builtin_shufflevector(xy13, z13, 2, 3, 6, 7);
+  }
+  for (int lane = 0; lane < kLanes; ++lane) {
+    for (int I = 0; I < N; ++I) {
+      Real* to = sums.row + place[lane * N + I] * kSumRow<3>;
+      store(to, load(to) + row[lane][I]);
+    }
+  }
+}
+template <int N>
+BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][2], std::size_t e, const CornerSums& sums) {
+  const std::uint16_t* place = sums.place + (e - sums.first) * N;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    for (int I = 0; I < N; ++I) {
+      Real* to = sums.row + place[lane * N + I] * kSumRow<2>;
+      to[0] += node[I][0][lane], to[1] += node[I][1][lane];
+    }
   }
 }
 

@@ -13,8 +13,6 @@
 namespace brunt {
 namespace {
 
-[[maybe_unused]] constexpr int kTilesWorthThreads = 32;  // tiles; of some 5 us each
-
 template <int Dim>
 void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather& gather,
                 const Thickness& thickness, std::size_t n_corners, Points<Dim>& points) {
@@ -47,7 +45,7 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
                                     Geometry geometry, Real depth)
     : points_(std::move(points)), thickness_(thickness_of(geometry, depth)) {
   make_blocks(sets);
-  set_masses(blocks_, gather_, thickness_, corner_force_.size() / Dim, points_);
+  set_masses(blocks_, gather_, thickness_, n_corners_, points_);
   points_.x_start = points_.x;
   held_ =
       !sets.empty() && std::all_of(sets.begin(), sets.end(), [](const auto& s) { return s.held; });
@@ -72,15 +70,16 @@ void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) 
     blocks_.back().first_corner = corners;
     corners += blocks_.back().corner.size();
   }
-  corner_force_.assign(corners * Dim, 0.0);
+  n_corners_ = corners;
   gather_ = make_corner_gather(blocks_, points_.n_owned);
+  force_chunks_ = ForceChunks<Dim>(blocks_, points_.n_owned, points_.size());
   start_volumes();
 }
 
 template <int Dim>
 void FiniteElements<Dim>::start_steps() {
+  const ElementStep<Dim> step = element_step(1.0);
   for (auto& block : blocks_) {
-    const ElementStep<Dim> step = element_step(block, 1.0);
     for (int t = 0; t < block.n_tiles(); ++t) {
       block.formulation->refresh_stable_steps(block, t, step);
     }
@@ -88,13 +87,8 @@ void FiniteElements<Dim>::start_steps() {
 }
 
 template <int Dim>
-ElementStep<Dim> FiniteElements<Dim>::element_step(const ElementBlock<Dim>& block, Real dt) {
-  return {points_.x.data(),
-          points_.v.data(),
-          points_.x_start.data(),
-          thickness_,
-          dt,
-          corner_force_.data() + block.first_corner * Dim,
+ElementStep<Dim> FiniteElements<Dim>::element_step(Real dt) {
+  return {points_.x.data(),  points_.v.data(), points_.x_start.data(), thickness_, dt, {},
           node_ratio_.data()};
 }
 
@@ -102,15 +96,14 @@ template <int Dim>
 void FiniteElements<Dim>::add_internal_forces(Real dt) {
   if (held_) return;
   if (points_.conducts) interpolate_temperatures();
-  for (auto& block : blocks_) {
-    const ElementStep<Dim> step = element_step(block, dt);
-    const int n = block.n_tiles();
-#pragma omp parallel for schedule(static) if (n > kTilesWorthThreads)
-    for (int t = 0; t < n; ++t) {
-      block.formulation->advance(block, t, step);
-    }
-  }
-  gather_.template add<Dim>(corner_force_.data(), points_.f);
+  const ElementStep<Dim> common = element_step(dt);
+  force_chunks_.add(
+      [&](std::size_t b, int tile, const CornerSums& sums) {
+        ElementStep<Dim> step = common;
+        step.sums = sums;
+        blocks_[b].formulation->advance(blocks_[b], tile, step);
+      },
+      points_.f);
   // Of whatever acts: contact and loads come first.
   for (const LocalIndex node : surface_.axis) points_.f[node][0] = 0;
 }

@@ -3,6 +3,7 @@
 #include "core/solid.hpp"
 #include "fe/corner_gather.hpp"
 #include "fe/element_step.hpp"
+#include "fe/force_chunks.hpp"
 
 namespace brunt {
 
@@ -70,13 +71,14 @@ class FiniteElements final : public Solid<Dim> {
   void keep_conduction();
   void add_mechanical_heat(Real inverse_dt);
   void find_elements_of_facets();
-  ElementStep<Dim> element_step(const ElementBlock<Dim>& block, Real dt);
+  ElementStep<Dim> element_step(Real dt);
 
   Points<Dim> points_;
   Thickness thickness_;
   std::vector<ElementBlock<Dim>> blocks_;
   CornerGather gather_;
-  std::vector<Real> corner_force_;       ///< [N] [element][corner][Dim], blocks one after another
+  ForceChunks<Dim> force_chunks_;
+  std::size_t n_corners_ = 0;            ///< of all blocks, padding included
   std::vector<Vec<2>> node_heat_;        ///< [W], [W/K] of each node, while they are summed
   std::vector<Vec<1>> node_mechanical_;  ///< [W] of plastic work alone; empty: it is in node_heat_
   std::vector<Real>

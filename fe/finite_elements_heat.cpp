@@ -14,7 +14,7 @@ namespace {
 template <int Dim>
 void FiniteElements<Dim>::set_capacities() {
   std::vector<Real> at_start(points_.x.size(), 0.0);
-  std::vector<Real> share(corner_force_.size() / Dim, 0.0);
+  std::vector<Real> share(n_corners_, 0.0);
   for (const auto& block : blocks_) {
     const auto n = static_cast<std::size_t>(block.corners);
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
@@ -45,7 +45,7 @@ void FiniteElements<Dim>::vary_capacities() {
   }
   std::vector<std::vector<Vec<1>>> mass;  // [kg] by material, node
   for (const Material* material : materials) {
-    std::vector<Real> share(corner_force_.size() / Dim, 0.0);
+    std::vector<Real> share(n_corners_, 0.0);
     for (const auto& block : blocks_) {
       if (block.material != material) continue;
       const auto n = static_cast<std::size_t>(block.corners);
@@ -89,7 +89,7 @@ void FiniteElements<Dim>::make_rigid() {
 /// Conductances of the start, which the first step limit asks for.
 template <int Dim>
 void FiniteElements<Dim>::start_conduction() {
-  corner_heat_.assign(corner_force_.size() / Dim * 2, 0.0);
+  corner_heat_.assign(n_corners_ * 2, 0.0);
   std::fill(points_.conductance.begin(), points_.conductance.end(), 0.0);
   conduct(0);
   std::fill(points_.heat_rate.begin(), points_.heat_rate.end(), 0.0);

@@ -17,7 +17,7 @@ template <int Dim>
 void FiniteElements<Dim>::start_volumes() {
   if (!std::any_of(blocks_.begin(), blocks_.end(), averages<Dim>)) return;
   node_ratio_.assign(points_.x.size(), 1.0);
-  corner_volume_.assign(corner_force_.size() / Dim, 0.0);
+  corner_volume_.assign(n_corners_, 0.0);
   for (const auto& block : blocks_) {
     if (!averages(block)) continue;
     for (std::size_t k = 0; k < block.corner.size(); ++k) {

@@ -287,8 +287,8 @@ BRUNT_INLINE void dynamics(const Group<Dim>& group, GaussWork<Dim>& w) {
     for (int i = 0; i < Dim; ++i) mode[i] = (1.0 / Shape<Dim>::kCorners) * mode[i];
   }
   for (int i = 0; i < Dim; ++i) to_corners(f, i, node);
-  scatter<Dim>(node, group.step.corner_force + group.e * Shape<Dim>::kCorners * Dim);
-  guard_shapes<Dim>(block, group.e, w.norm, w.c.m + Dim, group.step);
+  guard_shapes<Dim>(block, group.e, w.norm, w.c.m + Dim, group.step, node);
+  add_to_nodes(node, group.e, group.step.sums);
 }
 
 }  // namespace

@@ -94,8 +94,9 @@ BRUNT_INLINE void kinematics(const OnePointLane<Dim>& lane, int at, MaterialTile
 
 /// Forces of four elements on their corners, from the stress at n+1 and hourglass control.
 template <int Dim>
-BRUNT_INLINE void corner_forces(const OnePointWork<Dim>& w, const Pack (&s)[6], Pack p, Real* out,
-                                const Thickness& thickness) {
+BRUNT_INLINE void corner_forces(const OnePointWork<Dim>& w, const Pack (&s)[6], Pack p,
+                                const Thickness& thickness,
+                                Pack (&node)[Shape<Dim>::kCorners][Dim]) {
   Pack sigma[Dim][Dim];
   stress_matrix(s, p, sigma);
   if constexpr (Dim == 2) {
@@ -114,9 +115,7 @@ BRUNT_INLINE void corner_forces(const OnePointWork<Dim>& w, const Pack (&s)[6], 
   if constexpr (Dim == 2) {
     f.m[Shape<2>::kModes - 1][0] -= (0.25 * thickness.radial) * w.now.measure * (s[zz] - p);
   }
-  Pack node[Shape<Dim>::kCorners][Dim];
   for (int i = 0; i < Dim; ++i) to_corners(f, i, node);
-  scatter<Dim>(node, out);
 }
 
 /// New halves of the works, forces and stable step of four elements.
@@ -131,9 +130,10 @@ BRUNT_INLINE void dynamics(const OnePointLane<Dim>& lane, OnePointWork<Dim>& w) 
   add_half(block.viscous_work, e, w.viscous_work);
   store(block.viscous_pressure.data() + e, w.q);
   store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, load(block.state.bulk.data() + e), w.rate);
-  corner_forces(w, s, p + w.q, lane.step.corner_force + e * Shape<Dim>::kCorners * Dim,
-                lane.step.thickness);
-  guard_shapes<Dim>(block, e, w.norm, w.now.mode, lane.step);
+  Pack node[Shape<Dim>::kCorners][Dim];
+  corner_forces(w, s, p + w.q, lane.step.thickness, node);
+  guard_shapes<Dim>(block, e, w.norm, w.now.mode, lane.step, node);
+  add_to_nodes(node, e, lane.step.sums);
 }
 
 }  // namespace

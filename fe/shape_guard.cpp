@@ -173,19 +173,21 @@ Square<Dim> inverse_of(const Square<Dim>& A) {
 
 /// Adds to an element's corner forces what a place gives by `slope`, times `scale`.
 template <int Dim>
-void add_forces(int place, const Square<Dim>& slope, Real scale, Real* force) {
+void add_forces(int place, const Square<Dim>& slope, Real scale, int lane,
+                Pack (&node)[Shape<Dim>::kCorners][Dim]) {
   for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
     for (int i = 0; i < Dim; ++i) {
       Real sum = 0;
       for (int j = 0; j < Dim; ++j) sum += slope[i][j] * kSlopes<Dim>[place][I][j];
-      force[I * Dim + i] -= scale * sum;
+      node[I][i][lane] -= scale * sum;
     }
   }
 }
 }  // namespace
 
 template <int Dim>
-void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step) {
+void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step, int lane,
+                 Pack (&force)[Shape<Dim>::kCorners][Dim]) {
   constexpr int n = Shape<Dim>::kCorners;
   Places<Dim> start, now, old;
   for (int I = 0; I < n; ++I) {
@@ -209,7 +211,7 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
       }
     }
     stiffness += at.stiffness;
-    add_forces<Dim>(place, at.slope, scale, step.corner_force + e * n * Dim);
+    add_forces<Dim>(place, at.slope, scale, lane, force);
   }
   block.hourglass_work[e] += scale * work;
   // dx/dxi moves by at most sqrt(Dim + 1)/2 of what the corners do, which have equal masses.
@@ -239,8 +241,10 @@ Real guard_reach(CornerPlaces<Dim> x) {
   return ShapeGuard::kHeight * ShapeGuard::kHeight * sum;
 }
 
-template void guard_shape(ElementBlock<2>&, std::size_t, const ElementStep<2>&);
-template void guard_shape(ElementBlock<3>&, std::size_t, const ElementStep<3>&);
+template void guard_shape(ElementBlock<2>&, std::size_t, const ElementStep<2>&, int,
+                          Pack (&)[Shape<2>::kCorners][2]);
+template void guard_shape(ElementBlock<3>&, std::size_t, const ElementStep<3>&, int,
+                          Pack (&)[Shape<3>::kCorners][3]);
 template Real guard_reach<2>(CornerPlaces<2>);
 template Real guard_reach<3>(CornerPlaces<3>);
 

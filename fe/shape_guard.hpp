@@ -24,21 +24,25 @@ struct ShapeGuard {
 
 /// Adds the guard's forces to the corner forces of element e, their work to hourglass_work and
 /// their stiffness to the stable step.
+/// lane  of the four elements whose forces [N] node has
 template <int Dim>
-void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step);
+void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step, int lane,
+                 Pack (&node)[Shape<Dim>::kCorners][Dim]);
 
 /// Square of the largest least singular value of dx/dxi at which the guard may act [m^2], in an
 /// element with positions x at time 0: |F^-1| <= |dx0/dxi| |(dx/dxi)^-1|.
 template <int Dim>
 Real guard_reach(CornerPlaces<Dim> x);
 
-/// Guards those of four elements that it may act on. mode: the hourglass modes of the positions.
+/// Guards those of four elements that it may act on. mode: the hourglass modes of the positions;
+/// node: forces on the corners.
 /// With s half of the least height of the linear modes and t the most that the others change dx/dxi
 /// by, its least singular value is at least s - t.
 template <int Dim>
 BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e,
                                const OperatorNorm<Pack>& norm, const Pack (*mode)[Dim],
-                               const ElementStep<Dim>& step) {
+                               const ElementStep<Dim>& step,
+                               Pack (&node)[Shape<Dim>::kCorners][Dim]) {
   if (block.guard_reach.empty()) return;
   constexpr Real kHeightSquare = Dim == 3 ? 0.5 : 1.0;  // times the largest eigenvalue
   constexpr Real kOtherModes = Dim == 3 ? 9 : 2;        // t^2 over the sum of their squares
@@ -50,7 +54,8 @@ BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e,
   const auto safe = 8.0 * norm.largest * (kOtherModes * square + reach) < kHeightSquare;
   if (!any(~safe)) return;
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (!lane_of(safe, lane)) guard_shape(block, e + static_cast<std::size_t>(lane), step);
+    if (lane_of(safe, lane)) continue;
+    guard_shape(block, e + static_cast<std::size_t>(lane), step, lane, node);
   }
 }
 

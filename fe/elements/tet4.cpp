@@ -159,7 +159,7 @@ BRUNT_INLINE void dynamics(const Lane& lane, const TetWork& w) {
       node[I][i] = -(sigma[i][0] * w.B[I][0] + sigma[i][1] * w.B[I][1] + sigma[i][2] * w.B[I][2]);
     }
   }
-  scatter<3>(node, lane.step.corner_force + e * kCorners * 3);
+  add_to_nodes(node, e, lane.step.sums);
 }
 
 Real tet_volume(CornerPlaces<3> x) {

@@ -1,0 +1,110 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "fe/element_block.hpp"
+
+namespace brunt {
+
+/// Where the corner forces of four elements go: to one row of kSumRow values a node.
+struct CornerSums {
+  const std::uint16_t* place = nullptr;  ///< row of each corner, [element - first][corner]
+  std::size_t first = 0;                 ///< element that place begins with
+  Real* row = nullptr;                   ///< [N]
+};
+/// Values of a row: a Pack in 3D, of which the last counts nothing.
+template <int Dim>
+inline constexpr std::size_t kSumRow = Dim == 3 ? 4 : 2;
+
+/// Adds the forces of elements to their nodes, in an order that ids alone decide: elements of a
+/// block whose ids have the same quotient by kChunkIds are a chunk. The forces at a node are summed
+/// within each chunk by ascending id and corner; then the sums of its chunks by ascending block and
+/// id. A rank that owns a node has all elements about it, and so the same sums. docs/layout.md
+///
+/// A chunk's rows stay in the cache while its tiles are computed. Tiles that several chunks share
+/// come first; theirs are rows of their own, a row a corner.
+template <int Dim>
+class ForceChunks {
+ public:
+  static constexpr GlobalId kChunkIds = 1024;
+
+  ForceChunks() = default;
+  /// Sums for the first n_owned of n_points points: ghosts behind them get none.
+  ForceChunks(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_owned,
+              LocalIndex n_points);
+
+  /// f += forces of all elements. advance(b, tile, sums) computes a tile of block b, each once, and
+  /// adds its corner forces to the sums; it is called by several threads.
+  template <class Advance>
+  void add(const Advance& advance, std::vector<Vec<Dim>>& f);
+
+ private:
+  struct Chunk {
+    std::size_t block = 0;
+    std::size_t first = 0, last = 0;    ///< elements
+    int first_tile = 0, last_tile = 0;  ///< tiles that are all its own
+    std::size_t head = 0, tail = 0;     ///< rows of what is before and after them, in shared_row_
+    std::size_t head_last = 0,
+                tail_first = 0;               ///< elements: [first, head_last), [tail_first, last)
+    std::size_t first_node = 0, n_nodes = 0;  ///< in node_; node k has row k + 1
+  };
+  struct SharedTile {
+    std::size_t block = 0;
+    int tile = 0;
+    std::size_t first = 0;  ///< element
+    std::size_t row = 0;    ///< in shared_row_
+  };
+  static constexpr std::size_t kRow = kSumRow<Dim>;
+
+  void cut(const std::vector<ElementBlock<Dim>>& blocks);
+  std::size_t shared_row_of(const ElementBlock<Dim>& block, std::size_t b, std::size_t element);
+  void number_nodes(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_owned,
+                    LocalIndex n_points);
+  void add_shared(const Chunk& chunk, std::size_t first, std::size_t last, std::size_t row,
+                  Real* sum) const;
+  void hand_over(const Chunk& chunk, const Real* sum, std::vector<Vec<Dim>>& f);
+  void add_borders(std::vector<Vec<Dim>>& f) const;
+
+  std::vector<Chunk> chunks_;
+  std::vector<SharedTile> shared_;
+  std::vector<std::size_t> corners_;      ///< of an element, by block
+  std::vector<std::size_t> first_place_;  ///< of each block in place_
+  std::vector<std::uint16_t> place_;      ///< row of each corner; 0: that of nobody
+  std::vector<std::uint16_t> own_place_;  ///< 0, 1, 2 ..: of shared tiles
+  std::vector<LocalIndex> node_;          ///< of each chunk's rows; ~k: k-th of border_row_
+  std::vector<LocalIndex> border_node_;   ///< ascending
+  std::vector<std::size_t> border_;       ///< first of border_row_ of each, and the end
+  std::vector<Real> border_row_, shared_row_;
+  std::size_t most_rows_ = 0;  ///< of a chunk
+};
+
+template <int Dim>
+template <class Advance>
+void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
+  const std::size_t n_shared = shared_.size(), n_chunks = chunks_.size();
+#pragma omp parallel if (n_chunks > 1)
+  {
+#pragma omp for schedule(static)
+    for (std::size_t k = 0; k < n_shared; ++k) {
+      const SharedTile& at = shared_[k];
+      Real* row = shared_row_.data() + at.row * kRow;
+      const std::size_t end = k + 1 < n_shared ? shared_[k + 1].row * kRow : shared_row_.size();
+      std::fill(row, shared_row_.data() + end, 0.0);
+      advance(at.block, at.tile, CornerSums{own_place_.data(), at.first, row});
+    }
+    std::vector<Real> sum(most_rows_ * kRow);
+#pragma omp for schedule(static)
+    for (std::size_t k = 0; k < n_chunks; ++k) {
+      const Chunk& chunk = chunks_[k];
+      std::fill_n(sum.data(), (chunk.n_nodes + 1) * kRow, 0.0);
+      const CornerSums sums{place_.data() + first_place_[chunk.block], 0, sum.data()};
+      add_shared(chunk, chunk.first, chunk.head_last, chunk.head, sum.data());
+      for (int t = chunk.first_tile; t < chunk.last_tile; ++t) advance(chunk.block, t, sums);
+      add_shared(chunk, chunk.tail_first, chunk.last, chunk.tail, sum.data());
+      hand_over(chunk, sum.data(), f);
+    }
+  }
+  add_borders(f);
+}
+
+}  // namespace brunt
