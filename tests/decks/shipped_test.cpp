@@ -108,6 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"rocking-block", {"parameters.end=40 ms"}},
         Shipped{"masonry-arch", {"parameters.end=15 ms"}},
         Shipped{"masonry-arch/hexes", {"parameters.end=2 ms"}},
+        Shipped{"brick-wall-3d",
+                {"parameters.size=320 mm", "parameters.bar_size=320 mm", "time.end=2 ms"}},
         Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
