@@ -1,6 +1,7 @@
 #include "app/watch/lost_contacts.hpp"
 
 #include "app/deck/findings.hpp"
+#include "contact/contacts/deep.hpp"
 
 namespace brunt {
 
@@ -29,6 +30,12 @@ std::string lost_text(const LostPair& pair, int dim) {
     return "faces came " + depth + " into each other and let go at " + where +
            ": the bodies go through each other there;" + remedy;
   }
+  if (lost.key.ordinal == kDeep) {
+    return "faces came " + depth + " into each other at " + where +
+           ", more than three quarters of what contacts hold: they hold yet, but bodies overlap by "
+           "most of an element there;" +
+           remedy;
+  }
   if (lost.key.ordinal == kCrossed) {
     return "faces came " + depth + " through each other at " + where +
            ": an edge or corner of one body is inside the other, where no faces oppose each other "
@@ -43,6 +50,7 @@ std::string lost_text(const LostPair& pair, int dim) {
 
 std::string lost_count_text(const LostPair& pair) {
   const auto& lost = pair.lost;
+  if (!lost.any()) return "all contacts held";
   return "in all " + std::to_string(lost.let_go) + " contacts let go, " +
          std::to_string(lost.from_behind) + " came back, and " + std::to_string(lost.crossed) +
          " faces went through each other without a push";
@@ -51,7 +59,8 @@ std::string lost_count_text(const LostPair& pair) {
 std::vector<std::string> LostContactWarnings::take(const std::vector<LostPair>& pairs) {
   std::vector<std::string> texts;
   for (const auto& pair : pairs) {
-    const bool first = warned_.count(pair.name) == 0;
+    const auto before = warned_.find(pair.name);
+    const bool first = before == warned_.end() || (pair.lost.any() && !before->second.lost.any());
     warned_[pair.name] = pair;
     if (first) texts.push_back(pair.name + ": " + lost_text(pair, dim_));
   }

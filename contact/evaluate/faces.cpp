@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contacts/deep.hpp"
 #include "contact/evaluate/edges.hpp"
 #include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
 #include "contact/geometry/crossing.hpp"
+#include "contact/surfaces/start_warp.hpp"
 
 namespace brunt {
 
@@ -54,10 +56,11 @@ bool is_sliver(const Entities<Dim>& entities, const FaceCandidate& candidate,
   return pressed < kSliver * smaller;
 }
 
-/// Notes a plane that lets go, or one that comes from behind.
+/// Notes a plane that lets go, one that comes from behind, or one that is deep.
+/// depth  [m]
 template <int Dim>
 void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
-               const CommonPlane<Dim>& plane, std::uint32_t how,
+               const CommonPlane<Dim>& plane, std::uint32_t how, Real depth,
                typename Records<Dim>::Part& part) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
@@ -66,8 +69,21 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
                        lower.body,
                        upper.body,
                        0,
-                       plane.penetration,
+                       depth,
                        plane.point});
+}
+
+/// Where the faces of a plane push most of what they hold deep, remembers it and tells of it. What
+/// borders fade is held by the faces beside it; what opens from an overlap of time 0 was as deep
+/// without a force.
+template <int Dim>
+void note_deep_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                     const CommonPlane<Dim>& plane, FirstTouch& touch,
+                     typename Records<Dim>::Part& part) {
+  if (plane.deepest <= FirstTouch::kHeldFrom * candidate.normal.limit) return;
+  touch.held = true;
+  if (plane.fade <= 0.5 || touch.matters()) return;
+  note_lost(entities, candidate, plane, kDeep, plane.deepest, part);
 }
 
 /// Notes two faces that go through each other deeper than contacts are held, though nothing here
@@ -98,6 +114,7 @@ FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real
     plane.corner[c] -= dt * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
   }
   refresh(plane);
+  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
   return plane;
 }
 
@@ -299,7 +316,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       if (const auto* plane = from_behind(entities, candidate, planes, n, section, step.dt)) {
         touch.overlap = deepest_of<Dim>(planes, n);
         // An overlap that came in over borders is held by the faces beside it.
-        if (plane->fade > 0.5) note_lost(entities, candidate, *plane, kFromBehind, part);
+        if (plane->fade > 0.5)
+          note_lost(entities, candidate, *plane, kFromBehind, plane->penetration, part);
         n = 0;  // of all planes, or a repeated evaluation would find others than this one
       }
     }
@@ -313,13 +331,13 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
         const Real way = closing_speed(entities, candidate, plane) * step.dt;
         // What borders fade is held by the faces beside it.
         if (plane.fade > 0.5 && (held || plane.penetration - way <= candidate.normal.limit)) {
-          note_lost(entities, candidate, plane, kLetGo, part);
+          note_lost(entities, candidate, plane, kLetGo, plane.penetration, part);
         }
         continue;
       }
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
-      touch.held = touch.held || plane.deepest > FirstTouch::kHeldFrom * candidate.normal.limit;
+      note_deep_faces(entities, candidate, plane, touch, part);
       if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
       if (candidate.laws.friction == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);

@@ -37,12 +37,15 @@ struct PairSums {
   std::int64_t planes = 0;
 };
 
-/// Keeps the first of two.
+/// Keeps the first of two; what did not hold goes before what did.
 void merge(LostReport& into, const LostReport& from) {
   const std::int64_t let_go = into.let_go + from.let_go;
   const std::int64_t from_behind = into.from_behind + from.from_behind;
   const std::int64_t crossed = into.crossed + from.crossed;
-  if (std::tie(from.time, from.key) < std::tie(into.time, into.key)) into = from;
+  const bool into_held = !into.any(), from_held = !from.any();
+  if (std::tie(from_held, from.time, from.key) < std::tie(into_held, into.time, into.key)) {
+    into = from;
+  }
   into.let_go = let_go, into.from_behind = from_behind, into.crossed = crossed;
 }
 

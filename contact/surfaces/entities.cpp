@@ -7,6 +7,7 @@
 
 #include "contact/law/springs.hpp"
 #include "contact/surfaces/own_springs.hpp"
+#include "contact/surfaces/start_warp.hpp"
 #include "core/parallel/packing.hpp"
 
 namespace brunt {
@@ -305,6 +306,7 @@ void Entities<Dim>::refresh_plane(std::size_t f) {
     plane.corner[k] = there ? nodes.x[static_cast<std::size_t>(face.node[k])] : Vec<Dim>::Zero();
   }
   refresh(plane);
+  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
   boxes[f] = box_of(plane, 0.0);
 }
 

@@ -249,20 +249,69 @@ Impact random_impact(std::uint64_t seed) {
   return impact;
 }
 
+namespace {
+constexpr Real kShrunkBody = 0.85, kShrunkElement = 0.5;
+
+std::vector<Vec3> points_of(const BodyView& view) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i + 2 < view.position.size(); i += 3) {
+    points.emplace_back(view.position[i], view.position[i + 1], view.position[i + 2]);
+  }
+  return points;
+}
+
+/// Convex parts that stay convex where the body bends: its elements, shrunk, its particles, or all
+/// of what is rigid.
+std::vector<std::vector<Vec3>> parts_of(const BodyView& view) {
+  const std::vector<Vec3> points = points_of(view);
+  std::vector<std::vector<Vec3>> parts;
+  if (view.corners == 0) {
+    for (const Vec3& point : points) parts.push_back({point});
+  } else if (view.cell_dimension == 0) {
+    parts.push_back(scaled(points, kShrunkBody));
+  } else {
+    const auto n = static_cast<std::size_t>(view.corners);
+    for (std::size_t at = 0; at + n <= view.connectivity.size(); at += n) {
+      std::vector<Vec3> corners;
+      for (std::size_t c = 0; c < n; ++c) {
+        corners.push_back(points[static_cast<std::size_t>(view.connectivity[at + c])]);
+      }
+      parts.push_back(scaled(std::move(corners), kShrunkElement));
+    }
+  }
+  return parts;
+}
+
+bool boxes_meet(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  const auto box_of = [](const std::vector<Vec3>& points) {
+    std::pair<Vec3, Vec3> box{points[0], points[0]};
+    for (const Vec3& p : points) box = {box.first.cwiseMin(p), box.second.cwiseMax(p)};
+    return box;
+  };
+  const auto of_a = box_of(a), of_b = box_of(b);
+  return (of_a.first.array() <= of_b.second.array()).all() &&
+         (of_b.first.array() <= of_a.second.array()).all();
+}
+
+/// True where bodies are in each other. Hulls of what bends may meet where the bodies do not.
+bool have_crossed(const BodyView& a, const BodyView& b) {
+  if (!meet(scaled(points_of(a), kShrunkBody), scaled(points_of(b), kShrunkBody))) return false;
+  const auto parts_of_b = parts_of(b);
+  for (const auto& one : parts_of(a)) {
+    for (const auto& other : parts_of_b) {
+      if (boxes_meet(one, other) && meet(one, other)) return true;
+    }
+  }
+  return false;
+}
+}  // namespace
+
 Outcome outcome_of(const Impact& impact) {
   Outcome outcome;
-  const auto points_of = [](const BodyView& view) {
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i + 2 < view.position.size(); i += 3) {
-      points.emplace_back(view.position[i], view.position[i + 1], view.position[i + 2]);
-    }
-    return points;
-  };
   SceneHooks hooks;
   hooks.moved = [&](std::int64_t step, const std::function<BodyView(Label)>& view) {
     if (outcome.crossed || step % 50 != 0) return;
-    const auto a = points_of(view(0)), b = points_of(view(1));
-    outcome.crossed = meet(scaled(a, 0.85), scaled(b, 0.85));
+    outcome.crossed = have_crossed(view(0), view(1));
   };
   const Simulation run = simulate_text(impact.text, {}, {.threads = 1}, hooks);
   outcome.failure = run.failure;

@@ -21,8 +21,10 @@ Impact random_impact(std::uint64_t seed);
 
 /// What came of it.
 struct Outcome {
-  std::string failure;   ///< of the run; empty: none
-  bool crossed = false;  ///< bodies went into each other by 15 % of their size about their middles
+  std::string failure;  ///< of the run; empty: none
+  /// Bodies went into each other: rigid ones and hulls by 15 % of their size about their middles,
+  /// and of what bends an element by half of it, or the centre of a particle.
+  bool crossed = false;
   Real pairs = 0;        ///< largest energy.contact.pairs, of the largest energy
   Real created = 0;      ///< energy that nobody put in, of it
   std::size_t lost = 0;  ///< pairs of bodies whose contacts were reported

@@ -117,7 +117,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   }
   if (scene->contact) {
     for (const auto& pair : scene->contact->lost_pairs(scene->origin)) {
-      result.lost[pair.name] = pair.lost;
+      if (pair.lost.any()) result.lost[pair.name] = pair.lost;  // else they held, though deep
     }
   }
   result.steps = clock.step();

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/contacts/deep.hpp"
+
 namespace brunt {
 namespace {
 
@@ -38,6 +40,21 @@ TEST(LostContactWarnings, TellOfEachPairOnce) {
       << all.at("a-b");
   EXPECT_TRUE(has(all.at("a-c"), "0 contacts let go, 1 came back, and 0 faces went"))
       << all.at("a-c");
+}
+
+TEST(LostContactWarnings, TellOfDeepContactsAndAgainOnceTheyLetGo) {
+  LostContactWarnings warnings(3);
+  LostPair pair = pair_with("a-b", 0, 0, {ContactKind::face_face, kDeep, 1, 2});
+  const auto deep = warnings.take({pair});
+  ASSERT_EQ(deep.size(), 1u);
+  EXPECT_TRUE(has(deep[0], "they hold yet, but bodies overlap by most of an element")) << deep[0];
+  EXPECT_TRUE(has(warnings.all().at("a-b"), "all contacts held")) << deep[0];
+  EXPECT_TRUE(warnings.take({pair}).empty());
+  pair = pair_with("a-b", 1, 0, {ContactKind::face_face, kLetGo, 1, 2});
+  const auto gone = warnings.take({pair});
+  ASSERT_EQ(gone.size(), 1u);
+  EXPECT_TRUE(has(gone[0], "into each other and let go")) << gone[0];
+  EXPECT_TRUE(warnings.take({pair}).empty());
 }
 
 TEST(LostContactWarnings, TellOfEdgesThatCross) {

@@ -1,9 +1,11 @@
-// Contacts that did not hold are reported. Sheets and particles have a prescribed
+// Contacts that did not hold are reported, and those that hold deeper than three quarters of what
+// they do. Sheets and particles have a prescribed
 // motion, by a known way each step, so that the step that brings them beyond their limit is known:
 // the depth of the elements for faces, three radii for a particle behind a rigid face. Not reported
 // is what turns back before, slides off, or was beyond the limit from when it came.
 #include <gtest/gtest.h>
 
+#include "contact/contacts/deep.hpp"
 #include "tests/unit/contact/contact_scene.hpp"
 
 namespace brunt {
@@ -16,6 +18,7 @@ constexpr Real kStep = 1e-3, kDepth = 0.1;           // [s], [m]
 constexpr Real kDown = 0.007, kRadius = 0.1;         // [m]
 constexpr Real kRounding = 1e-14;                    // [m] of places of 1 m, after many steps
 constexpr int kCells = 3, kLast = 14, kBeyond = 15;  // 14 * 7 mm = 98 mm, 105 mm
+constexpr int kFirstDeep = 11;                       // 77 mm, 70 mm before
 constexpr Real kSlide = 0.4;                         // [m]
 
 /// Moves the second body by `way` in one step.
@@ -57,7 +60,13 @@ void expect_told_of_faces() {
   build_sheets(scene);
   const int pairs = Dim == 3 ? kCells * kCells : kCells;
   int step = 0;
+  while (step < kFirstDeep - 1) move(scene, along<Dim>(Dim - 1, -kDown), ++step);
+  EXPECT_TRUE(scene.contact->lost_pairs().empty());
   while (step < kLast) move(scene, along<Dim>(Dim - 1, -kDown), ++step);
+  ASSERT_EQ(scene.contact->lost_pairs().size(), 1u);
+  EXPECT_EQ(lost(scene).key.ordinal, kDeep);
+  EXPECT_NEAR(lost(scene).depth, kFirstDeep * kDown, kRounding);
+  EXPECT_NEAR(lost(scene).time, kFirstDeep * kStep, 1e-12);
   EXPECT_FALSE(lost(scene).any());
   EXPECT_GT(scene.contact->reports().at(0).planes, 0);
   for (; step < kBeyond + 2;) {
