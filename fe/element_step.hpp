@@ -30,6 +30,14 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
 template <int Dim>
 void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 
+/// Two values side by side.
+using HalfPack = Real __attribute__((vector_size(16)));
+BRUNT_INLINE HalfPack load_half(const Real* p) {
+  HalfPack r;
+  std::memcpy(&r, p, sizeof r);
+  return r;
+}
+
 /// Values of a nodal field at the corners of four elements.
 template <int Dim, int N>
 BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Pack (&node)[N][Dim]) {
@@ -39,7 +47,11 @@ BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Pack (
     const Real* b = field[corner[n + I]].data();
     const Real* c = field[corner[2 * n + I]].data();
     const Real* d = field[corner[3 * n + I]].data();
-    for (int i = 0; i < Dim; ++i) node[I][i] = Pack{a[i], b[i], c[i], d[i]};
+    const Pack ac = __builtin_shufflevector(load_half(a), load_half(c), 0, 1, 2, 3);
+    const Pack bd = __builtin_shufflevector(load_half(b), load_half(d), 0, 1, 2, 3);
+    node[I][0] = __builtin_shufflevector(ac, bd, 0, 4, 2, 6);
+    node[I][1] = __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
+    if constexpr (Dim == 3) node[I][2] = Pack{a[2], b[2], c[2], d[2]};
   }
 }
 
@@ -61,7 +73,7 @@ BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][3], std::size_t e, const Co
   }
   for (int lane = 0; lane < kLanes; ++lane) {
     for (int I = 0; I < N; ++I) {
-      Real* to = sums.row + place[lane * N + I] * kSumRow<3>;
+      Real* to = sums.row + place[lane * N + I];
       store(to, load(to) + row[lane][I]);
     }
   }
@@ -71,7 +83,7 @@ BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][2], std::size_t e, const Co
   const std::uint16_t* place = sums.place + (e - sums.first) * N;
   for (int lane = 0; lane < kLanes; ++lane) {
     for (int I = 0; I < N; ++I) {
-      Real* to = sums.row + place[lane * N + I] * kSumRow<2>;
+      Real* to = sums.row + place[lane * N + I];
       to[0] += node[I][0][lane], to[1] += node[I][1][lane];
     }
   }

@@ -8,6 +8,7 @@
 #include "fe/conduction.hpp"
 #include "fe/element_check.hpp"
 #include "fe/element_values.hpp"
+#include "fe/fetch_tile.hpp"
 #include "fe/outer_facets.hpp"
 
 namespace brunt {
@@ -55,7 +56,10 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   surface_.facets = outer_facets(blocks_, points_, surface_.axis);
   start_steps();
   const auto conducts = [](const auto& block) { return block.conducts; };
-  if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) return;
+  if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) {
+    if (node_ratio_.empty()) gather_ = {};  // masses were all that it had to sum
+    return;
+  }
   set_capacities();
   start_conduction();
   if (blocks_.front().rigid) make_rigid();
@@ -101,6 +105,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
       [&](std::size_t b, int tile, const CornerSums& sums) {
         ElementStep<Dim> step = common;
         step.sums = sums;
+        fetch_tile(blocks_[b], tile + 1, step.x, step.v);
         blocks_[b].formulation->advance(blocks_[b], tile, step);
       },
       points_.f);

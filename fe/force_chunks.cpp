@@ -1,7 +1,6 @@
 #include "fe/force_chunks.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace brunt {
 namespace {
@@ -55,7 +54,9 @@ void ForceChunks<Dim>::cut(const std::vector<ElementBlock<Dim>>& blocks) {
       chunks_.push_back(chunk);
     }
   }
-  std::iota(own_place_.begin(), own_place_.end(), std::uint16_t{0});
+  for (std::size_t c = 0; c < own_place_.size(); ++c) {
+    own_place_[c] = static_cast<std::uint16_t>(c * kRow);
+  }
 }
 
 /// Gives rows to the nodes of chunks, and finds those of several.
@@ -80,7 +81,7 @@ void ForceChunks<Dim>::number_nodes(const std::vector<ElementBlock<Dim>>& blocks
         in_chunk[node] = k + 1;
         ++count[node];
         node_.push_back(node);
-        row[node] = static_cast<std::uint16_t>(node_.size() - chunk.first_node);
+        row[node] = static_cast<std::uint16_t>((node_.size() - chunk.first_node) * kRow);
       }
       place_[first_place_[chunk.block] + c] = row[node];
     }
@@ -109,7 +110,7 @@ void ForceChunks<Dim>::add_shared(const Chunk& chunk, std::size_t first, std::si
   const std::uint16_t* place = place_.data() + first_place_[chunk.block];
   const Real* from = shared_row_.data() + row * kRow;
   for (std::size_t c = first * n; c < last * n; ++c, from += kRow) {
-    Real* to = sum + place[c] * kRow;
+    Real* to = sum + place[c];
     for (int i = 0; i < Dim; ++i) to[i] += from[i];
   }
 }

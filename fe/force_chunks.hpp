@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "fe/element_block.hpp"
@@ -8,7 +9,7 @@ namespace brunt {
 
 /// Where the corner forces of four elements go: to one row of kSumRow values a node.
 struct CornerSums {
-  const std::uint16_t* place = nullptr;  ///< row of each corner, [element - first][corner]
+  const std::uint16_t* place = nullptr;  ///< of corners' rows in `row`, [element - first][corner]
   std::size_t first = 0;                 ///< element that place begins with
   Real* row = nullptr;                   ///< [N]
 };
@@ -69,8 +70,8 @@ class ForceChunks {
   std::vector<SharedTile> shared_;
   std::vector<std::size_t> corners_;      ///< of an element, by block
   std::vector<std::size_t> first_place_;  ///< of each block in place_
-  std::vector<std::uint16_t> place_;      ///< row of each corner; 0: that of nobody
-  std::vector<std::uint16_t> own_place_;  ///< 0, 1, 2 ..: of shared tiles
+  std::vector<std::uint16_t> place_;      ///< of each corner, as in CornerSums; 0: nobody's row
+  std::vector<std::uint16_t> own_place_;  ///< a row a corner: of shared tiles
   std::vector<LocalIndex> node_;          ///< of each chunk's rows; ~k: k-th of border_row_
   std::vector<LocalIndex> border_node_;   ///< ascending
   std::vector<std::size_t> border_;       ///< first of border_row_ of each, and the end
@@ -92,16 +93,16 @@ void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
       std::fill(row, shared_row_.data() + end, 0.0);
       advance(at.block, at.tile, CornerSums{own_place_.data(), at.first, row});
     }
-    std::vector<Real> sum(most_rows_ * kRow);
+    const auto sum = std::make_unique_for_overwrite<Real[]>(most_rows_ * kRow);
 #pragma omp for schedule(static)
     for (std::size_t k = 0; k < n_chunks; ++k) {
       const Chunk& chunk = chunks_[k];
-      std::fill_n(sum.data(), (chunk.n_nodes + 1) * kRow, 0.0);
-      const CornerSums sums{place_.data() + first_place_[chunk.block], 0, sum.data()};
-      add_shared(chunk, chunk.first, chunk.head_last, chunk.head, sum.data());
+      std::fill_n(sum.get(), (chunk.n_nodes + 1) * kRow, 0.0);
+      const CornerSums sums{place_.data() + first_place_[chunk.block], 0, sum.get()};
+      add_shared(chunk, chunk.first, chunk.head_last, chunk.head, sum.get());
       for (int t = chunk.first_tile; t < chunk.last_tile; ++t) advance(chunk.block, t, sums);
-      add_shared(chunk, chunk.tail_first, chunk.last, chunk.tail, sum.data());
-      hand_over(chunk, sum.data(), f);
+      add_shared(chunk, chunk.tail_first, chunk.last, chunk.tail, sum.get());
+      hand_over(chunk, sum.get(), f);
     }
   }
   add_borders(f);

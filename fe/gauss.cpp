@@ -27,6 +27,7 @@ struct PressureWork {
 template <int Dim>
 struct GaussWork {
   Modal<Dim, Pack> c, u;  ///< [m] position at n+1, displacement of the step
+  GaussPoint<Dim> now[kGauss<Dim>];
   OperatorNorm<Pack> norm;
   Pack rho, rate, q;               ///< [kg/m^3], [1/s], [Pa] as in one_point.cpp
   Pack stress_work, viscous_work;  ///< [J]
@@ -43,85 +44,80 @@ struct Group {
 };
 
 template <int Dim>
-BRUNT_INLINE Modal<Dim, Pack> moved_back(const GaussWork<Dim>& w, Real part) {
-  Modal<Dim, Pack> r;
-  for (int m = 0; m < Shape<Dim>::kModes; ++m) {
-    for (int i = 0; i < Dim; ++i) r.m[m][i] = w.c.m[m][i] - part * w.u.m[m][i];
-  }
-  return r;
-}
-
-template <int Dim>
 BRUNT_INLINE void load_modes(const Group<Dim>& group, GaussWork<Dim>& w) {
   const LocalIndex* corner = group.block.corner.data() + group.e * Shape<Dim>::kCorners;
   Pack node[Shape<Dim>::kCorners][Dim];
   gather<Dim>(corner, group.step.x, node);
   w.c = modes_of<Dim>(node);
   gather<Dim>(corner, group.step.v, node);
-  w.u = modes_of<Dim>(node);
-  for (auto& mode : w.u.m) {
-    for (int i = 0; i < Dim; ++i) mode[i] = group.step.dt * mode[i];
-  }
+  w.u = modes_of<Dim>(node, group.step.dt);
 }
 
-/// Halves of the works of the forces at n; ratios before the step.
+/// Sums over the Gauss points of four elements.
+struct GaussSums {
+  PressureWork old;  ///< of the pressures at n
+  Pack stress_work = broadcast<Pack>(0);
+  Pack mid_volume = broadcast<Pack>(0), mid_dilatation = broadcast<Pack>(0);
+  Pack volume = broadcast<Pack>(0), dilatation = broadcast<Pack>(0);  ///< at n+1
+  Pack square = broadcast<Pack>(0);  ///< cofactors squared over the determinant at n+1
+};
+
+/// Sum of the squared gradients of a parallelepiped with these slopes, times its determinant.
 template <int Dim>
-BRUNT_INLINE void book_old_forces(const Group<Dim>& group, MaterialTile& tile, GaussWork<Dim>& w) {
-  const ElementBlock<Dim>& block = group.block;
-  const Modal<Dim, Pack> c = moved_back(w, 1.0);
-  PressureWork pressure{group.mean};
-  w.stress_work = broadcast<Pack>(0);
-  for (int g = 0; g < kGauss<Dim>; ++g) {
-    GaussPoint<Dim> point;
-    evaluate(c, w.u, group.step.thickness, g, point);
-    const std::size_t k = group.point + kLanes * g;
-    Pack s[6];
-    load_tensor<Dim>(block.state.deviator, k, s);
-    w.stress_work += point.work(s);
-    pressure.add(point.volume(), load(block.state.pressure.data() + k), point.dilatation());
-    store(tile.ratio_old + group.at + kLanes * g,
-          point.volume() / load(block.reference_volume.data() + k));
+BRUNT_INLINE Pack squared_cofactors(const Pack (&cof)[Dim][Dim], Pack determinant) {
+  Pack square = broadcast<Pack>(0);
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) square += cof[i][j] * cof[i][j];
   }
-  w.stress_work += pressure.work();
-  w.viscous_work = -load(block.viscous_pressure.data() + group.e) * pressure.dilatation;
-  if (!group.mean) return;
-  const Pack ratio = pressure.volume / load(block.element_volume.data() + group.e);
-  for (int g = 0; g < kGauss<Dim>; ++g) store(tile.ratio_old + group.at + kLanes * g, ratio);
+  return square / determinant;
 }
 
-/// Strain increments and rotations at mid-step; the volumetric strain rate of the element.
+/// At a Gauss point: halves of the works of the forces at n; ratio before the step; then strain
+/// increment and rotation at mid-step.
 template <int Dim>
-BRUNT_INLINE void deform(const Group<Dim>& group, MaterialTile& tile, GaussWork<Dim>& w) {
-  ElementBlock<Dim>& block = group.block;
-  const Modal<Dim, Pack> c = moved_back(w, 0.5);
-  Pack volume = broadcast<Pack>(0), dilatation = broadcast<Pack>(0);
-  for (int g = 0; g < kGauss<Dim>; ++g) {
-    GaussPoint<Dim> point;
-    evaluate(c, w.u, group.step.thickness, g, point);
-    volume += point.volume();
-    dilatation += point.dilatation();
-    const Pack inverse = 1.0 / point.determinant;
-    Pack L[Dim][Dim], hoop = broadcast<Pack>(0);
-    for (int i = 0; i < Dim; ++i) {
-      for (int j = 0; j < Dim; ++j) L[i][j] = point.G[i][j] * inverse;
-    }
-    if constexpr (Dim == 2) hoop = point.hoop / point.thickness;
-    store_strain<Dim>(L, hoop, group.at + kLanes * g, tile);
-    Pack s[6];
-    const std::size_t k = group.point + kLanes * g;
-    load_tensor<Dim>(block.state.deviator, k, s);
-    rotate_symmetric(step_rotation(L), s);
-    for (int i = 0; i < kTensorSize<Dim>; ++i) store(block.state.deviator[i].data() + k, s[i]);
+BRUNT_INLINE void deform(const Group<Dim>& group, const GaussSlopes<Dim>& slope, int g,
+                         MaterialTile& tile, GaussSums& sums) {
+  MaterialState& state = group.block.state;
+  const std::size_t k = group.point + kLanes * g;
+  const int at = group.at + kLanes * g;
+  GaussPoint<Dim> point;
+  evaluate(slope, 1.0, group.step.thickness, point);
+  Pack s[6];
+  load_tensor<Dim>(state.deviator, k, s);
+  sums.stress_work += point.work(s);
+  sums.old.add(point.volume(), load(state.pressure.data() + k), point.dilatation());
+  store(tile.ratio_old + at, point.volume() / load(group.block.reference_volume.data() + k));
+
+  evaluate(slope, 0.5, group.step.thickness, point);
+  sums.mid_volume += point.volume();
+  sums.mid_dilatation += point.dilatation();
+  const Pack inverse = 1.0 / point.determinant;
+  Pack L[Dim][Dim], hoop = broadcast<Pack>(0);
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) L[i][j] = point.G[i][j] * inverse;
   }
-  const Pack mean = dilatation / volume;
-  w.rate = (1.0 / group.step.dt) * mean;
-  if (!group.mean) return;
+  if constexpr (Dim == 2) hoop = point.hoop / point.thickness;
+  store_strain<Dim>(L, hoop, at, tile);
+  rotate_symmetric(step_rotation(L), s);
+  for (int i = 0; i < kTensorSize<Dim>; ++i) store(state.deviator[i].data() + k, s[i]);
+}
+
+/// Gives the points of an element one dilatation and one ratio to time 0.
+template <int Dim>
+BRUNT_INLINE void share_dilatation(const Group<Dim>& group, const GaussSums& sums,
+                                   MaterialTile& tile) {
+  const Pack mean = sums.mid_dilatation / sums.mid_volume;
+  const Pack inverse_reference = 1.0 / load(group.block.element_volume.data() + group.e);
+  const Pack ratio_old = sums.old.volume * inverse_reference;
+  const Pack ratio = sums.volume * inverse_reference;
   for (int g = 0; g < kGauss<Dim>; ++g) {
     const int k = group.at + kLanes * g;
     const Pack own =
         load(tile.strain[xx] + k) + load(tile.strain[yy] + k) + load(tile.strain[zz] + k);
     const Pack shift = (1.0 / 3) * (mean - own);
     for (int i = xx; i <= zz; ++i) store(tile.strain[i] + k, load(tile.strain[i] + k) + shift);
+    store(tile.ratio_old + k, ratio_old);
+    store(tile.ratio + k, ratio);
   }
 }
 
@@ -167,25 +163,16 @@ BRUNT_INLINE Pack hoop_norm(const Modal<2, Pack>& c, const Thickness& option) {
 
 /// Norm of the gradient operator: that of the mean gradient, scaled up by what the gradients at the
 /// Gauss points, each as of the parallelepiped that touches there, exceed it in the mean trace.
+/// square: sum of squared_cofactors over the points
 template <int Dim>
-BRUNT_INLINE OperatorNorm<Pack> gauss_norm(const Modal<Dim, Pack>& c, const Thickness& option) {
+BRUNT_INLINE OperatorNorm<Pack> gauss_norm(const Modal<Dim, Pack>& c, Pack square,
+                                           const Thickness& option) {
   Pack E[Shape<Dim>::kActive][Dim];
   volume_gradient(c, E);
   const Pack size = measure<Dim, Pack>(c, E);
   OperatorNorm<Pack> norm = operator_norm<Dim, Pack>(E, size, broadcast<Pack>(0));
-  Pack sum = broadcast<Pack>(0);
-  for (int g = 0; g < kGauss<Dim>; ++g) {
-    Pack J[Dim][Dim], cof[Dim][Dim], square = broadcast<Pack>(0), determinant = square;
-    slopes(c, g, J);
-    cofactors(J, cof);
-    for (int i = 0; i < Dim; ++i) {
-      determinant += J[0][i] * cof[0][i];
-      for (int j = 0; j < Dim; ++j) square += cof[i][j] * cof[i][j];
-    }
-    sum += square / determinant;
-  }
-  const Pack scale =
-      vmax(broadcast<Pack>(1), sum / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
+  const Pack scale = vmax(broadcast<Pack>(1),
+                          square / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
   norm.trace *= scale;
   norm.largest *= scale;
   if constexpr (Dim == 2) {
@@ -198,29 +185,30 @@ template <int Dim>
 BRUNT_INLINE void kinematics(const Group<Dim>& group, MaterialTile& tile, GaussWork<Dim>& w) {
   const ElementBlock<Dim>& block = group.block;
   load_modes(group, w);
-  book_old_forces(group, tile, w);
-  deform(group, tile, w);
-  Pack volume = broadcast<Pack>(0), dilatation = broadcast<Pack>(0);
+  GaussSums sums{PressureWork{group.mean}};
   for (int g = 0; g < kGauss<Dim>; ++g) {
-    GaussPoint<Dim> point;
-    evaluate(w.c, w.u, group.step.thickness, g, point);
-    volume += point.volume();
-    dilatation += point.dilatation();
+    const GaussSlopes<Dim> slope(w.c, w.u, g);
+    deform(group, slope, g, tile, sums);
+    GaussPoint<Dim>& now = w.now[g];
+    evaluate(slope, 0.0, group.step.thickness, now);
+    sums.volume += now.volume();
+    sums.dilatation += now.dilatation();
+    sums.square += squared_cofactors(now.cof, now.determinant);
     store(tile.ratio + group.at + kLanes * g,
-          point.volume() / load(block.reference_volume.data() + group.point + kLanes * g));
+          now.volume() / load(block.reference_volume.data() + group.point + kLanes * g));
   }
-  const Pack inverse_reference = 1.0 / load(block.element_volume.data() + group.e);
-  w.rho = load(block.mass.data() + group.e) / volume;
-  w.norm = gauss_norm(w.c, group.step.thickness);
+  if (group.mean) share_dilatation(group, sums, tile);
+  w.stress_work = sums.stress_work + sums.old.work();
+  w.viscous_work = -load(block.viscous_pressure.data() + group.e) * sums.old.dilatation;
+  w.rate = (1.0 / group.step.dt) * (sums.mid_dilatation / sums.mid_volume);
+  w.rho = load(block.mass.data() + group.e) / sums.volume;
+  w.norm = gauss_norm(w.c, sums.square, group.step.thickness);
   const Pack speed = vsqrt((largest_bulk(group) + (4.0 / 3) * block.material->shear) / w.rho);
   w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Shape<Dim>>(),
                        speed, w.rate);
-  w.viscous_work -= w.q * dilatation;
-  for (int g = 0; g < kGauss<Dim>; ++g) {
-    const int k = group.at + kLanes * g;
-    store(tile.viscous_work + k, 0.5 * w.viscous_work * inverse_reference);
-    if (group.mean) store(tile.ratio + k, volume * inverse_reference);
-  }
+  w.viscous_work -= w.q * sums.dilatation;
+  const Pack heat = 0.5 * w.viscous_work * (1.0 / load(block.element_volume.data() + group.e));
+  for (int g = 0; g < kGauss<Dim>; ++g) store(tile.viscous_work + group.at + kLanes * g, heat);
 }
 
 /// Adds to the modal forces what the stress s - p does at one Gauss point.
@@ -236,7 +224,9 @@ BRUNT_INLINE void subtract_stress(const GaussPoint<Dim>& point, const Pack (&s)[
       for (int k = 1; k < Dim; ++k) P += sigma[i][k] * point.cof[k][j];
       if constexpr (Dim == 2) P *= point.thickness;
       f.m[j][i] -= P;
-      for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) f.m[m][i] -= slope[m][j] * P;
+      for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) {
+        if (!is_flat<Dim>(m, j)) f.m[m][i] -= slope[m][j] * P;
+      }
     }
   }
   if constexpr (Dim == 2) {
@@ -250,10 +240,8 @@ template <int Dim>
 BRUNT_INLINE Pack mean_pressure(const Group<Dim>& group, const GaussWork<Dim>& w) {
   Pack volume = broadcast<Pack>(0), sum = broadcast<Pack>(0);
   for (int g = 0; g < kGauss<Dim>; ++g) {
-    GaussPoint<Dim> point;
-    evaluate(w.c, w.u, group.step.thickness, g, point);
-    volume += point.volume();
-    sum += point.volume() * load(group.block.state.pressure.data() + group.point + kLanes * g);
+    volume += w.now[g].volume();
+    sum += w.now[g].volume() * load(group.block.state.pressure.data() + group.point + kLanes * g);
   }
   return sum / volume;
 }
@@ -269,8 +257,7 @@ BRUNT_INLINE void dynamics(const Group<Dim>& group, GaussWork<Dim>& w) {
     for (int i = 0; i < Dim; ++i) mode[i] = broadcast<Pack>(0);
   }
   for (int g = 0; g < kGauss<Dim>; ++g) {
-    GaussPoint<Dim> point;
-    evaluate(w.c, w.u, group.step.thickness, g, point);
+    const GaussPoint<Dim>& point = w.now[g];
     Pack s[6];
     load_tensor<Dim>(block.state.deviator, group.point + kLanes * g, s);
     const Pack p = load(block.state.pressure.data() + group.point + kLanes * g);
@@ -323,7 +310,16 @@ void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Di
     volume_times_gradient<Dim, Pack>(w.u, E, G);
     const Pack size = measure<Dim, Pack>(w.c, E);
     if (block.gauss > 1) {
-      w.norm = gauss_norm(w.c, step.thickness);
+      Pack square = broadcast<Pack>(0);
+      for (int g = 0; g < kGauss<Dim>; ++g) {
+        Pack J[Dim][Dim], cof[Dim][Dim];
+        slopes(w.c, g, J);
+        cofactors(J, cof);
+        Pack determinant = J[0][0] * cof[0][0];
+        for (int j = 1; j < Dim; ++j) determinant += J[0][j] * cof[0][j];
+        square += squared_cofactors(cof, determinant);
+      }
+      w.norm = gauss_norm(w.c, square, step.thickness);
     } else {
       Pack hoop = broadcast<Pack>(0);
       if constexpr (Dim == 2) {

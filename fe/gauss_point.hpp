@@ -26,6 +26,13 @@ constexpr GaussTable<Dim> make_table() {
 template <int Dim>
 inline constexpr GaussTable<Dim> kGaussTable = make_table<Dim>();
 
+/// True where mode m does not depend on xi_j: the modes eta zeta, zeta xi and xi eta of a
+/// hexahedron.
+template <int Dim>
+constexpr bool is_flat(int m, int j) {
+  return Dim == 3 && m == Dim + j;
+}
+
 BRUNT_INLINE void cofactors(const Pack (&J)[3][3], Pack (&cof)[3][3]) {
   for (int i = 0; i < 3; ++i) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
@@ -37,17 +44,40 @@ BRUNT_INLINE void cofactors(const Pack (&J)[2][2], Pack (&cof)[2][2]) {
   cof[0][1] = -J[1][0], cof[1][0] = -J[0][1];
 }
 
-/// sum_m c_m (x) d phi_m/d xi at Gauss point g.
+/// sum_m c_m (x) d phi_m/d xi at Gauss point g. The mode without xi_j has no slope along it.
 template <int Dim>
 BRUNT_INLINE void slopes(const Modal<Dim, Pack>& c, int g, Pack (&J)[Dim][Dim]) {
   const auto& slope = kGaussTable<Dim>.slope[g];
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j) {
       J[i][j] = c.m[j][i];
-      for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) J[i][j] += slope[m][j] * c.m[m][i];
+      for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) {
+        if (!is_flat<Dim>(m, j)) J[i][j] += slope[m][j] * c.m[m][i];
+      }
     }
   }
 }
+
+/// dx/dxi at n+1 and what the step added to it, at one Gauss point. Both are linear in the modes,
+/// so that other configurations of the step follow from them.
+template <int Dim>
+struct GaussSlopes {
+  Pack J[Dim][Dim], A[Dim][Dim];
+  Pack r, u_r;  ///< [m] first coordinate at n+1 and its increment, in 2D
+
+  BRUNT_INLINE GaussSlopes(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u, int g) {
+    slopes(c, g, J);
+    slopes(u, g, A);
+    if constexpr (Dim == 2) {
+      const auto& value = kGaussTable<Dim>.value[g];
+      r = c.m[3][0], u_r = u.m[3][0];
+      for (int m = 0; m < 3; ++m) {
+        r += value[m] * c.m[m][0];
+        u_r += value[m] * u.m[m][0];
+      }
+    }
+  }
+};
 
 /// One Gauss point at one configuration; volumes are those of its share of the element.
 template <int Dim>
@@ -70,30 +100,28 @@ struct GaussPoint {
   }
 };
 
+/// back: part of the step by which the configuration is before n+1.
 template <int Dim>
-BRUNT_INLINE void evaluate(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u,
-                           const Thickness& option, int g, GaussPoint<Dim>& at) {
-  Pack J[Dim][Dim], A[Dim][Dim];
-  slopes(c, g, J);
-  slopes(u, g, A);
+BRUNT_INLINE void evaluate(const GaussSlopes<Dim>& now, Real back, const Thickness& option,
+                           GaussPoint<Dim>& at) {
+  Pack J[Dim][Dim];
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j)
+      J[i][j] = back == 0 ? now.J[i][j] : now.J[i][j] - back * now.A[i][j];
+  }
   cofactors(J, at.cof);
   at.determinant = J[0][0] * at.cof[0][0];
   for (int j = 1; j < Dim; ++j) at.determinant += J[0][j] * at.cof[0][j];
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j) {
-      at.G[i][j] = A[i][0] * at.cof[j][0];
-      for (int k = 1; k < Dim; ++k) at.G[i][j] += A[i][k] * at.cof[j][k];
+      at.G[i][j] = now.A[i][0] * at.cof[j][0];
+      for (int k = 1; k < Dim; ++k) at.G[i][j] += now.A[i][k] * at.cof[j][k];
     }
   }
   if constexpr (Dim == 2) {
-    const auto& value = kGaussTable<Dim>.value[g];
-    Pack r = c.m[3][0], u_r = u.m[3][0];
-    for (int m = 0; m < 3; ++m) {
-      r += value[m] * c.m[m][0];
-      u_r += value[m] * u.m[m][0];
-    }
+    const Pack r = back == 0 ? now.r : now.r - back * now.u_r;
     at.thickness = option.constant + option.radial * r;
-    at.hoop = option.radial * u_r;
+    at.hoop = option.radial * now.u_r;
   }
 }
 

@@ -107,9 +107,14 @@ BRUNT_INLINE void resist_rates(const OnePointLane<Dim>& lane, Real coefficient,
       store(kept(a, i), Q[a][i]);
     }
   }
-  hourglass_amplitudes(w.now, u, q);
-  add_half(block.hourglass_work, lane.e, old_work + dot<Dim>(Q, q));
   set_hourglass_forces(w.now, Q, w);
+  // Q . q on the present positions is minus the work of these forces.
+  Pack sum = w.hourglass[0][0] * u.m[0][0];
+  for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
+    for (int i = m == 0 ? 1 : 0; i < Dim; ++i) sum += w.hourglass[m][i] * u.m[m][i];
+  }
+  constexpr Real corners = Shape<Dim>::kCorners;
+  add_half(block.hourglass_work, lane.e, old_work - corners * sum);
 }
 
 /// The positions at time 0, whose modes it returns, and the gradient of a field c over them.

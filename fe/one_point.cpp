@@ -13,10 +13,7 @@ BRUNT_INLINE void load_modes(const OnePointLane<Dim>& lane, Modal<Dim, Pack>& c,
   gather<Dim>(corner, lane.step.x, node);
   c = modes_of<Dim>(node);
   gather<Dim>(corner, lane.step.v, node);
-  u = modes_of<Dim>(node);
-  for (auto& mode : u.m) {
-    for (int i = 0; i < Dim; ++i) mode[i] = lane.step.dt * mode[i];
-  }
+  u = modes_of<Dim>(node, lane.step.dt);
 }
 
 template <int Dim>

@@ -116,7 +116,11 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   }
   ghosts_ = plan_ghosts(ranks, ids, places, owners, points_.owned_ids());
   start_steps();
-  if (points_.conducts) start_conduction();
+  if (points_.conducts) {
+    start_conduction();
+  } else if (node_ratio_.empty()) {
+    gather_ = {};  // no sums but of forces
+  }
 }
 
 template <int Dim>

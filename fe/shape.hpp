@@ -16,10 +16,10 @@ struct Modal {
   V m[Shape<Dim>::kModes][Dim];
 };
 
-/// Component i of the modes from nodal values node[I][i].
+/// Component i of the modes from nodal values node[I][i], times a factor.
 template <class V>
-BRUNT_INLINE void to_modes(const V (&node)[8][3], int i, Modal<3, V>& c) {
-  constexpr Real w = 0.125;
+BRUNT_INLINE void to_modes(const V (&node)[8][3], int i, Modal<3, V>& c, Real factor) {
+  const Real w = 0.125 * factor;
   const V s0 = node[4][i] + node[0][i], s1 = node[5][i] + node[1][i];
   const V s2 = node[6][i] + node[2][i], s3 = node[7][i] + node[3][i];
   const V d0 = node[4][i] - node[0][i], d1 = node[5][i] - node[1][i];
@@ -35,8 +35,8 @@ BRUNT_INLINE void to_modes(const V (&node)[8][3], int i, Modal<3, V>& c) {
   c.m[7][i] = w * ((s0 + s2) + (s1 + s3));
 }
 template <class V>
-BRUNT_INLINE void to_modes(const V (&node)[4][2], int i, Modal<2, V>& c) {
-  constexpr Real w = 0.25;
+BRUNT_INLINE void to_modes(const V (&node)[4][2], int i, Modal<2, V>& c, Real factor) {
+  const Real w = 0.25 * factor;
   const V p = node[2][i] - node[0][i], q = node[1][i] - node[3][i];
   c.m[0][i] = w * (p + q);
   c.m[1][i] = w * (p - q);
@@ -44,9 +44,9 @@ BRUNT_INLINE void to_modes(const V (&node)[4][2], int i, Modal<2, V>& c) {
   c.m[3][i] = w * ((node[0][i] + node[2][i]) + (node[1][i] + node[3][i]));
 }
 template <int Dim, class V>
-BRUNT_INLINE Modal<Dim, V> modes_of(const V (&node)[Shape<Dim>::kCorners][Dim]) {
+BRUNT_INLINE Modal<Dim, V> modes_of(const V (&node)[Shape<Dim>::kCorners][Dim], Real factor = 1) {
   Modal<Dim, V> c;
-  for (int i = 0; i < Dim; ++i) to_modes(node, i, c);
+  for (int i = 0; i < Dim; ++i) to_modes(node, i, c, factor);
   return c;
 }
 
