@@ -57,6 +57,7 @@ struct BodySums {
   ExactSum mass, kinetic, internal, hourglass, heat;
   ExactSum stress_work, viscosity, artificial_stress, integration;
   std::array<ExactSum, Dim> mass_position, momentum;
+  ExactSum eroded, eroded_mass;  ///< [1], [kg] elements that have eroded
   /// [J] volume times principal stresses in tension, of particles with artificial stress; and minus
   /// sum x . f of its forces, the same of what these carry.
   ExactSum tension, artificial_tension;
@@ -67,6 +68,7 @@ struct BodySums {
     stress_work.add(part.stress_work), viscosity.add(part.viscosity);
     artificial_stress.add(part.artificial_stress), integration.add(part.integration);
     tension.add(part.tension), artificial_tension.add(part.artificial_tension);
+    eroded.add(part.eroded), eroded_mass.add(part.eroded_mass);
     for (std::size_t c = 0; c < momentum.size(); ++c) {
       mass_position[c].add(part.mass_position[c]);
       momentum[c].add(part.momentum[c]);

@@ -30,6 +30,9 @@ class Solid {
   /// After any motion, before update_state: rebuilds lists that may miss a pair at these positions.
   /// FE: nothing. Collective where the group is.
   virtual void renew_lists() {}
+  /// After any motion of a step of dt [s], before anything reads the surface: elements that have
+  /// failed go, and what they covered comes to the surface. Collective where some may.
+  virtual void erode(Real /*dt*/) {}
   /// Recomputes what neighbours will read, at x(n+1) with v(n+1/2). FE: nothing.
   virtual void update_state(Real dt) = 0;
   /// Adds internal forces to points().f and books each channel's energy to its entity.

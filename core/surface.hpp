@@ -48,6 +48,7 @@ struct Facet {
   /// is blunter
   Real sharpness = kBoxSharpness;
   bool owned = true;  ///< this rank evaluates the pairs in which it is the lower face
+  bool born = false;  ///< in this step: contact takes no notice of what it overlaps by then
   int n_nodes() const { return Dim == 3 && node[kNodes - 1] < 0 ? 3 : kNodes; }
   bool rigid() const { return stiffness == 0; }  ///< held or in prescribed motion
 };
@@ -59,6 +60,7 @@ struct SurfaceParticle {
   Real modulus = 0;
   Real conductivity = 0;  ///< [W/m/K] at time 0; 0: takes no heat
   Real effusivity = 0;    ///< [J/m^2/K/s^(1/2)] at time 0
+  bool born = false;      ///< as that of a facet
 };
 
 /// What friction asks of the material behind a facet, or of a particle.
@@ -76,7 +78,14 @@ struct Surface {
   std::vector<LocalIndex> axis;  ///< points on the axis of an axisymmetric scene, ascending
   bool held = false;             ///< its points never move: it bounds no step
   bool everywhere = false;       ///< all of its facets stand on every rank
-  bool needs_spin = false;       ///< contact reads `spin`
+  /// Bodies of elements whose nodes become particles where these erode.
+  std::vector<Label> may_free;
+  /// Owned points that went with their elements: contact keeps what it has booked to them.
+  std::vector<LocalIndex> gone;
+  /// Facets or particles have come or gone since contact last read them, on all ranks alike.
+  bool changed = false;
+  std::vector<GlobalId> died;  ///< of the facets those that went in this step, ascending
+  bool needs_spin = false;     ///< contact reads `spin`
   /// [rad/s] of the material about each owned point of a group of particles, half the curl of its
   /// velocity at mid-step; in 2D z alone. Empty where it is not asked for.
   std::vector<Vec3> spin;

@@ -8,6 +8,7 @@
 #include "fe/conduction.hpp"
 #include "fe/element_check.hpp"
 #include "fe/element_values.hpp"
+#include "fe/erosion.hpp"
 #include "fe/fetch_tile.hpp"
 #include "fe/outer_facets.hpp"
 
@@ -55,6 +56,7 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   surface_.held = held_;
   surface_.facets = outer_facets(blocks_, points_, surface_.axis);
   start_steps();
+  start_erosion();
   const auto conducts = [](const auto& block) { return block.conducts; };
   if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) {
     if (node_ratio_.empty()) gather_ = {};  // masses were all that it had to sum
@@ -64,6 +66,9 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   start_conduction();
   if (blocks_.front().rigid) make_rigid();
 }
+
+template <int Dim>
+FiniteElements<Dim>::~FiniteElements() = default;
 
 template <int Dim>
 void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) {
@@ -117,9 +122,12 @@ template <int Dim>
 StepLimit FiniteElements<Dim>::stable_step() const {
   StepLimit best;
   if (held_) return best;
+  if (erosion_) best = erosion_->when_all_have_gone();
   for (const auto& block : blocks_) {
+    const bool erodes = block.options.erosion.has_value();
     for (LocalIndex e = 0; e < block.n; ++e) {
       if (block.stable_step[e] > best.step) continue;
+      if (erodes && has_failed(block, e)) continue;  // it will not live to see the step
       // An inverted element has a step that is no number: it collapses the run at once.
       const Real step = block.stable_step[e] > 0 ? block.stable_step[e] : 0.0;
       best.take({step, "element", block.body[e], block.id[e]});
@@ -190,6 +198,7 @@ void FiniteElements<Dim>::add_totals(Totals<Dim>& totals) const {
       add_elements(block, first, last, part);
     });
   }
+  if (erosion_) add_eroded(totals);
 }
 
 template <int Dim>

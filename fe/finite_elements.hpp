@@ -7,6 +7,10 @@
 
 namespace brunt {
 
+struct ErodedElement;
+template <int Dim>
+struct ErosionState;
+
 /// A group of finite elements: hexahedra in 3D, quadrilaterals in plane strain and axisymmetry.
 /// Nodes are material points; elements stand in blocks of one formulation and one law.
 template <int Dim>
@@ -24,6 +28,7 @@ class FiniteElements final : public Solid<Dim> {
                  const Communicator& ranks);
   FiniteElements(const FiniteElements&) = delete;
   FiniteElements& operator=(const FiniteElements&) = delete;
+  ~FiniteElements() override;
 
   std::unique_ptr<Solid<Dim>> part(const Partition& partition,
                                    const Communicator& ranks) const override {
@@ -40,6 +45,7 @@ class FiniteElements final : public Solid<Dim> {
   void add_conduction(Real dt, std::int64_t step) override;
   StepLimit stable_step() const override;
   void rearrange() override {}
+  void erode(Real dt) override;
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
   std::string advice(GlobalId entity) const override;
@@ -71,6 +77,17 @@ class FiniteElements final : public Solid<Dim> {
   void keep_conduction();
   void add_mechanical_heat(Real inverse_dt);
   void find_elements_of_facets();
+  void start_erosion();
+  std::vector<ErodedElement> failed_elements() const;
+  std::vector<GlobalId> let_points_go(const std::vector<ErodedElement>& going, Real dt);
+  void find_last_work(const std::vector<Vec<Dim>>& x_before, Real dt,
+                      std::vector<ErodedElement>& mine);
+  void rebuild(bool with_state);
+  void free_points(bool time_goes_on);
+  void clear_born();
+  void add_eroded(Totals<Dim>& totals) const;
+  void save_eroded(std::vector<StateTable>& tables) const;
+  void load_eroded(const StateTables& tables);
   ElementStep<Dim> element_step(Real dt);
 
   Points<Dim> points_;
@@ -92,6 +109,7 @@ class FiniteElements final : public Solid<Dim> {
   Surface<Dim> surface_;
   /// Block and element behind each facet; empty until contact asks for their materials.
   std::vector<std::pair<std::size_t, LocalIndex>> element_of_facet_;
+  std::unique_ptr<ErosionState<Dim>> erosion_;  ///< null: nothing of it erodes
   GhostPlan ghosts_;
   const Communicator* ranks_ = nullptr;  ///< null: this rank has the whole
 };

@@ -2,6 +2,7 @@
 /// theirs.
 #include "core/points_state.hpp"
 #include "fe/element_values.hpp"
+#include "fe/erosion.hpp"
 #include "fe/finite_elements.hpp"
 
 namespace brunt {
@@ -28,12 +29,14 @@ void FiniteElements<Dim>::save_state(std::vector<StateTable>& tables) const {
         table_of(block), owned.size(), [&](std::size_t k) { return block.id[owned[k]]; },
         [&](auto& row, std::size_t k) { visit_element(block, owned[k], saved_in(row)); }, tables);
   }
+  if (erosion_) save_eroded(tables);
 }
 
 /// The padding repeats the last element, so it takes that one's row.
 template <int Dim>
 void FiniteElements<Dim>::load_state(const StateTables& tables) {
   load_points(points_, tables);
+  if (erosion_) load_eroded(tables);
   for (auto& block : blocks_) {
     load_rows(
         table_of(block), static_cast<std::size_t>(block.n_padded),

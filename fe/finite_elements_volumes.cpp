@@ -27,6 +27,7 @@ void FiniteElements<Dim>::start_volumes() {
   }
   std::vector<Vec<1>> sum(points_.x.size(), Vec<1>::Zero());
   gather_.template add<1>(corner_volume_.data(), sum);
+  start_volume_.clear();
   for (const auto& volume : sum) start_volume_.push_back(volume[0]);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <variant>
 
 #include "core/schema.hpp"
@@ -41,12 +42,26 @@ struct BulkViscosity {
   Real quadratic = 1.44;
 };
 
-/// The key `element` of a deforming FE body.
+/// What becomes of nodes about which no element is left.
+enum class ErodeTo : int { points, nothing };
+
+/// The key `erode` of a deforming FE body: an element goes where one of these holds.
+struct Erosion {
+  bool damage = false;         ///< its material has failed: it carries nothing any more
+  std::optional<Real> strain;  ///< [1] its equivalent plastic strain is at least that
+  std::optional<Real> step;    ///< [s] its stable step is below that
+  bool inverted = false;       ///< it, or a part of it, has no volume
+  ErodeTo to = ErodeTo::points;
+  bool operator==(const Erosion&) const = default;
+};
+
+/// The key `element` of a deforming FE body, and `erode` beside it.
 struct ElementOptions {
   int type = 0;  ///< its place in the catalogue of its geometry
   Integration integration = Integration::one_point;
   Hourglass hourglass;
   BulkViscosity bulk_viscosity;
+  std::optional<Erosion> erosion;  ///< none: a failed element stays
 };
 
 inline void describe(Schema&, AutomaticHourglass&) {}
@@ -65,6 +80,22 @@ inline void describe(Schema& s, BulkViscosity& viscosity) {
          {"1", at_least(0), between(0, 1)});
   s.real({"quadratic", "quadratic coefficient, in compression only"}, viscosity.quadratic,
          {"1", at_least(0), between(0, 10)});
+}
+inline void describe(Schema& s, Erosion& erosion) {
+  static constexpr const char* kTo[] = {"points", "nothing"};
+  s.flag({"damage", "where the material has failed and carries nothing any more"}, erosion.damage);
+  s.real({"strain", "from this equivalent plastic strain on"}, erosion.strain,
+         {"1", positive(), between(0.05, 10)});
+  s.real({"step", "where its stable step is shorter"}, erosion.step,
+         {"s", positive(), between(1e-12, 1e-5)});
+  s.flag({"inverted", "where it, or a part of it, has no volume any more; else the run ends"},
+         erosion.inverted);
+  s.choice({"to",
+            "what becomes of nodes that no element holds any more: points with their mass that "
+            "still touch other bodies, or nothing"},
+           erosion.to, kTo);
+  s.require(erosion.damage || erosion.strain || erosion.step || erosion.inverted, "",
+            "needs one of damage: true, strain, step or inverted: true: what makes elements go");
 }
 inline void describe(Schema& s, ElementOptions& element) {
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& solid) {

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <span>
 
+#include "fe/erosion.hpp"
 #include "fe/finite_elements.hpp"
+#include "fe/part.hpp"
 
 namespace brunt {
-namespace {
 
-/// Elements of a whole that touch a point of this rank, with their nodes as the whole numbers them.
 template <int Dim>
 std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& blocks,
                                          const std::vector<int>& owner, int rank) {
@@ -36,6 +36,7 @@ std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& b
   return sets;
 }
 
+namespace {
 /// Which points of the whole are kept: owned ones first, then copies, each in their order.
 template <int Dim>
 std::vector<LocalIndex> points_of(const std::vector<ElementSet<Dim>>& sets,
@@ -56,8 +57,8 @@ std::vector<LocalIndex> points_of(const std::vector<ElementSet<Dim>>& sets,
   }
   return kept;
 }
+}  // namespace
 
-/// The facets of the kept elements; the owner of its first corner evaluates a facet.
 template <int Dim>
 std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
                                   const std::vector<ElementSet<Dim>>& sets,
@@ -77,8 +78,6 @@ std::vector<Facet<Dim>> facets_of(const std::vector<Facet<Dim>>& whole,
   return facets;
 }
 
-}  // namespace
-
 template <int Dim>
 FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition& partition,
                                     const Communicator& ranks)
@@ -93,11 +92,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
     place[kept[k]] = static_cast<LocalIndex>(k);
   }
   surface_.facets = facets_of(whole.surface_.facets, sets, place, n_owned);
-  for (auto& set : sets) {
-    for (auto& corners : set.corners) {
-      for (auto& node : corners) node = place[node];
-    }
-  }
+  renumber_corners(place, sets);
   for (const LocalIndex node : whole.surface_.axis) {
     const LocalIndex here = place[node];
     if (here >= 0) surface_.axis.push_back(here);
@@ -106,6 +101,12 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   surface_.points = &points_;
   surface_.held = held_;
   make_blocks(sets);
+  if (whole.erosion_) {
+    surface_.may_free = whole.surface_.may_free;
+    erosion_ = std::make_unique<ErosionState<Dim>>(*whole.erosion_);
+    erosion_->owner = std::move(owner), erosion_->place = std::move(place);
+    erosion_->rank = ranks.rank();
+  }
   std::vector<GlobalId> ids;
   std::vector<LocalIndex> places;
   std::vector<int> owners;
@@ -140,6 +141,16 @@ std::vector<Real> FiniteElements<Dim>::point_work() const {
   return work;
 }
 
+template std::vector<ElementSet<2>> elements_of(const std::vector<ElementBlock<2>>&,
+                                                const std::vector<int>&, int);
+template std::vector<ElementSet<3>> elements_of(const std::vector<ElementBlock<3>>&,
+                                                const std::vector<int>&, int);
+template std::vector<Facet<2>> facets_of(const std::vector<Facet<2>>&,
+                                         const std::vector<ElementSet<2>>&,
+                                         const std::vector<LocalIndex>&, LocalIndex);
+template std::vector<Facet<3>> facets_of(const std::vector<Facet<3>>&,
+                                         const std::vector<ElementSet<3>>&,
+                                         const std::vector<LocalIndex>&, LocalIndex);
 template std::vector<Real> FiniteElements<2>::point_work() const;
 template std::vector<Real> FiniteElements<3>::point_work() const;
 template FiniteElements<2>::FiniteElements(const FiniteElements&, const Partition&,

@@ -117,6 +117,10 @@ RunSummary from_json(const Json& json) {
   for (const auto& [body, unused] : margins.items()) {
     s.step_margins.emplace_back(body, real_at(margins, body.c_str(), kUnknown));
   }
+  const Json eroded = object_at(json, "eroded");
+  for (const auto& [body, unused] : eroded.items()) {
+    s.eroded.emplace_back(body, real_at(eroded, body.c_str(), 0));
+  }
   s.measures = measures_from(object_at(json, "measures"));
   const Json warnings = json.value("warnings", Json::array());
   for (const auto& entry : warnings) {
@@ -174,6 +178,7 @@ std::string to_json(const RunSummary& s) {
   json["drift"] = s.drift;
   json["energy"] = energy_json(s.energy);
   if (!s.step_margins.empty()) json["step_margins"] = shares_json(s.step_margins);
+  if (!s.eroded.empty()) json["eroded"] = shares_json(s.eroded);
   json["measures"] = measures_json(s.measures);
   json["warnings"] = Json::array();
   for (const auto& warning : s.warnings) {

@@ -54,6 +54,8 @@ struct RunSummary {
   EnergyShares energy;
   /// Smallest stable step over the step limit, by body, where the deck asks for it.
   std::vector<std::pair<std::string, Real>> step_margins;
+  /// Elements that have eroded, by body, of those that may.
+  std::vector<std::pair<std::string, Real>> eroded;
   std::vector<MeasureResult> measures;
   std::vector<RunWarning> warnings;
   int ranks = 1;

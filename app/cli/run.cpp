@@ -226,6 +226,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   summary.warnings.insert(summary.warnings.end(), reported.begin(), reported.end());
   summary.energy = monitor.energy_shares();
   summary.step_margins = monitor.step_check().margins();
+  summary.eroded = monitor.eroded();
   for (const auto& warning : monitor.step_check().warnings()) summary.warnings.push_back(warning);
   for (const auto& [pair, text] : monitor.lost_contacts()) {
     summary.warnings.push_back({"contact", text});

@@ -30,6 +30,8 @@ void describe_finite_elements(Schema& s, Body& body) {
             "grading", "names an axis twice");
   s.section(!body.rigid, "only for bodies that deform", [&](Schema& deforming) {
     deforming.object({"element", "options of the elements"}, body.element);
+    deforming.object({"erode", "when elements go that have failed; without it they stay"},
+                     body.element.erosion);
   });
 }
 
@@ -121,7 +123,6 @@ void require_consistent(Schema& s, const Body& body) {
 
 void describe(Schema& s, Body& body) {
   static constexpr const char* kMethods[] = {"fe", "sph"};
-  static constexpr const char* kLater[] = {"erode"};
   s.choice({"method", "finite elements or particles"}, body.method, kMethods);
   s.flag({"rigid", "does not deform"}, body.rigid);
   const bool is_sph = body.method == Method::sph;
@@ -158,7 +159,6 @@ void describe(Schema& s, Body& body) {
   s.section(!is_sph, "only for method: fe",
             [&](Schema& fe) { describe_finite_elements(fe, body); });
   s.section(is_sph, "only for method: sph", [&](Schema& sph) { describe_particles(sph, body); });
-  s.later(kLater);
   require_consistent(s, body);
 }
 

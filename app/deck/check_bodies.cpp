@@ -208,6 +208,28 @@ void check_element(const Deck& deck, const std::string& path, const Body& body,
   }
 }
 
+/// Elements that are to go by what never happens to their material.
+void check_erosion(const Deck& deck, const std::string& path, const Body& body,
+                   Findings& findings) {
+  const auto& erosion = body.element.erosion;
+  const auto material =
+      std::find_if(deck.materials.begin(), deck.materials.end(),
+                   [&](const auto& candidate) { return candidate.name == body.material; });
+  if (!erosion || material == deck.materials.end()) return;
+  if (!findings.sound("materials." + material->name)) return;
+  if (erosion->damage && std::holds_alternative<NoDamage>(material->value.damage)) {
+    findings.wrong(path + ".erode.damage",
+                   "'" + material->name +
+                       "' has no `damage`: add a law of failure to it, or write "
+                       "strain or step instead");
+  }
+  if (erosion->strain && std::holds_alternative<NoStrength>(material->value.strength)) {
+    findings.wrong(path + ".erode.strain", "is a plastic strain, and '" + material->name +
+                                               "' has no `strength`: add one, "
+                                               "or write step or inverted: true instead");
+  }
+}
+
 /// Points of an outline that stand in one place make a side without length.
 void check_polygon(const std::string& path, const Body& body, Findings& findings) {
   const auto* polygon = std::get_if<PolygonShape>(&body.shape.kind);
@@ -247,6 +269,7 @@ void check_bodies(const Deck& deck, Findings& findings) {
       check_rigid(deck.geometry, path, body, findings);
     } else {
       check_element(deck, path, body, findings);
+      check_erosion(deck, path, body, findings);
     }
     check_count(deck, path, body, cells, findings);
     check_polygon(path, body, findings);

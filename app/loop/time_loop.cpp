@@ -76,6 +76,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     if (clock.finished()) break;
     const Real dt = choose_step(head.step_limit, scene, clock);
     move(scene, clock, dt);
+    scene.erode(dt);
     for (auto& solid : scene.solids) {
       {
         const PhaseTimer timer(phases, Phase::search);

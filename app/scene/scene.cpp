@@ -56,6 +56,24 @@ void Scene<Dim>::add_heat(Real time, Real dt, std::int64_t step) {
   boundaries.hold_temperatures(time, dt);
 }
 
+namespace {
+/// Facets of boundaries on a surface that are no longer there.
+template <int Dim>
+void let_go(const std::vector<std::unique_ptr<Solid<Dim>>>& solids, Boundaries<Dim>& boundaries) {
+  for (const auto& solid : solids) {
+    if (solid->surface().changed) boundaries.keep_facets(solid->surface());
+  }
+}
+}  // namespace
+
+template <int Dim>
+void Scene<Dim>::erode(Real dt) {
+  for (auto& solid : solids) solid->erode(dt);
+  let_go(solids, boundaries);
+  if (contact) return;  // it looks at what has changed
+  for (auto& solid : solids) solid->surface().changed = false;
+}
+
 template <int Dim>
 void Scene<Dim>::refresh_motion() {
   if (ranks->alone()) return;
@@ -128,6 +146,7 @@ void visit_sums(Totals<Dim>& totals, const Visit& visit) {
       visit(*sum);
     }
     visit(body.tension), visit(body.artificial_tension);
+    visit(body.eroded), visit(body.eroded_mass);
     for (auto& sum : body.mass_position) visit(sum);
     for (auto& sum : body.momentum) visit(sum);
   }
@@ -297,6 +316,7 @@ template <int Dim>
 void Scene<Dim>::load_state(const StateTables& tables) {
   for (auto& solid : solids) solid->load_state(tables);
   for (auto& solid : solids) solid->rearrange();
+  let_go(solids, boundaries);
   rigid_motions.load_state(tables);
   boundaries.load_state(tables);
   if (rigid) rigid->load_state(tables);

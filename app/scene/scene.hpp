@@ -36,6 +36,7 @@ struct Scene {
   std::vector<std::string> body_names;  ///< by label
   /// [m] by label: the smallest size of its elements or particles; 0: it has none
   std::vector<Real> body_size;
+  std::vector<char> erodes;  ///< by label: elements of the body may go
   std::vector<PointSet> point_sets;
   std::vector<Label> sum_of_body;  ///< first of the bodies whose particles share one sum
   std::vector<std::unique_ptr<Material>> materials;
@@ -57,6 +58,9 @@ struct Scene {
   StepLimit stable_step(Real time) const;
   /// True where some group has temperatures.
   bool conducts() const;
+  /// After the motion of a step of dt [s]: elements that have failed go, and boundaries let go of
+  /// what went with them. Collective, as all that follows.
+  void erode(Real dt);
   /// Positions, velocities and temperatures of copies, from their owners. Collective, as all that
   /// follows.
   void refresh_motion();

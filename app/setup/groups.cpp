@@ -142,7 +142,7 @@ bool same_element(const ElementOptions& a, const ElementOptions& b) {
     }
     return 0.0;
   };
-  return a.type == b.type && a.integration == b.integration &&
+  return a.type == b.type && a.integration == b.integration && a.erosion == b.erosion &&
          a.hourglass.index() == b.hourglass.index() &&
          coefficient(a.hourglass) == coefficient(b.hourglass) &&
          a.bulk_viscosity.linear == b.bulk_viscosity.linear &&

@@ -155,6 +155,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   for (const auto& body : deck.bodies) {
     scene->body_names.push_back(body.name);
     scene->body_size.push_back(deck::smallest_size(body.value));
+    scene->erodes.push_back(body.value.element.erosion.has_value());
   }
   scene->sum_of_body = first_bonded(deck);
   scene->materials = make_materials(deck);

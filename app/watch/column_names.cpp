@@ -61,12 +61,14 @@ void add_scene(Filler& to) {
 /// report  null: the body is not rigid
 /// torque  the first component of torques
 template <int Dim>
-void add_body(const std::string& name, const RigidReport* report, int torque, Filler& to) {
+void add_body(const std::string& name, bool erodes, const RigidReport* report, int torque,
+              Filler& to) {
   to.add("body.NAME.mass", name);
   to.add_components("body.NAME.position.AXIS", 0, Dim, name);
   to.add_components("body.NAME.velocity.AXIS", 0, Dim, name);
   to.add("body.NAME.kinetic", name), to.add("body.NAME.internal", name);
   to.add("body.NAME.hourglass", name), to.add("body.NAME.heat", name);
+  if (erodes) to.add("body.NAME.eroded", name), to.add("body.NAME.eroded_mass", name);
   if (report == nullptr) return;
   const int turning = report->one_piece ? torque : 3;
   to.add_components("body.NAME.rotation.AXIS", turning, 3, name);
@@ -100,8 +102,9 @@ ColumnNames column_names(const Scene<Dim>& scene) {
   const auto rigid = rigid_reports(scene, 0);
   Label label = 0;
   for (const auto& body : scene.body_names) {
+    const bool erodes = label < scene.erodes.size() && scene.erodes[label] != 0;
     const auto found = rigid.find(label++);
-    add_body<Dim>(body, found == rigid.end() ? nullptr : &found->second, torque, to);
+    add_body<Dim>(body, erodes, found == rigid.end() ? nullptr : &found->second, torque, to);
   }
   if (scene.contact) {
     for (const auto& pair : scene.contact->reports()) {

@@ -102,6 +102,9 @@ void HistoryColumns<Dim>::add_bodies(const Scene<Dim>& scene, const Totals<Dim>&
     const Real tension = body.tension.value();
     row.artificial_share.push_back(
         tension > 0 ? std::fabs(body.artificial_tension.value()) / tension : 0.0);
+    if (label < scene.erodes.size() && scene.erodes[label] != 0) {
+      values.push_back(body.eroded.value()), values.push_back(body.eroded_mass.value());
+    }
     const auto found = rigid.find(label++);
     if (found == rigid.end()) continue;
     const auto add = [&](const Vec3& vector, int first, int last) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -12,6 +13,9 @@
 namespace brunt {
 
 namespace {
+/// What is measured is no longer there.
+constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
+
 Real extent(const BodyView& view, int axis) {
   Real low = kInfinity, high = -kInfinity;
   for (std::size_t i = 0; i < view.position.size() / 3; ++i) {
@@ -19,7 +23,7 @@ Real extent(const BodyView& view, int axis) {
     const Real radius = view.point_radius.empty() ? 0.0 : view.point_radius[i];
     low = std::min(low, x - radius), high = std::max(high, x + radius);
   }
-  return high - low;
+  return low <= high ? high - low : kNone;  // all of it may have eroded
 }
 
 Real reduce_history(const deck::HistoryMeasure& measure, const MeasureSource& source) {
@@ -53,6 +57,34 @@ Real reduce_history(const deck::HistoryMeasure& measure, const MeasureSource& so
   }
 }
 
+/// The entry of `now` with the id that entry `at` of `start` has.
+std::optional<std::size_t> entry_now(const std::vector<Field>& start, const std::vector<Field>& now,
+                                     std::size_t at) {
+  const Field *before = field_named(start, "id"), *after = field_named(now, "id");
+  if (before == nullptr || after == nullptr) return at;
+  const auto& ids = after->values;
+  const auto found = std::find(ids.begin(), ids.end(), before->values[at]);
+  if (found == ids.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - ids.begin());
+}
+
+/// A place of time 0 among what is left by now; none where a part of it has eroded.
+std::optional<Place> place_now(Place place, const BodyView& start, const BodyView& now,
+                               bool cells) {
+  if (cells) {
+    const auto cell = entry_now(start.cell_fields, now.cell_fields, place.cell);
+    if (!cell) return std::nullopt;
+    place.cell = *cell;
+    return place;
+  }
+  for (auto& point : place.points) {
+    const auto here = entry_now(start.point_fields, now.point_fields, point);
+    if (!here) return std::nullopt;
+    point = *here;
+  }
+  return place;
+}
+
 struct Evaluate {
   const MeasureSource& source;
   const std::vector<MeasureValue>& before;
@@ -62,11 +94,11 @@ struct Evaluate {
   }
   Real operator()(const deck::MinMeasure& m) const {
     const auto values = field_values(source.view(m.body), m.field);
-    return *std::min_element(values.begin(), values.end());
+    return values.empty() ? kNone : *std::min_element(values.begin(), values.end());
   }
   Real operator()(const deck::MaxMeasure& m) const {
     const auto values = field_values(source.view(m.body), m.field);
-    return *std::max_element(values.begin(), values.end());
+    return values.empty() ? kNone : *std::max_element(values.begin(), values.end());
   }
   Real operator()(const deck::MeanMeasure& m) const {
     std::vector<Real> weights;
@@ -81,7 +113,9 @@ struct Evaluate {
     const BodyView view = source.view(m.body);
     const auto dot = m.field.find('.');
     const bool cells = field_named(view.cell_fields, m.field.substr(0, dot)) != nullptr;
-    return value_at(find_place(source.start->at(m.body), m.at), field_values(view, m.field), cells);
+    const BodyView& start = source.start->at(m.body);
+    const auto place = place_now(find_place(start, m.at), start, view, cells);
+    return place ? value_at(*place, field_values(view, m.field), cells) : kNone;
   }
   Real operator()(const deck::HistoryMeasure& m) const { return reduce_history(m, source); }
   Real operator()(const deck::RestitutionMeasure& m) const {

@@ -329,6 +329,17 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
 }
 
 template <int Dim>
+std::vector<std::pair<std::string, Real>> Monitor<Dim>::eroded() const {
+  std::vector<std::pair<std::string, Real>> eroded;
+  for (std::size_t c = 0; c < columns_.size() && !rows_.empty(); ++c) {
+    for (const auto& body : body_names_) {
+      if (columns_[c] == "body." + body + ".eroded") eroded.emplace_back(body, rows_.back()[c]);
+    }
+  }
+  return eroded;
+}
+
+template <int Dim>
 void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
   progress_.finish();
   scene.check(clock.time());

@@ -78,6 +78,8 @@ class Monitor final : public Observer<Dim> {
     return artificial_tension_.all();
   }
   const StepCheck& step_check() const { return step_check_; }
+  /// Elements that have eroded as of the last row, by body, of those that may.
+  std::vector<std::pair<std::string, Real>> eroded() const;
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Real>>& rows() const { return rows_; }
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }

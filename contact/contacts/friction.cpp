@@ -117,6 +117,8 @@ void FrictionHistory<Dim>::add(const Friction<Dim>& friction, const ContactNodes
                                Real dt) {
   past_.push_back(friction);
   past_.back().taken = half_taken(friction, nodes, dt);
+  const auto book = static_cast<std::size_t>(friction.node[0]);
+  past_.back().book_surface = nodes.surface[book], past_.back().book_point = nodes.id[book];
   used_.push_back(0);
   first_warmed_.push_back(warmed_.size());
   if (!friction.slips || friction.warmth == 0) return;

@@ -24,6 +24,8 @@ struct FrictionMemory {
   Real warmth = 0;                       ///< [1] share of its heat that goes to its nodes
   Real taken = 0;      ///< [J] half of what its forces take from the motion of the step under way
   bool slips = false;  ///< in the last step
+  LocalIndex book_surface = 0;  ///< the node to which its energies are booked, by its name
+  GlobalId book_point = 0;
 
   Vec<Dim> slider() const { return area * traction; }              ///< [N] on the upper side
   Vec<Dim> resultant() const { return area * (traction + drag); }  ///< [N]

@@ -5,13 +5,28 @@
 namespace brunt {
 
 namespace {
+/// The node to which the energies of a past contact are booked. Its face may be gone: its corners
+/// are still there.
+template <int Dim>
+std::size_t book_of(const Entities<Dim>& entities, const FrictionMemory<Dim>& past) {
+  const auto& nodes = entities.nodes;
+  if (past.key.kind != ContactKind::face_face || entities.has_face(past.key.first))
+    return book_of(entities, past.key);
+  std::size_t at = 0;
+  while (at + 1 < nodes.size() &&
+         !(nodes.surface[at] == past.book_surface && nodes.id[at] == past.book_point)) {
+    ++at;
+  }
+  return at;
+}
+
 /// What ended gives its spring's energy away. Its forces acted for the first half of the step: heat
 /// where it was slipping and did not turn back, shared as that of the step before.
 template <int Dim>
 void book_ended(const FrictionHistory<Dim>& past, Entities<Dim>& entities) {
   auto& nodes = entities.nodes;
   past.visit_ended([&](const FrictionMemory<Dim>& friction) {
-    const std::size_t at = book_of(entities, friction.key);
+    const std::size_t at = book_of(entities, friction);
     nodes.friction_stored[at] -= friction.energy();
     const Real heat = friction.last_heat();
     nodes.pair_energy[at] += friction.energy();

@@ -151,6 +151,11 @@ class KeyedMemory {
     const auto at = place_of(memory.key);
     if (!is_at(at, memory.key)) memories_.insert(at, memory);
   }
+  /// Forgets those of which condition(memory) is true.
+  template <class Condition>
+  void remove(const Condition& condition) {
+    std::erase_if(memories_, condition);
+  }
   /// nullptr where there is none.
   const Memory* find(const ContactKey& key) const {
     if (memories_.empty()) return nullptr;

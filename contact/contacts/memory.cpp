@@ -1,5 +1,7 @@
 #include "contact/contacts/memory.hpp"
 
+#include <algorithm>
+
 namespace brunt {
 
 template <int Dim>
@@ -15,6 +17,16 @@ void ContactMemory<Dim>::end_step(const Records<Dim>& records, const Entities<Di
                                   Real dt, Real time) {
   records.collect_touches(touches_);
   keep_lost(records, entities, dt, time);
+}
+
+template <int Dim>
+void ContactMemory<Dim>::bury(const std::vector<GlobalId>& died) {
+  died_ = died;
+  if (died_.empty()) return;
+  lost_.remove([&](const LostContact<Dim>& contact) {
+    return contact.key.kind == ContactKind::face_face &&
+           std::binary_search(died_.begin(), died_.end(), contact.key.first);
+  });
 }
 
 template <int Dim>
@@ -45,7 +57,7 @@ void ContactMemory<Dim>::keep_lost(const Records<Dim>& records, const Entities<D
     }
   });
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (held[i]) continue;
+    if (held[i] || std::binary_search(died_.begin(), died_.end(), before[i].key.second)) continue;
     const auto& one = before[i];
     const auto& particle = entities.particles[entities.particle_with(one.key.first)];
     const Vec<Dim> point = one.point + dt * one.velocity;

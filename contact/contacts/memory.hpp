@@ -17,6 +17,8 @@ class ContactMemory {
   /// Takes in how the contacts of an evaluation at `time` [s], after a step dt [s], met, what it
   /// has lost, and what is deep now.
   void end_step(const Records<Dim>& records, const Entities<Dim>& entities, Real dt, Real time);
+  /// What faces that have gone in this step kept goes with them. died  their ids, ascending
+  void bury(const std::vector<GlobalId>& died);
   /// The same at time 0, where nothing was before.
   void begin(const Records<Dim>& records) { records.collect_touches(touches_); }
   /// The same of the last evaluation, repeated.
@@ -42,6 +44,7 @@ class ContactMemory {
   FirstTouches touches_;                 // as the last evaluation left them
   LostContacts<Dim> lost_;               // since time 0
   std::vector<DeepParticle<Dim>> deep_;  // of the last evaluation
+  std::vector<GlobalId> died_;           // faces, in the step under way
 };
 
 /// Gives the records of a repeated evaluation, which has no past, the frictions of a saved state.

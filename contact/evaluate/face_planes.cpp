@@ -60,6 +60,17 @@ Real deepest_of(const Planes<Dim>& planes, int n) {
 }
 
 template <int Dim>
+FirstTouch born_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
+                      const Section& section) {
+  FirstTouch touch;
+  Planes<Dim> planes;
+  const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
+  const Real deepest = deepest_of<Dim>(planes, n);
+  if (deepest > meeting_distance(lower, upper)) touch.overlap = deepest;
+  return touch;
+}
+
+template <int Dim>
 int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
               const FaceCandidate& candidate, const TouchStep& step, FirstTouch& touch,
               Planes<Dim>& planes) {
@@ -87,6 +98,8 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
 
 template FirstTouch first_touch<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
                                    const FaceCandidate&);
+template FirstTouch born_touch<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&);
+template FirstTouch born_touch<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&);
 template Real deepest_of<2>(const Planes<2>&, int);
 template int planes_of<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
                           const FaceCandidate&, const TouchStep&, FirstTouch&, Planes<2>&);

@@ -13,6 +13,12 @@ template <int Dim>
 FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
                        const Section& section, const FaceCandidate& candidate);
 
+/// What two faces keep of which one is born in this step: contact takes no notice of any overlap
+/// there is by then, however deep and whatever the pair's option says of time 0.
+template <int Dim>
+FirstTouch born_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
+                      const Section& section);
+
 /// Largest penetration of planes 0 .. n - 1 [m], 0 at least.
 template <int Dim>
 Real deepest_of(const Planes<Dim>& planes, int n);

@@ -279,7 +279,15 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
   return nullptr;
 }
 
-/// What two faces keep of how they met, as the last evaluation left it; at time 0 they meet.
+template <int Dim>
+bool any_born(const Entities<Dim>& entities, const FaceCandidate& candidate) {
+  if (!entities.any_born) return false;
+  return entities.faces[static_cast<std::size_t>(candidate.lower)].born ||
+         entities.faces[static_cast<std::size_t>(candidate.upper)].born;
+}
+
+/// What two faces keep of how they met, as the last evaluation left it; at time 0, and where one is
+/// born, they meet.
 template <int Dim>
 FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& candidate,
                         const ContactKey& key, const Section& section, const TouchStep& step) {
@@ -287,6 +295,10 @@ FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& cand
     return first_touch(entities.planes[static_cast<std::size_t>(candidate.lower)],
                        entities.planes[static_cast<std::size_t>(candidate.upper)], section,
                        candidate);
+  }
+  if (any_born(entities, candidate)) {
+    return born_touch(entities.planes[static_cast<std::size_t>(candidate.lower)],
+                      entities.planes[static_cast<std::size_t>(candidate.upper)], section);
   }
   const auto* before = step.before->find(key);
   return before == nullptr ? FirstTouch{} : *before;
@@ -330,6 +342,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
         // is seen from behind was beyond it then too, and what opens comes nearer.
         const Real way = closing_speed(entities, candidate, plane) * step.dt;
         // What borders fade is held by the faces beside it.
+        if (any_born(entities, candidate)) continue;
         if (plane.fade > 0.5 && (held || plane.penetration - way <= candidate.normal.limit)) {
           note_lost(entities, candidate, plane, kLetGo, plane.penetration, part);
         }

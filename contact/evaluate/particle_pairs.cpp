@@ -126,17 +126,19 @@ PairHeatPath<Dim> heat_path(const PresentPair<Dim>& pair, std::size_t candidate,
   return heat;
 }
 
-/// [m] of an overlap of which contact takes no notice since time 0; what is left of it goes to
-/// `touches`.
+/// [m] of an overlap of which contact takes no notice since time 0, or since one was born; what is
+/// left of it goes to `touches`.
 template <int Dim>
 Real overlap_kept(const TouchStep& step, const PresentPair<Dim>& pair,
                   std::vector<FirstTouch>& touches) {
   const ContactKey key = touch_key(ContactKind::particle_particle, pair.first.id, pair.second.id);
   const Real overlap = std::max(pair.meeting.overlap, 0.0);
   Real kept = 0;
-  if (step.time_zero) {
+  const bool born = pair.first.born || pair.second.born;
+  if (step.time_zero || born) {
     const Real rounding = kTouchingGap * 2 * pair.spring.radius;
-    kept = ignored_overlap(pair.candidate.laws.initial_overlap, overlap, rounding);
+    const auto law = born ? InitialOverlap::track : pair.candidate.laws.initial_overlap;
+    kept = ignored_overlap(law, overlap, rounding);
   } else if (const auto* before = step.before->find(key)) {
     kept = std::min(before->overlap, overlap);
   }

@@ -65,30 +65,56 @@ void remember_sides(const ContactParticle& particle, std::size_t first,
   }
 }
 
+namespace {
+/// Whether a particle and what a hit touches meet for the first time: at time 0, or as one of them
+/// is born.
 template <int Dim>
-void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
-                    typename Records<Dim>::Part& part) {
-  if (!step.time_zero && step.before->empty()) return;
+bool is_first(const Entities<Dim>& entities, const ContactParticle& particle, const TouchStep& step,
+              const ParticleHit<Dim>& hit) {
+  if (step.time_zero || !entities.any_born) return step.time_zero;
+  return particle.born || entities.faces[static_cast<std::size_t>(hit.face)].born;
+}
+
+/// [m] of a hit's overlap of which contact takes no notice, before it has opened.
+template <int Dim>
+Real overlap_ignored(const Entities<Dim>& entities, const ContactParticle& particle,
+                     PairFinder& pairs, const TouchStep& step, const ParticleHit<Dim>& hit) {
+  auto law = pairs.of(particle.body, hit.body).initial_overlap;
+  const bool first = is_first(entities, particle, step, hit);
+  if (first && !step.time_zero) law = InitialOverlap::track;
+  const Real overlap = ignored_overlap(law, hit.overlap, first ? kMeets * particle.radius : 0.0);
+  if (overlap == 0 || first) return overlap;
+  return step.before->find(touch_key(particle.id, hit.body, hit.piece)) != nullptr ? overlap : 0.0;
+}
+}  // namespace
+
+template <int Dim>
+void track_overlaps(const Entities<Dim>& entities, const ContactParticle& particle,
+                    PairFinder& pairs, const TouchStep& step, typename Records<Dim>::Part& part) {
+  const auto meets = [&](const auto& hit) { return is_first(entities, particle, step, hit); };
+  const bool any_first = std::any_of(part.hits.begin(), part.hits.end(), meets);
+  if (!any_first && step.before->empty()) return;
   auto& touches = part.particle_touches;
   const std::size_t first = touches.size();
   for (const auto& hit : part.hits) {
     if (!hit.kept) continue;
-    const auto law = pairs.of(particle.body, hit.body).initial_overlap;
-    const Real rounding = step.time_zero ? kMeets * particle.radius : 0.0;
-    if (ignored_overlap(law, hit.overlap, rounding) == 0) continue;
-    if (!step.time_zero && !step.before->find(touch_key(particle.id, hit.body, hit.piece)))
-      continue;
+    const Real overlap = overlap_ignored(entities, particle, pairs, step, hit);
+    if (overlap == 0) continue;
     auto& touch = touch_of(particle.id, surface_of(hit.body, hit.piece), first, touches);
-    touch.overlap = std::max(touch.overlap, hit.overlap);
+    touch.overlap = std::max(touch.overlap, overlap);
   }
   for (std::size_t i = first; i < touches.size(); ++i) {
     auto& touch = touches[i];
-    if (!step.time_zero) {
+    const auto own = [&](const auto& hit) {
+      return surface_of(hit.body, hit.piece) == touch.key.second;
+    };
+    const auto begins = [&](const auto& hit) { return hit.kept && own(hit) && meets(hit); };
+    if (std::none_of(part.hits.begin(), part.hits.end(), begins)) {
       const auto* before = step.before->find(touch.key);
       touch.overlap = std::min(touch.overlap, before->overlap);
     }
     for (auto& hit : part.hits) {
-      if (surface_of(hit.body, hit.piece) != touch.key.second) continue;
+      if (!own(hit)) continue;
       hit.overlap -= touch.overlap;
       hit.pushes = hit.overlap > 0;
     }
@@ -105,9 +131,9 @@ template void remember_entries<3>(const Entities<3>&, const ContactParticle&, st
                                   Records<3>::Part&);
 template void remember_sides<2>(const ContactParticle&, std::size_t, Records<2>::Part&);
 template void remember_sides<3>(const ContactParticle&, std::size_t, Records<3>::Part&);
-template void track_overlaps<2>(const ContactParticle&, PairFinder&, const TouchStep&,
-                                Records<2>::Part&);
-template void track_overlaps<3>(const ContactParticle&, PairFinder&, const TouchStep&,
-                                Records<3>::Part&);
+template void track_overlaps<2>(const Entities<2>&, const ContactParticle&, PairFinder&,
+                                const TouchStep&, Records<2>::Part&);
+template void track_overlaps<3>(const Entities<3>&, const ContactParticle&, PairFinder&,
+                                const TouchStep&, Records<3>::Part&);
 
 }  // namespace brunt

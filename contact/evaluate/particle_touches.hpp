@@ -22,10 +22,10 @@ template <int Dim>
 void remember_sides(const ContactParticle& particle, std::size_t first,
                     typename Records<Dim>::Part& part);
 
-/// Takes from the overlaps of the hits what their surfaces had at time 0 and have not opened since;
-/// at time 0 begins with it.
+/// Takes from the overlaps of the hits what their surfaces had at time 0, or when the particle or
+/// the face was born, and have not opened since; then begins with it.
 template <int Dim>
-void track_overlaps(const ContactParticle& particle, PairFinder& pairs, const TouchStep& step,
-                    typename Records<Dim>::Part& part);
+void track_overlaps(const Entities<Dim>& entities, const ContactParticle& particle,
+                    PairFinder& pairs, const TouchStep& step, typename Records<Dim>::Part& part);
 
 }  // namespace brunt

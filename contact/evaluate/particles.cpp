@@ -266,7 +266,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
   const bool thin = entities.shallowest < now.particle.radius;
   if (thin) recall_entries(entities, now.particle, step.touches, part.hits);
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
-  track_overlaps<Dim>(now.particle, pairs, step.touches, part);
+  track_overlaps<Dim>(entities, now.particle, pairs, step.touches, part);
   if (thin) remember_entries<Dim>(entities, now.particle, first_touch, part);
   if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;

@@ -37,7 +37,7 @@ struct FaceData {
   Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint, capacity, effusivity;
   Real compliance, half_thickness, sharpness, recoil;
   std::int32_t specific_heat;
-  bool held;
+  bool held, born;
   std::uint8_t borders;
 };
 
@@ -47,7 +47,7 @@ FaceData<Dim> data_of(const ContactFace<Dim>& f) {
           f.stiffness,      f.areal_mass, f.depth,    f.area_start,    f.phi,
           f.zeta,           f.footprint,  f.capacity, f.effusivity,    f.compliance,
           f.half_thickness, f.sharpness,  f.recoil,   f.specific_heat, f.held,
-          f.borders};
+          f.born,           f.borders};
 }
 
 template <int Dim>
@@ -61,6 +61,7 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
   f.capacity = d.capacity, f.effusivity = d.effusivity, f.compliance = d.compliance;
   f.half_thickness = d.half_thickness, f.sharpness = d.sharpness, f.recoil = d.recoil;
   f.specific_heat = d.specific_heat, f.held = d.held, f.borders = d.borders;
+  f.born = d.born;
   return f;
 }
 }  // namespace

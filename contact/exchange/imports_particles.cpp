@@ -13,7 +13,7 @@ struct Visitor {
   Label body, piece;
   Real radius, modulus, conductivity, effusivity, mass;
   std::int32_t specific_heat;
-  bool held;
+  bool held, born;
   Real x[Dim], v[Dim];  // [m], [m/s]
 };
 
@@ -22,7 +22,7 @@ Visitor<Dim> visitor_of(const ContactParticle& p, const ContactNodes<Dim>& nodes
   const auto i = static_cast<std::size_t>(p.node);
   Visitor<Dim> one{
       p.surface,    p.id,          p.body,          p.piece, p.radius, p.modulus, p.conductivity,
-      p.effusivity, nodes.mass[i], p.specific_heat, p.held,  {},       {}};
+      p.effusivity, nodes.mass[i], p.specific_heat, p.held,  p.born,   {},        {}};
   for (int c = 0; c < Dim; ++c) one.x[c] = nodes.x[i][c], one.v[c] = nodes.v[i][c];
   return one;
 }
@@ -52,7 +52,8 @@ void ContactImports<Dim>::import_particles(const ImportBoxes<Dim>& boxes, Entiti
                                                         Vec<Dim>(one.x), Vec<Dim>(one.v));
       place_[{one.surface, one.id}] = node;
       imported.push_back({node, one.surface, one.id, one.body, one.piece, one.radius, one.modulus,
-                          one.conductivity, one.effusivity, one.held, false, one.specific_heat});
+                          one.conductivity, one.effusivity, one.held, false, one.specific_heat,
+                          one.born});
     }
   }
   entities.add_particles(imported);

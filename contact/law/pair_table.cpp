@@ -49,6 +49,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       shown.particles = true;
       shown.take(surface->points->piece[point]);
     }
+    for (const Label body : surface->may_free) bodies[body].particles = true;
   }
   for (const auto& [pair, name] : options.pair_names) {
     if (pair.first == pair.second) selves_.insert(pair.first);

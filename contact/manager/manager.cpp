@@ -1,5 +1,6 @@
 #include "contact/manager/manager.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "contact/manager/implementation.hpp"
@@ -16,6 +17,17 @@ void set_needs(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pair
     surface->needs_spin = pairs.particles_have_friction();
     surface->needs_material = pairs.needs_material();
   }
+}
+
+/// Ids of the facets that went in the step under way, ascending.
+template <int Dim>
+std::vector<GlobalId> dead_of(const std::vector<Surface<Dim>*>& surfaces) {
+  std::vector<GlobalId> died;
+  for (const auto* surface : surfaces) {
+    died.insert(died.end(), surface->died.begin(), surface->died.end());
+  }
+  std::sort(died.begin(), died.end());
+  return died;
 }
 }  // namespace
 
@@ -80,12 +92,14 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
   // Refresh: where everything is, and what contacts carry into this step.
   search.refresh_motion();
   memory.begin_step(evaluation.records(), entities.nodes, dt);
+  memory.bury(dead_of(setup.surfaces));
   // Search: lists anew where they may miss a contact.
   const LookAhead ahead = search.renew_if_due(dt, last.started);
   search.refresh_friction();
   // Evaluate what is listed.
   const auto& records = evaluation.records();
   evaluation.run(setup, search, dt, ahead, {&memory.touches()}, &memory.past());
+  search.end_births();
   // Exchange with the ranks whose nodes are moved, and apply.
   const auto elsewhere = search.imports().send_home(records, entities.nodes);
   apply<Dim>(records, elsewhere, dt, setup.surfaces, entities.nodes);

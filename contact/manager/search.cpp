@@ -69,6 +69,7 @@ LookAhead ContactSearch<Dim>::look_ahead(Real dt) const {
 
 template <int Dim>
 LookAhead ContactSearch<Dim>::renew_if_due(Real dt, bool inherits) {
+  const bool changed = take_changes();
   LookAhead ahead = look_ahead(dt);
   const WallTimer timer(list_time_, *setup_.ranks.all);
   const bool complete = candidates_.complete(entities_, ahead.time, *setup_.ranks.all);
@@ -76,12 +77,27 @@ LookAhead ContactSearch<Dim>::renew_if_due(Real dt, bool inherits) {
   // Without a step nobody knows how points have come to where they are.
   const bool look = near_.due(speed * dt, speed * ahead.time) || dt == 0;
   const bool others = look && find_near_bodies(ahead.time);
-  if (others || !complete) {
+  if (others || !complete || changed) {
     renew(ahead.time, inherits, true);
     refresh_motion();
     ahead.longest = longest_after(dt);
   }
   return ahead;
+}
+
+template <int Dim>
+bool ContactSearch<Dim>::take_changes() {
+  bool changed = false;
+  for (auto* surface : setup_.surfaces) {
+    changed = changed || surface->changed;
+    surface->changed = false;
+  }
+  return changed;
+}
+
+template <int Dim>
+void ContactSearch<Dim>::take_surfaces() {
+  if (take_changes()) entities_ = entities_of(setup_);
 }
 
 template <int Dim>
@@ -111,6 +127,16 @@ template <int Dim>
 bool ContactSearch<Dim>::find_near_bodies(Real ahead) {
   return near_.look(setup_.surfaces, entities_, setup_.pairs, candidates_.speed() * ahead,
                     *setup_.ranks.all);
+}
+
+template <int Dim>
+void ContactSearch<Dim>::end_births() {
+  if (!entities_.any_born) return;
+  entities_.end_births();
+  for (auto* surface : setup_.surfaces) {
+    for (auto& facet : surface->facets) facet.born = false;
+    for (auto& particle : surface->particles) particle.born = false;
+  }
 }
 
 template <int Dim>

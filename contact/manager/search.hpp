@@ -28,6 +28,8 @@ class ContactSearch {
 
   /// Tables anew with what the setup has learned of free rigid bodies. Collective.
   void take_rigid();
+  /// Tables anew where facets or particles have come or gone. Collective.
+  void take_surfaces();
   /// Brings motion and planes up to date. Collective among neighbours.
   void refresh_motion();
   /// Brings up to date what friction needs to know of faces and materials at the start of a step.
@@ -47,6 +49,8 @@ class ContactSearch {
   /// points' ids;  with_motion  velocities are those of the step under way, else of the last
   /// evaluation. Collective.
   void renew(Real ahead, bool inherits, bool with_motion);
+  /// What was born in the step has met what it overlaps: it is like all else from now on.
+  void end_births();
   /// Sums what each face carries, from the records of all ranks. Collective among neighbours.
   void sum_tractions(const Records<Dim>& records);
   /// What renew_if_due has spent on lists since the last call.
@@ -56,6 +60,7 @@ class ContactSearch {
   void load_state(const StateTables& tables) { near_.load_state(tables); }
 
  private:
+  bool take_changes();
   bool find_near_bodies(Real ahead);
 
   const ContactSetup<Dim>& setup_;

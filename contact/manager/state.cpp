@@ -71,6 +71,7 @@ void ContactManager<Dim>::save_state(std::vector<StateTable>& tables) const {
 template <int Dim>
 void ContactManager<Dim>::load_state(const StateTables& tables) {
   auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
+  search.take_surfaces();
   auto& entities = search.entities();
   Common common;
   load_row(

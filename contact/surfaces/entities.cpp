@@ -30,6 +30,19 @@ class Numbering {
     return number;
   }
 
+  void name_corners(ContactFace<Dim>& face) {
+    for (int c = 0; c < face.n_nodes; ++c) {
+      auto& node = face.node[static_cast<std::size_t>(c)];
+      node = (*this)(face.surface, node);
+    }
+  }
+  /// Points that have gone, for what is booked to them.
+  void add_gone() {
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+      for (const LocalIndex point : surfaces_[s]->gone) (*this)(static_cast<LocalIndex>(s), point);
+    }
+  }
+
  private:
   const std::vector<Surface<Dim>*>& surfaces_;
   ContactNodes<Dim>& nodes_;
@@ -44,7 +57,7 @@ ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   face.surface = surface;
   face.id = facet.id;
   face.body = facet.body, face.piece = facet.piece;
-  face.owned = facet.owned;
+  face.owned = facet.owned, face.born = facet.born;
   face.stiffness = facet.stiffness;
   face.areal_mass = facet.areal_mass;
   face.depth = facet.depth;
@@ -146,6 +159,7 @@ ContactParticle particle_from(const SurfaceParticle& shown, const Surface<Dim>& 
                            points.piece[p],  shown.radius, shown.modulus, shown.conductivity,
                            shown.effusivity, surface.held};
   if (!points.specific_heat.empty()) particle.specific_heat = points.specific_heat[p];
+  particle.born = shown.born;
   return particle;
 }
 
@@ -197,16 +211,13 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   sort_by_id(faces);
   sort_by_id(particles);
   Numbering<Dim> number(surfaces, nodes);
-  for (auto& face : faces) {
-    for (int c = 0; c < face.n_nodes; ++c) {
-      auto& node = face.node[static_cast<std::size_t>(c)];
-      node = number(face.surface, node);
-    }
-  }
+  for (auto& face : faces) number.name_corners(face);
   for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
+  number.add_gone();
   if (!sizes.empty()) size = median(sizes);
   deepest = ranks.all->max(deepest);
   size = ranks.all->max(size);
+  any_born = std::any_of(particles.begin(), particles.end(), [](auto& one) { return one.born; });
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
   set_options(pairs, diameters, rigid, *this);
@@ -224,6 +235,7 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
   faces.insert(faces.end(), imported.begin(), imported.end());
   if (!imported.empty()) sort_by_id(faces);
   for (auto& face : faces) {
+    any_born = any_born || face.born;
     if (face.deforms()) face.element_step = std::sqrt(2 * face.areal_mass / face.stiffness);
     shallowest = std::min(shallowest, face.half_thickness);
   }
@@ -238,8 +250,16 @@ void Entities<Dim>::add_faces(const std::vector<ContactFace<Dim>>& imported) {
 template <int Dim>
 void Entities<Dim>::add_particles(const std::vector<ContactParticle>& imported) {
   particles.insert(particles.end(), imported.begin(), imported.end());
+  for (const auto& particle : imported) any_born = any_born || particle.born;
   if (!imported.empty()) sort_by_id(particles);
   find_near();
+}
+
+template <int Dim>
+void Entities<Dim>::end_births() {
+  for (auto& face : faces) face.born = false;
+  for (auto& particle : particles) particle.born = false;
+  any_born = false;
 }
 
 namespace {

@@ -22,6 +22,7 @@ struct ContactFace {
   Label body = 0;
   Label piece = 0;
   bool owned = true;                ///< pairs in which it is the lower face are evaluated here
+  bool born = false;                ///< in the step under way
   Real stiffness = 0;               ///< [Pa/m] M/h
   Real areal_mass = 0;              ///< [kg/m^2]
   Real depth = 0;                   ///< [m]
@@ -83,6 +84,7 @@ struct ContactParticle {
   bool held = false;                ///< bounds no step
   bool owned = true;                ///< its row of candidates is evaluated here
   std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
+  bool born = false;                ///< in the step under way
 };
 
 /// Penetration at which faces of one piece let go, in depths: there, what is seen from behind is
@@ -124,6 +126,7 @@ struct Entities {
   std::vector<Real> gaps;         ///< [m] by body, up to which heat passes to it; empty: none
   bool any_particles = false;     ///< on any rank
   bool any_open = false;          ///< faces of surfaces with a rim
+  bool any_born = false;          ///< faces or particles in the step under way
 
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
@@ -135,10 +138,17 @@ struct Entities {
   /// Place of the face or particle with an id; it is there.
   std::size_t face_with(GlobalId id) const;
   std::size_t particle_with(GlobalId id) const;
+  /// True where a face with an id is here.
+  bool has_face(GlobalId id) const {
+    const std::size_t at = face_with(id);
+    return at < faces.size() && faces[at].id == id;
+  }
   /// Takes what friction asks of materials from the groups, for the faces that are here.
   void read_materials(const std::vector<Surface<Dim>*>& surfaces);
   /// Takes over what the same faces remember in an older table.
   void inherit_tractions(const Entities& old);
+  /// What was born in this step has met what it overlaps.
+  void end_births();
   /// Leaves bodies that touch nothing alone: those with a 0; with no entry there are none.
   void choose(const std::vector<char>& near);
   bool is_near(Label body) const { return near.empty() || (body < near.size() && near[body] != 0); }

@@ -14,6 +14,11 @@ void Boundaries<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
 }
 
 template <int Dim>
+void Boundaries<Dim>::keep_facets(const Surface<Dim>& surface) {
+  change_each([&](auto& one) { one.patch.keep_facets(surface); });
+}
+
+template <int Dim>
 void Boundaries<Dim>::start() {
   change_each([](auto& one) {
     if constexpr (requires { one.start(); }) one.start();

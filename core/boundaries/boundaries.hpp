@@ -44,6 +44,8 @@ class Boundaries {
   }
   /// From now on what acted on `old` points acts on those of them that `now` owns, the same ids.
   void follow(const Points<Dim>& old, Points<Dim>& now);
+  /// What acts on facets of this surface acts on those of them that are left.
+  void keep_facets(const Surface<Dim>& surface);
 
   /// At time 0, before the first energy is taken: start(), and conductances for the first step
   /// limit.

@@ -50,6 +50,19 @@ void Patch<Dim>::take_facets(std::vector<Facet<Dim>> faces) {
 }
 
 template <int Dim>
+void Patch<Dim>::keep_facets(const Surface<Dim>& surface) {
+  if (surface.points != points || facets.empty()) return;
+  const auto before = [](const Facet<Dim>& one, const Facet<Dim>& other) {
+    return one.id < other.id;
+  };
+  auto left = facets;
+  std::erase_if(left, [&](const Facet<Dim>& facet) {
+    return !std::binary_search(surface.facets.begin(), surface.facets.end(), facet, before);
+  });
+  if (left.size() < facets.size()) take_facets(std::move(left));
+}
+
+template <int Dim>
 std::string Patch<Dim>::needs_faces(const std::string& who) const {
   if (!has_particles()) return needs_areas();
   return who + " acts on faces, and '" + body +

@@ -39,6 +39,8 @@ struct Patch {
   /// From now on it acts on those of its points that `now` owns, the same ids as in `old`. Returns
   /// the places in `chosen` of what is kept.
   std::vector<std::size_t> follow(const Points<Dim>& old, Points<Dim>& now);
+  /// Leaves those of its facets that the surface of its points still has.
+  void keep_facets(const Surface<Dim>& surface);
   /// Why what acts on faces cannot act here, "" where it can. who  "a pressure"
   std::string needs_faces(const std::string& who) const;
   /// The same of what acts on areas, which particles have too.

@@ -57,6 +57,7 @@ cases=(
   "decks/fast 30_us"
   "decks/flight 0.2_ms"
   "decks/thin 4_us"
+  "decks/erosion 9_us"
   "decks/failing 17_us"
   "decks/lost 0.14_ms"
   "decks/fails 5_us"

@@ -94,6 +94,11 @@ bodies:
     shape:
       polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]], thickness: 1, corners: [0, 1, 2, 3]}
     size: 0.1
+  l:
+    material: d2
+    shape: {box: {min: [40, 0, 0], max: [41, 1, 1]}}
+    size: 0.5
+    erode: {damage: true, strain: 1.5, step: 1 ns, inverted: true, to: nothing}
 contact:
   default:
     friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}

@@ -1,0 +1,94 @@
+// Everything erodes: bodies of one element and of many, of each kind of element, in each geometry,
+// at once or one after another. What is left is their mass as points, or nothing; the ledger closes
+// and a restart says the same.
+#include <gtest/gtest.h>
+
+#include "tests/support/simulate.hpp"
+
+namespace brunt::test {
+namespace {
+
+struct Case {
+  const char *geometry, *box, *cells, *velocity, *element;
+};
+constexpr Case kCases[] = {
+    {"3d", "{min: [0, 0, 0], max: [1 mm, 1 mm, 1 mm]}", "[1, 1, 1]", "[10 m/s, 0, 5 m/s]",
+     "{integration: one-point}"},
+    {"3d", "{min: [0, 0, 0], max: [2 mm, 3 mm, 2 mm]}", "[2, 3, 2]", "[10 m/s, 0, 5 m/s]",
+     "{integration: q1p0}"},
+    {"3d", "{min: [0, 0, 0], max: [2 mm, 2 mm, 2 mm]}", "[2, 2, 2]", "[10 m/s, 0, 5 m/s]",
+     "{type: tet4}"},
+    {"plane-strain", "{min: [0, 0], max: [2 mm, 2 mm]}", "[2, 2]", "[10 m/s, 3 m/s]",
+     "{integration: full}"},
+    {"axisymmetric", "{min: [0, 0], max: [2 mm, 2 mm]}", "[2, 2]", "[0, 3 m/s]",
+     "{integration: one-point}"},
+};
+
+std::string flying_block(const Case& one, const std::string& erode, const std::string& more) {
+  return std::string("title: All of it erodes\ngeometry: ") + one.geometry + R"(
+time: {end: 2 us, max_step: 20 ns}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}, thermal: {cp: 1000 J/kg/K, k: 0.2}}
+bodies:
+  block:
+    material: rubber
+    shape: {box: )" +
+         one.box + "}\n    cells: " + one.cells + "\n    velocity: " + one.velocity +
+         "\n    element: " + one.element + "\n    erode: " + erode + R"(
+measures:
+  length: {extent: {body: block, axis: x}}
+  fastest: {max: {body: block, field: velocity.x}}
+  pressed: {mean: {body: block, field: pressure}}
+output: {every: 0.5 us, history: 0.1 us}
+)" + more;
+}
+
+TEST(ErosionExtremes, AllElementsOfABodyGo) {
+  for (const auto& one : kCases) {
+    for (const char* const heat : {"", "heat: conduct\n"}) {
+      for (const bool stays : {true, false}) {
+        const std::string erode =
+            std::string("{step: 1 s, to: ") + (stays ? "points}" : "nothing}");
+        const auto run = simulate_text(flying_block(one, erode, heat));
+        EXPECT_EQ(run.failure, "") << one.geometry << one.element;
+        EXPECT_EQ(run.last("body.block.internal"), 0);
+        EXPECT_NEAR(run.last("body.block.eroded_mass") / run.first("body.block.mass"), 1, 1e-14);
+        EXPECT_LT(run.worst_drift, 1e-13) << one.geometry << one.element << stays;
+        const Real mass = run.last("body.block.mass"), kinetic = run.first("energy.kinetic");
+        EXPECT_EQ(mass, stays ? run.first("body.block.mass") : 0) << one.geometry;
+        EXPECT_NEAR(run.last(stays ? "energy.kinetic" : "energy.eroded") / kinetic, 1, 1e-13);
+        const auto split = simulate_text(flying_block(one, erode, heat), {}, {.split_at = 7});
+        EXPECT_EQ(split.hashes, run.hashes) << one.geometry << one.element << stays;
+      }
+    }
+  }
+}
+
+TEST(ErosionExtremes, PointsThatAreLeftTouchWhatTheyMeet) {
+  // A cube in free flight becomes points and meets a wall that is held: they come back.
+  const auto run = simulate_text(R"(
+title: Points against a wall
+geometry: 3d
+time: {end: 60 us, max_step: 0.1 us}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}}
+bodies:
+  block:
+    material: rubber
+    shape: {box: {min: [-1 mm, -1 mm, 1 mm], max: [1 mm, 1 mm, 3 mm]}}
+    cells: [2, 2, 2]
+    velocity: [0, 0, -100 m/s]
+    erode: {step: 1 s}
+  wall: {rigid: true, shape: {plane: {origin: [0, 0, 0], normal: z, extent: 20 mm}}}
+contact: {default: {damping: 0}}
+output: {every: 1 s, history: 1 us}
+)");
+  EXPECT_EQ(run.failure, "");
+  EXPECT_EQ(run.last("body.block.eroded"), 8);
+  EXPECT_NEAR(run.last("body.block.velocity.z"), 100, 1);
+  EXPECT_NEAR(run.last("energy.kinetic") / run.first("energy.kinetic"), 1, 0.01);
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+}  // namespace
+}  // namespace brunt::test

@@ -1,0 +1,222 @@
+// Elements that go: what is left has the surface of a mesh that never had them, no energy is lost
+// or made beside the column `eroded`, and nodes about which nothing is left are particles, or
+// nothing.
+#include <gtest/gtest.h>
+
+#include "fe/erosion.hpp"
+#include "tests/unit/fe/fe_scene.hpp"
+
+namespace brunt {
+namespace {
+
+using namespace testing;
+
+constexpr Real kErodingStep = 2e-8;  // [s]
+
+template <int Dim>
+Mesh<Dim> eroding_mesh() {
+  std::array<int, Dim> cells;
+  cells.fill(3);
+  Vec<Dim> corner = Vec<Dim>::Zero();
+  corner[0] = 1e-3;
+  auto mesh = box_mesh<Dim>(cells, corner, Vec<Dim>::Constant(3e-3), 0.1);
+  mesh.set.adiabatic = true;
+  return mesh;
+}
+
+template <int Dim>
+std::unique_ptr<FiniteElements<Dim>> eroding_body(const Material& material, const Variant& variant,
+                                                  const Erosion& erosion) {
+  ElementOptions options;
+  options.erosion = erosion;
+  auto body = make_body<Dim>(eroding_mesh<Dim>(), material, variant, options);
+  auto& p = body->points();
+  for (LocalIndex k = 0; k < p.size(); ++k) {
+    for (int c = 0; c < Dim; ++c) p.v[k][c] = -1e5 * (p.x[k][c] - 1e-3);
+  }
+  return body;
+}
+
+/// As step_free, with erosion where the time loop has it.
+template <int Dim>
+void step_eroding(FiniteElements<Dim>& body, Real dt) {
+  Points<Dim>& p = body.points();
+  for (LocalIndex k = 0; k < p.size(); ++k) {
+    p.v[k] += 0.5 * dt * p.a[k];
+    p.x[k] += dt * p.v[k];
+    p.f[k].setZero();
+  }
+  body.erode(dt);
+  body.update_state(dt);
+  body.add_internal_forces(dt);
+  for (LocalIndex k = 0; k < p.size(); ++k) {
+    if (p.mass[k] == 0) continue;
+    p.a[k] = p.f[k] / p.mass[k];
+    p.v[k] += 0.5 * dt * p.a[k];
+  }
+}
+
+/// Makes an element strained beyond all bounds.
+template <int Dim>
+void strain_element(FiniteElements<Dim>& body, GlobalId id) {
+  for (auto& block : body.blocks()) {
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      for (int g = 0; block.id[e] == id && g < block.gauss; ++g) {
+        block.state.eps_p[block.point(e, g)] = 100;
+      }
+    }
+  }
+}
+
+template <int Dim>
+Real energy_of(const FiniteElements<Dim>& body, Real dt) {
+  const auto totals = totals_of(body);
+  ExactSum sum;
+  for (const auto& column : totals.columns) sum.add(column);
+  sum.add(kinetic_energy(body.points(), dt));
+  return sum.value();
+}
+
+template <int Dim>
+void expect_the_ledger_closes(const Variant& variant, ErodeTo to) {
+  const Material material = copper();
+  Erosion erosion;
+  erosion.strain = 50, erosion.to = to;
+  const auto body = eroding_body<Dim>(material, variant, erosion);
+  for (int n = 0; n < 10; ++n) step_eroding(*body, kErodingStep);
+  const Real before = energy_of(*body, kErodingStep);
+  const Real largest = totals_of(*body).value(Column::plastic_heat);
+  EXPECT_GT(largest, 0);
+  const auto n = static_cast<GlobalId>(body->n_elements());
+  // The first, of which a corner is left alone, and one inside; then all.
+  for (const std::vector<GlobalId>& going : {std::vector<GlobalId>{0, n / 2}, [n] {
+                                               std::vector<GlobalId> all(n);
+                                               std::iota(all.begin(), all.end(), GlobalId{0});
+                                               return all;
+                                             }()}) {
+    for (const GlobalId id : going) strain_element(*body, id);
+    for (int k = 0; k < 3; ++k) step_eroding(*body, kErodingStep);
+    EXPECT_NEAR(energy_of(*body, kErodingStep), before, 1e-12 * (std::abs(before) + largest));
+    EXPECT_EQ(body->n_elements(), n - going.size());
+    EXPECT_EQ(totals_of(*body).bodies[0].eroded.value(), static_cast<Real>(going.size()));
+  }
+  EXPECT_TRUE(body->surface().facets.empty());
+  const auto particles = static_cast<LocalIndex>(body->surface().particles.size());
+  EXPECT_EQ(particles, to == ErodeTo::points ? body->points().size() : 0);
+  for (const Real m : body->points().mass) EXPECT_EQ(m > 0, to == ErodeTo::points);
+  EXPECT_GT(body->stable_step().step, 0);
+  EXPECT_LT(body->stable_step().step, kInfinity);
+}
+
+TEST(Erosion, TheLedgerClosesWhateverGoes) {
+  for (const ErodeTo to : {ErodeTo::points, ErodeTo::nothing}) {
+    for (const auto& variant : variants_of(3)) {
+      SCOPED_TRACE(name_of(variant));
+      expect_the_ledger_closes<3>(variant, to);
+    }
+    for (const auto& variant : variants_of(2)) {
+      SCOPED_TRACE(name_of(variant));
+      expect_the_ledger_closes<2>(variant, to);
+    }
+  }
+}
+
+template <int Dim>
+void expect_the_surface_of_what_is_left() {
+  const Material material = copper();
+  Erosion erosion;
+  erosion.strain = 50;
+  const auto body =
+      eroding_body<Dim>(material, {Dim == 2 ? Geometry::plane_strain : Geometry::three_d}, erosion);
+  const auto before = body->surface().facets;
+  const std::vector<GlobalId> going = {0, 1, static_cast<GlobalId>(body->n_elements()) / 2};
+  for (const GlobalId id : going) strain_element(*body, id);
+  body->erode(kErodingStep);
+  EXPECT_TRUE(body->surface().changed);
+
+  auto mesh = eroding_mesh<Dim>();
+  for (auto it = going.rbegin(); it != going.rend(); ++it) {
+    const auto at = static_cast<long>(*it);
+    mesh.set.corners.erase(mesh.set.corners.begin() + at);
+    mesh.set.id.erase(mesh.set.id.begin() + at);
+    mesh.set.body.pop_back(), mesh.set.piece.pop_back();
+  }
+  const auto never =
+      make_body<Dim>(mesh, material, {Dim == 2 ? Geometry::plane_strain : Geometry::three_d});
+  const auto &now = body->surface().facets, &as_new = never->surface().facets;
+  ASSERT_EQ(now.size(), as_new.size());
+  std::size_t born = 0;
+  for (std::size_t f = 0; f < now.size(); ++f) {
+    EXPECT_EQ(now[f].id, as_new[f].id);
+    EXPECT_EQ(now[f].node, as_new[f].node);
+    EXPECT_EQ(now[f].depth, as_new[f].depth);
+    EXPECT_EQ(now[f].stiffness, as_new[f].stiffness);
+    EXPECT_EQ(now[f].borders, as_new[f].borders);
+    EXPECT_EQ(now[f].sharpness, as_new[f].sharpness);
+    const bool known = std::any_of(before.begin(), before.end(),
+                                   [&](const auto& one) { return one.id == now[f].id; });
+    EXPECT_EQ(now[f].born, !known);
+    born += known ? 0 : 1;
+  }
+  EXPECT_GT(born, 0U);
+  EXPECT_EQ(body->surface().died.size(), before.size() + born - now.size());
+  body->erode(kErodingStep);
+  for (const auto& facet : body->surface().facets) EXPECT_FALSE(facet.born);
+}
+
+TEST(Erosion, WhatIsLeftHasTheSurfaceOfAMeshThatNeverHadMore) {
+  expect_the_surface_of_what_is_left<2>();
+  expect_the_surface_of_what_is_left<3>();
+}
+
+TEST(Erosion, AnElementThatIsTurnedInsideOutGoesBeforeItPushes) {
+  const Material material = copper();
+  for (const auto& variant : variants_of(3)) {
+    Erosion erosion;
+    erosion.inverted = true;
+    ElementOptions options;
+    options.erosion = erosion;
+    const auto body = make_body<3>(box_mesh<3>({2, 1, 1}, Vec3::Zero(), Vec3(2, 1, 1)), material,
+                                   variant, options);
+    auto& p = body->points();
+    for (LocalIndex k = 0; k < p.size(); ++k) {
+      p.f[k].setZero();
+      if (p.x[k][0] == 0) p.x[k][0] = 1.1, p.v[k][0] = 1.1e3;
+    }
+    body->erode(1e-3);
+    EXPECT_EQ(body->n_elements(), 1U) << name_of(variant);
+    body->add_internal_forces(1e-3);
+    for (const auto& f : p.f) EXPECT_EQ(f.norm(), 0) << name_of(variant);
+    EXPECT_EQ(body->surface().particles.size(), 4U);
+  }
+}
+
+TEST(Erosion, AStateWithoutSomeElementsLoadsIntoAWholeGroupAndBack) {
+  const Material material = copper();
+  Erosion erosion;
+  erosion.strain = 50, erosion.to = ErodeTo::nothing;
+  const auto body = eroding_body<3>(material, {}, erosion);
+  for (int n = 0; n < 5; ++n) step_eroding(*body, kErodingStep);
+  std::vector<StateTable> whole, left;
+  body->save_state(whole);
+  for (const GlobalId id : {0, 5, 13}) strain_element(*body, static_cast<GlobalId>(id));
+  for (int n = 0; n < 5; ++n) step_eroding(*body, kErodingStep);
+  body->save_state(left);
+  const auto again = eroding_body<3>(material, {}, erosion);
+  const StateTables first(whole), second(left);
+  again->load_state(second);
+  EXPECT_EQ(again->n_elements(), body->n_elements());
+  EXPECT_EQ(totals_of(*again).state_hash, totals_of(*body).state_hash);
+  again->load_state(first);  // as where a later checkpoint did not fit
+  EXPECT_EQ(again->n_elements(), 27U);
+  again->load_state(second);
+  for (int n = 0; n < 5; ++n) {
+    step_eroding(*body, kErodingStep);
+    step_eroding(*again, kErodingStep);
+  }
+  EXPECT_EQ(totals_of(*again).state_hash, totals_of(*body).state_hash);
+  EXPECT_EQ(again->points().x, body->points().x);
+}
+
+}  // namespace
+}  // namespace brunt
