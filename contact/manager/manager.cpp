@@ -68,7 +68,7 @@ void ContactManager<Dim>::rearrange() {
     return;
   }
   const LookAhead ahead = search.begin();
-  evaluation.run(setup, search, 0, ahead, {&memory.touches(), true}, nullptr);
+  evaluation.run(setup, search, 0, ahead, memory.step(true), nullptr);
   memory.begin(evaluation.records());
   evaluation.records().clear();
 }
@@ -85,7 +85,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
   search.refresh_friction();
   // Evaluate what is listed.
   const auto& records = evaluation.records();
-  evaluation.run(setup, search, dt, ahead, {&memory.touches()}, &memory.past());
+  evaluation.run(setup, search, dt, ahead, memory.step(), &memory.past());
   // Exchange with the ranks whose nodes are moved, and apply.
   const auto elsewhere = search.imports().send_home(records, entities.nodes);
   apply<Dim>(records, elsewhere, dt, setup.surfaces, entities.nodes);
@@ -97,6 +97,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
                        search.imports().send_tractions(records, entities), friction_check,
                        entities);
   }
+  if (setup.pairs.holds()) book_losses(records, entities);
   last = {dt, ahead.time, true};
 }
 

@@ -161,6 +161,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
                         const Section& section, const ContactRanks& ranks,
                         const RigidSprings& rigid) {
   nodes.has_friction = pairs.has_friction();
+  nodes.holds = pairs.holds();
   gaps = pairs.gaps();
   nodes.turns = pairs.particles_have_friction();
   nodes.needs_material = pairs.needs_material();
