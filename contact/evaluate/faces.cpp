@@ -282,8 +282,10 @@ template <int Dim>
 bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const Section& section,
           const EvaluationStep& step, typename Records<Dim>::Part& part) {
   if (step.touches.time_zero) {
+    const std::size_t before = part.face_ties.size();
     begin_face_ties(entities, candidate, section, part);
-    return false;
+    // What is held where it is presses no more than it did.
+    return candidate.laws.presses_at_once() && part.face_ties.size() > before;
   }
   const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
   if (!hold_faces(entities, candidate, section, step, part)) return false;
