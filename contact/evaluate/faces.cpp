@@ -276,11 +276,22 @@ FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& cand
   return before == nullptr ? FirstTouch{} : *before;
 }
 
+/// [Pa/m] of the last record's spring: a joint has its own.
+template <int Dim>
+Real spring_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const CommonPlane<Dim>& plane, const EvaluationStep& step,
+               typename Records<Dim>::Part& part) {
+  const Real linear = candidate.normal.stiffness;
+  if (candidate.laws.holds == nullptr || !candidate.laws.holds->joint) return linear;
+  return linear * close_joint(entities, candidate, plane, step, part);
+}
+
 /// Holds two faces of a pair that is tied or a joint, where they are; begins it at time 0. What
 /// they keep of an overlap of time 0 waits until they are held no more.
 template <int Dim>
 bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const Section& section,
           const EvaluationStep& step, typename Records<Dim>::Part& part) {
+  if (candidate.laws.holds == nullptr) return false;
   if (step.touches.time_zero) {
     const std::size_t before = part.face_ties.size();
     begin_face_ties(entities, candidate, section, part);
@@ -307,9 +318,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const auto l = static_cast<std::size_t>(candidate.lower);
     const auto u = static_cast<std::size_t>(candidate.upper);
     if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
-    if (candidate.laws.holds != nullptr && held<Dim>(entities, candidate, section, step, part)) {
-      continue;
-    }
+    if (held<Dim>(entities, candidate, section, step, part)) continue;
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
     const ContactKey key =
@@ -345,10 +354,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
       touch.held = touch.held || plane.deepest > FirstTouch::kHeldFrom * candidate.normal.limit;
-      Real stiffness = candidate.normal.stiffness;
-      if (candidate.laws.holds != nullptr && candidate.laws.holds->joint) {
-        stiffness *= close_joint(entities, candidate, plane, step, part);
-      }
+      const Real stiffness = spring_of(entities, candidate, plane, step, part);
       if (plane.share > 0) add_push(stiffness, plane, entities.faces[l].n_nodes, part);
       if (candidate.laws.friction == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
