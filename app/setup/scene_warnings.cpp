@@ -10,6 +10,11 @@
 namespace brunt {
 
 namespace {
+bool is_tied(const LoadedDeck& loaded, const std::string& pair) {
+  return std::any_of(loaded.deck.contact.pairs.begin(), loaded.deck.contact.pairs.end(),
+                     [&](const auto& one) { return one.name == pair && one.value.options.tied; });
+}
+
 template <int Dim>
 void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn_at) {
   if (!scene.contact) return;
@@ -22,6 +27,19 @@ void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Wa
                         deck::length_text(pair.deepest) +
                         "; they are felt once they have opened, and by what they close again "
                         "(initial_overlap: press feels them at once)");
+  }
+  for (const auto& pair : scene.contact->held_pairs()) {
+    if (pair.places == 0 && is_tied(loaded, pair.name)) {
+      warn(pair.name,
+           "is tied, but nothing of both bodies touches at time 0 (particles of two "
+           "bodies are tied by `bonded`)");
+    }
+    if (pair.stiffest > 0) {
+      char slope[32];
+      std::snprintf(slope, sizeof slope, "%.3g Pa/m", pair.stiffest);
+      warn(pair.name, "its joint goes on along a line from a slope of " + std::string(slope) +
+                          ", four times the elements on both sides: smaller elements allow more");
+    }
   }
   for (const auto& pair : scene.contact->one_sided_pairs()) {
     const auto& surface = loaded.deck.bodies[pair.open];

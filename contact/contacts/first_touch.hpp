@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/contacts/keyed_memory.hpp"
+#include "contact/contacts/tie.hpp"
 
 namespace brunt {
 
@@ -59,6 +59,8 @@ struct TouchStep {
   const FirstTouches* before = nullptr;  ///< those of the last evaluation
   bool time_zero = false;                ///< they begin now, and no force is evaluated
   bool again = false;  ///< the last evaluation is repeated: what slid in it has not broken yet
+  const TiePoints* ties = nullptr;          ///< that held in the last evaluation
+  const JointClosures* closures = nullptr;  ///< as it left them
 };
 
 }  // namespace brunt

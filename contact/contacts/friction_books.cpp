@@ -59,6 +59,15 @@ void book_friction(const Records<Dim>& records, const FrictionHistory<Dim>& past
   book_ended(past, entities);
 }
 
+template <int Dim>
+void book_losses(const Records<Dim>& records, Entities<Dim>& entities) {
+  records.visit_losses([&](const JointLoss& loss) {
+    entities.nodes.joint_loss[book_of(entities, loss.key)] += loss.energy;
+  });
+}
+
+template void book_losses<2>(const Records<2>&, Entities<2>&);
+template void book_losses<3>(const Records<3>&, Entities<3>&);
 template void book_friction<2>(const Records<2>&, const FrictionHistory<2>&, const PairTable&,
                                std::vector<TractionShare<2>>, FrictionCheck<2>&, Entities<2>&);
 template void book_friction<3>(const Records<3>&, const FrictionHistory<3>&, const PairTable&,

@@ -14,4 +14,9 @@ void book_friction(const Records<Dim>& records, const FrictionHistory<Dim>& past
                    const PairTable& pairs, std::vector<TractionShare<Dim>> elsewhere,
                    FrictionCheck<Dim>& check, Entities<Dim>& entities);
 
+/// Books what joints have used up in this evaluation: it comes from what their springs have taken
+/// from motion.
+template <int Dim>
+void book_losses(const Records<Dim>& records, Entities<Dim>& entities);
+
 }  // namespace brunt

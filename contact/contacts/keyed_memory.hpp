@@ -10,6 +10,7 @@
 /// follow from it.
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -161,6 +162,25 @@ class KeyedMemory {
     if (memories_.empty()) return nullptr;
     const auto at = place_of(key);
     return is_at(at, key) ? &*at : nullptr;
+  }
+  /// Those from one key up to before another.
+  std::span<const Memory> range(const ContactKey& first, const ContactKey& before) const {
+    if (memories_.empty()) return {};
+    return {place_of(first), place_of(before)};
+  }
+  /// Takes those of keys that it has in place of its own, and the others too. updates  in the order
+  /// of keys
+  void update(const std::vector<Memory>& updates) {
+    std::vector<Memory> both;
+    both.reserve(memories_.size() + updates.size());
+    auto own = memories_.begin();
+    for (const auto& update : updates) {
+      while (own != memories_.end() && own->key < update.key) both.push_back(*own++);
+      if (own != memories_.end() && own->key == update.key) ++own;
+      both.push_back(update);
+    }
+    both.insert(both.end(), own, memories_.end());
+    memories_.swap(both);
   }
   auto begin() const { return memories_.begin(); }
   auto end() const { return memories_.end(); }

@@ -16,6 +16,8 @@ template <int Dim>
 void ContactMemory<Dim>::end_step(const Records<Dim>& records, const Entities<Dim>& entities,
                                   Real dt, Real time) {
   records.collect_touches(touches_);
+  records.collect_ties(ties_);
+  records.collect_closures(closures_);
   keep_lost(records, entities, dt, time);
 }
 
@@ -32,6 +34,7 @@ void ContactMemory<Dim>::bury(const std::vector<GlobalId>& died) {
 template <int Dim>
 void ContactMemory<Dim>::take_repeated(const Records<Dim>& records) {
   records.collect_touches(touches_);
+  records.collect_ties(ties_);
   records.collect_deep(deep_);
 }
 
@@ -71,7 +74,7 @@ void ContactMemory<Dim>::keep_lost(const Records<Dim>& records, const Entities<D
 
 template <int Dim>
 std::uint64_t ContactMemory<Dim>::hash(const Records<Dim>& records) const {
-  std::uint64_t sum = touches_.hash();
+  std::uint64_t sum = touches_.hash() + ties_.hash() + closures_.hash();
   records.visit_frictions([&](const Friction<Dim>& friction) { sum += hash_of(friction); });
   return sum;
 }
@@ -84,12 +87,16 @@ void ContactMemory<Dim>::save(const Records<Dim>& records, const Entities<Dim>& 
   save_memories(frictions, tables);
   growths_of(entities).save(tables);
   touches_.save(tables);
+  ties_.save(tables);
+  closures_.save(tables);
   lost_.save(tables);
 }
 
 template <int Dim>
 void ContactMemory<Dim>::load(const Entities<Dim>& entities, const StateTables& tables) {
   touches_.load(entities, tables);
+  ties_.load(entities, tables);
+  closures_.load(entities, tables);
   lost_.load(entities, tables);
 }
 

@@ -20,11 +20,20 @@ class ContactMemory {
   /// What faces that have gone in this step kept goes with them. died  their ids, ascending
   void bury(const std::vector<GlobalId>& died);
   /// The same at time 0, where nothing was before.
-  void begin(const Records<Dim>& records) { records.collect_touches(touches_); }
+  void begin(const Records<Dim>& records) {
+    records.collect_touches(touches_);
+    records.collect_ties(ties_);
+  }
   /// The same of the last evaluation, repeated.
   void take_repeated(const Records<Dim>& records);
 
+  /// How the next evaluation finds what it knows, as of TouchStep.
+  TouchStep step(bool time_zero = false, bool again = false) const {
+    return {&touches_, time_zero, again, &ties_, &closures_};
+  }
   const FirstTouches& touches() const { return touches_; }
+  const TiePoints& ties() const { return ties_; }
+  const JointClosures& closures() const { return closures_; }
   const LostContacts<Dim>& lost() const { return lost_; }
   /// Friction as it was before the step under way.
   FrictionHistory<Dim>& past() { return past_; }
@@ -42,6 +51,8 @@ class ContactMemory {
 
   FrictionHistory<Dim> past_;
   FirstTouches touches_;                 // as the last evaluation left them
+  TiePoints ties_;                       // that held in it
+  JointClosures closures_;               // since time 0
   LostContacts<Dim> lost_;               // since time 0
   std::vector<DeepParticle<Dim>> deep_;  // of the last evaluation
   std::vector<GlobalId> died_;           // faces, in the step under way

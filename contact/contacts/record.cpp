@@ -70,6 +70,11 @@ void Records<Dim>::clear() {
     part.face_touches.clear();
     part.particle_touches.clear();
     part.pair_touches.clear();
+    part.face_ties.clear();
+    part.particle_ties.clear();
+    part.closures.clear();
+    part.losses.clear();
+    part.particle_losses.clear();
     part.lost.clear();
     part.deep.clear();
     part.past = 0;
@@ -88,6 +93,24 @@ void Records<Dim>::collect_touches(FirstTouches& touches) const {
   }
   for (const auto& part : parts_) {
     for (const auto& touch : part.pair_touches) touches.add(touch);
+  }
+}
+
+template <int Dim>
+void Records<Dim>::collect_ties(TiePoints& ties) const {
+  ties.clear();
+  for (const auto& part : parts_) {
+    for (const auto& tie : part.face_ties) ties.add(tie);
+  }
+  for (const auto& part : parts_) {
+    for (const auto& tie : part.particle_ties) ties.add(tie);
+  }
+}
+
+template <int Dim>
+void Records<Dim>::collect_closures(JointClosures& closures) const {
+  for (const auto& part : parts_) {
+    if (!part.closures.empty()) closures.update(part.closures);
   }
 }
 

@@ -78,6 +78,10 @@ class Records {
     std::vector<PotentialPush<Dim>> pushes;
     std::vector<HeatFlow<Dim>> face_heat, particle_heat;
     std::vector<FirstTouch> face_touches, particle_touches, pair_touches;
+    std::vector<TiePoint> face_ties, particle_ties;  ///< that hold now
+    std::vector<JointClosure> closures;              ///< of joints that touch now
+    std::vector<JointLoss> losses;                   ///< of faces, in the order of keys
+    std::vector<JointLoss> particle_losses;
     std::vector<PairHeatPath<Dim>> pair_heat;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     std::vector<LocalIndex> near;                   ///< room to work: faces
@@ -163,6 +167,18 @@ class Records {
   void collect_deep(std::vector<DeepParticle<Dim>>& deep) const;
   /// What pairs keep from time 0, in the order of keys.
   void collect_touches(FirstTouches& touches) const;
+  void collect_ties(TiePoints& ties) const;
+  void collect_closures(JointClosures& closures) const;
+  /// visit(loss) of what joints have used up in this evaluation, in the order of keys.
+  template <class Visit>
+  void visit_losses(const Visit& visit) const {
+    for (const auto& part : parts_) {
+      for (const auto& loss : part.losses) visit(loss);
+    }
+    for (const auto& part : parts_) {
+      for (const auto& loss : part.particle_losses) visit(loss);
+    }
+  }
   /// Names the nodes and places of each contact anew, as they stand in tables that are new.
   void name_nodes(const Entities<Dim>& entities);
   /// Gives every contact whose friction find(key) knows that friction, as it stands.

@@ -5,6 +5,7 @@
 #include "contact/evaluate/edges.hpp"
 #include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
+#include "contact/evaluate/ties.hpp"
 #include "contact/geometry/crossing.hpp"
 #include "contact/surfaces/start_warp.hpp"
 
@@ -187,7 +188,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
 
 /// Keeps what the last record of the part gets beside its push along the normal.
 template <int Dim>
-void add_push(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, int n_lower,
+void add_push(Real stiffness, const CommonPlane<Dim>& plane, int n_lower,
               typename Records<Dim>::Part& part) {
   auto& record = part.face_on_face.back();
   record.push = static_cast<std::int32_t>(part.pushes.size());
@@ -196,7 +197,7 @@ void add_push(const FaceCandidate& candidate, const CommonPlane<Dim>& plane, int
   for (int i = 0; i < record.n_nodes; ++i) {
     const auto& push = i < n_lower ? plane.lower_push[static_cast<std::size_t>(i)]
                                    : plane.upper_push[static_cast<std::size_t>(i - n_lower)];
-    pushes.force[static_cast<std::size_t>(i)] = candidate.normal.stiffness * push;
+    pushes.force[static_cast<std::size_t>(i)] = stiffness * push;
   }
 }
 
@@ -303,6 +304,38 @@ FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& cand
   const auto* before = step.before->find(key);
   return before == nullptr ? FirstTouch{} : *before;
 }
+
+/// [Pa/m] of the last record's spring: a joint has its own.
+template <int Dim>
+Real spring_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
+               const CommonPlane<Dim>& plane, const EvaluationStep& step,
+               typename Records<Dim>::Part& part) {
+  const Real linear = candidate.normal.stiffness;
+  if (candidate.laws.holds == nullptr || !candidate.laws.holds->joint) return linear;
+  return linear * close_joint(entities, candidate, plane, step, part);
+}
+
+/// Holds two faces of a pair that is tied or a joint, where they are; begins it at time 0. What
+/// they keep of an overlap of time 0 waits until they are held no more.
+template <int Dim>
+bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const Section& section,
+          const EvaluationStep& step, typename Records<Dim>::Part& part) {
+  if (candidate.laws.holds == nullptr) return false;
+  if (step.touches.time_zero) {
+    const std::size_t before = part.face_ties.size();
+    begin_face_ties(entities, candidate, section, part);
+    // What is held where it is presses no more than it did.
+    return candidate.laws.presses_at_once() && part.face_ties.size() > before;
+  }
+  const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
+  if (!hold_faces(entities, candidate, section, step, part)) return false;
+  const auto& record = part.face_on_face.back();
+  const auto key = touch_key(ContactKind::face_face, record.first, record.second);
+  const FirstTouch touch = touch_before(entities, candidate, key, section, step.touches);
+  if (touch.matters()) part.face_touches.push_back(touch);
+  if (candidate.laws.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
+  return true;
+}
 }  // namespace
 
 template <int Dim>
@@ -314,6 +347,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const auto l = static_cast<std::size_t>(candidate.lower);
     const auto u = static_cast<std::size_t>(candidate.upper);
     if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
+    if (held<Dim>(entities, candidate, section, step, part)) continue;
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
     const ContactKey key =
@@ -351,7 +385,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
       note_deep_faces(entities, candidate, plane, touch, part);
-      if (plane.share > 0) add_push(candidate, plane, entities.faces[l].n_nodes, part);
+      const Real stiffness = spring_of(entities, candidate, plane, step, part);
+      if (plane.share > 0) add_push(stiffness, plane, entities.faces[l].n_nodes, part);
       if (candidate.laws.friction == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
     }

@@ -14,8 +14,11 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
   const auto l = static_cast<std::size_t>(candidate.lower);
   const auto u = static_cast<std::size_t>(candidate.upper);
   const Real meets = meeting_distance(entities.planes[l], entities.planes[u]);
+  // Faces that are held together touch, however their springs give.
+  const bool bonded = part.face_on_face.size() > ends.record && part.face_on_face.back().bonded;
+  const Real least = bonded && candidate.laws.holds != nullptr ? candidate.normal.limit : meets;
   const PlaneNeeds needs{
-      .middle = true, .opening = std::max(meets, gap_of(*candidate.laws.heat)), .pushes = false};
+      .middle = true, .opening = std::max(least, gap_of(*candidate.laws.heat)), .pushes = false};
   std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
   const auto middle = static_cast<std::ptrdiff_t>(part.face_heat.size());

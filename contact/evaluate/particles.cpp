@@ -4,6 +4,7 @@
 #include "contact/evaluate/evaluate.hpp"
 #include "contact/evaluate/particle_law.hpp"
 #include "contact/evaluate/particle_touches.hpp"
+#include "contact/evaluate/ties.hpp"
 #include "contact/geometry/box_query.hpp"
 
 namespace brunt {
@@ -299,11 +300,14 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                         FrictionHistory<Dim>* history, std::span<ParticleLoad> loads,
                         typename Records<Dim>::Part& part) {
   PairFinder pairs(rows.pairs);
+  const bool any_ties = !step.touches.ties->empty();
   for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
     const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
-    if (out_of_touch && !entities.nodes.conduct) continue;
+    if (out_of_touch && !entities.nodes.conduct && !any_ties) continue;
     const LocalIndex place = rows.row_clearances[row].entity;
     const auto& particle = entities.particles[static_cast<std::size_t>(place)];
+    const bool tied = any_ties && is_tied(step.touches, particle.id);
+    if (out_of_touch && !entities.nodes.conduct && !tied) continue;
     const auto node = static_cast<std::size_t>(particle.node);
     const Vec<Dim> x = entities.nodes.x[node];
     const Present<Dim> now{particle,
@@ -319,8 +323,21 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
       add_hit(entities, static_cast<std::size_t>(f), now, step, part);
     }
     ParticleLoad load;
+    if (tied) {
+      load.squared_frequency = hold_particle<Dim>(
+          entities, place, pairs, section_of<Dim>(particle) * now.breadth, section, step, part);
+    }
     if (!part.hits.empty()) {
       record_hits(entities, now, pairs, section, step, history, load, part);
+    }
+    if (step.touches.time_zero && rows.pairs.holds()) {
+      begin_particle_ties<Dim>(entities, particle, pairs, section_of<Dim>(particle) * now.breadth,
+                               part);
+    }
+    if (tied) {
+      std::sort(part.particle_on_face.begin() + static_cast<std::ptrdiff_t>(ends.record),
+                part.particle_on_face.end(),
+                [](const auto& a, const auto& b) { return key_of(a) < key_of(b); });
     }
     if (entities.nodes.conduct) {
       load.on_faces = load.heat_contacts = add_particle_heat<Dim>(

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +10,7 @@
 #include "contact/law/coulomb_friction.hpp"
 #include "contact/law/friction_heat.hpp"
 #include "contact/law/initial_overlap.hpp"
+#include "contact/law/joint.hpp"
 #include "core/search/search.hpp"
 
 namespace brunt {
@@ -20,6 +22,10 @@ struct PairOptions {
   Real damping = 0.1;    ///< zeta: fraction of critical
   CoulombFriction coulomb{};
   Bonds bonds{};
+  /// What touches at time 0 stays together by springs between places of both sides, until it breaks
+  /// where `cohesion` or `tension` say so.
+  bool tied = false;
+  std::optional<JointSpring> joint;  ///< by these springs, and so does what meets later
   InitialOverlap initial_overlap = InitialOverlap::track;
   /// Pressure, in weights of the body that rests, as far as which a soft layer lets it come to
   /// rest.
@@ -30,8 +36,12 @@ struct PairOptions {
   bool bonded = false;  ///< particles of both bodies share one SPH sum
 
   bool passes_heat() const { return heat.index() != 0; }
+  /// True where places of both sides are held from time 0 on.
+  bool holds() const { return tied || joint.has_value(); }
   /// True where anything resists sliding, a bond too.
   bool has_friction() const { return BondLaw(bonds).any() || coulomb.acts(); }
+  /// [1] as large a part of the springs of both sides as any spring between them may be.
+  Real stiffest() const { return holds() ? std::max(stiffness, kTiedStiffness) : stiffness; }
   /// True where that depends on the temperature or the flow stress of what slides.
   bool needs_material() const {
     return (coulomb.shear_limit && has_friction()) || coulomb.depends_on_material();
@@ -39,7 +49,6 @@ struct PairOptions {
 };
 
 inline void describe(Schema& s, PairOptions& pair) {
-  static constexpr const char* kLater[] = {"tied", "joint"};
   s.flag({"ignore", "these bodies do not touch each other"}, pair.ignore);
   s.flag({"bonded", "particles of both bodies share one SPH sum, as those of one body"},
          pair.bonded);
@@ -48,6 +57,14 @@ inline void describe(Schema& s, PairOptions& pair) {
          {"1", positive(), between(0.01, 10)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
   std::apply([&](auto&... bond) { (describe(s, bond), ...); }, pair.bonds);
+  s.flag({"tied",
+          "what touches at time 0 stays together: springs hold places of both sides, until "
+          "cohesion or tension, where they are given, are exceeded"},
+         pair.tied);
+  s.object(
+      {"joint",
+       "faces close and shear as those of a joint, from time 0 on held by cohesion and tension"},
+      pair.joint);
   describe(s, pair.initial_overlap);
   s.real({"resting_layer",
           "pressure, in weights of the body that rests, up to which contact under gravity is soft "
@@ -55,7 +72,8 @@ inline void describe(Schema& s, PairOptions& pair) {
          pair.resting_layer, {"1", at_least(0), between(0, 1000)});
   s.one_of({"heat", "whether heat passes between them where they touch"}, pair.heat);
   s.object({"friction_heat", "what becomes of the heat of friction"}, pair.friction_heat);
-  s.later(kLater);
+  s.require(!pair.tied || !(pair.ignore || pair.bonded), "tied",
+            "stands beside ignore or bonded: keep one of them");
   s.require(!pair.ignore || !pair.bonded, "bonded", "stands beside ignore: keep one of them");
 }
 

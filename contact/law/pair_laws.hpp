@@ -12,15 +12,18 @@ struct PairLaws {
   const FrictionHeat* friction_heat = nullptr;
   const ContactHeat* heat = nullptr;  ///< where heat passes and both sides take any
   InitialOverlap initial_overlap = InitialOverlap::track;
+  /// Where they are tied or a joint; bonds are then those of its springs.
+  const PairOptions* holds = nullptr;
 
   PairLaws() = default;
   /// options  outlive it
   PairLaws(const PairOptions& options, bool both_take_heat)
       : friction(options.has_friction() ? &options.coulomb : nullptr),
-        bond(options.bonds),
+        bond(options.holds() ? BondLaw{} : BondLaw(options.bonds)),
         friction_heat(&options.friction_heat),
         heat(both_take_heat && options.passes_heat() ? &options.heat : nullptr),
-        initial_overlap(options.initial_overlap) {}
+        initial_overlap(options.initial_overlap),
+        holds(options.holds() ? &options : nullptr) {}
 
   bool presses_at_once() const { return initial_overlap == InitialOverlap::press; }
   /// The force [N] at which contact slips. bonded  its bond holds;  coefficient  out, where the

@@ -20,6 +20,9 @@ struct Shown {
   }
 };
 
+/// No joint bounds the step as if it were softer: edges of bodies that meet have ordinary springs.
+constexpr Real kLeastOfJoints = 0.5;
+
 bool can_touch(const Shown& a, const Shown& b, bool bonded) {
   const bool faces = a.faces && b.faces && (a.soft_faces || b.soft_faces);
   if (a.particles && b.particles && !bonded) return true;
@@ -41,6 +44,10 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       auto& shown = bodies[facet.body];
       shown.faces = true;
       shown.soft_faces = shown.soft_faces || !facet.rigid();
+      if (!facet.rigid()) {
+        auto& softest = softest_.try_emplace(facet.body, facet.stiffness).first->second;
+        softest = std::min(softest, facet.stiffness);
+      }
       shown.take(facet.piece);
     }
     for (const auto& particle : surface->particles) {
@@ -62,6 +69,8 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       if (pair.ignore || !apart || !can_touch(first->second, second->second, pair.bonded)) continue;
       pairs_.emplace_back(a, b);
       has_friction_ = has_friction_ || pair.has_friction();
+      holds_ = holds_ || pair.holds();
+      const Real phi = stiffness_of(pair, a, b);
       needs_material_ = needs_material_ || pair.needs_material();
       presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;
       if (first->second.particles && second->second.particles && !pair.bonded) {
@@ -73,7 +82,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       for (const Label body : {a, b}) {
         if (gap > 0) gaps_[body] = std::max(gaps_[body], gap);
         auto [it, is_new] = strongest_.try_emplace(body, pair);
-        it->second.stiffness = std::max(it->second.stiffness, pair.stiffness);
+        it->second.stiffness = std::max(it->second.stiffness, phi);
         it->second.damping = std::max(it->second.damping, pair.damping);
       }
     }
@@ -83,6 +92,20 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
     if (named || pairs_.size() <= kMostReportedPairs) reported_.push_back(k);
   }
 }
+
+/// A linear joint may be softer than anything else between them.
+Real PairTable::stiffness_of(const PairOptions& pair, Label a, Label b) const {
+  if (!pair.joint || pair.joint->max_closure) return pair.stiffest();
+  Real compliance = 0;  // [m/Pa] of both sides
+  for (const Label body : {a, b}) {
+    const auto it = softest_.find(body);
+    if (it != softest_.end()) compliance += 1 / it->second;
+  }
+  const Real of_joint = std::max(pair.joint->normal, pair.joint->across()) * compliance;
+  return std::max(std::min(of_joint, kTiedStiffness), kLeastOfJoints);
+}
+
+Real PairTable::stiffness(Label a, Label b) const { return stiffness_of(of(a, b), a, b); }
 
 std::optional<std::size_t> PairTable::find(Label a, Label b) const {
   const std::pair<Label, Label> wanted = std::minmax(a, b);
@@ -135,7 +158,11 @@ const RestingLayer& PairTable::resting(Label a, Label b) const {
 
 PairOptions PairTable::strongest(Label body) const {
   const auto it = strongest_.find(body);
-  return it == strongest_.end() ? PairOptions{true, 0, 0, {}} : it->second;
+  if (it != strongest_.end()) return it->second;
+  PairOptions none;
+  none.ignore = true;
+  none.stiffness = none.damping = 0;
+  return none;
 }
 
 template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<2>*>&,

@@ -40,8 +40,12 @@ class PairTable {
   bool particles_have_friction() const { return particles_have_friction_; }
   /// The largest stiffness and damping with which anything may touch this body; 0: nothing may.
   PairOptions strongest(Label body) const;
+  /// [1] as large a part of the springs of both bodies as any spring between them may be.
+  Real stiffness(Label a, Label b) const;
   /// True if any of these pairs has friction.
   bool has_friction() const { return has_friction_; }
+  /// True if any of these pairs is tied, or a joint.
+  bool holds() const { return holds_; }
   /// True if in any of these pairs friction depends on temperature or flow stress.
   bool needs_material() const { return needs_material_; }
   /// True if in any of these pairs an overlap at time 0 is felt at once.
@@ -61,9 +65,12 @@ class PairTable {
   const std::vector<std::size_t>& reported() const { return reported_; }
 
  private:
+  Real stiffness_of(const PairOptions& pair, Label a, Label b) const;
+
   PairOptions fallback_;
   std::map<std::pair<Label, Label>, PairOptions> given_;
   std::map<Label, PairOptions> strongest_;
+  std::map<Label, Real> softest_;  // [Pa/m] least M/h of each body's faces that deform
   std::map<std::pair<Label, Label>, RestingLayer> resting_;    // first <= second
   std::map<std::pair<Label, Label>, std::string> pair_names_;  // those of the deck
   std::set<std::pair<Label, Label>> turned_;                   // as of ContactOptions
@@ -72,6 +79,7 @@ class PairTable {
   std::vector<std::size_t> reported_;
   bool has_friction_ = false;
   bool presses_ = false;
+  bool holds_ = false;
   bool needs_material_ = false;
   std::vector<Real> gaps_;   // [m]
   std::set<Label> selves_;   // bodies that the deck pairs with themselves

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "contact/evaluate/ties.hpp"
 #include "contact/manager/implementation.hpp"
 
 namespace brunt {
@@ -66,27 +67,69 @@ std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
   return work;
 }
 
+namespace {
+/// Bodies of a contact. surface  the second id of a particle on a surface names that, else a face
+template <int Dim>
+std::pair<Label, Label> bodies_of(const Entities<Dim>& entities, const ContactKey& key,
+                                  bool surface) {
+  const auto of_particle = [&](GlobalId id) {
+    return entities.particles[entities.particle_with(id)].body;
+  };
+  const auto of_face = [&](GlobalId id) { return entities.faces[entities.face_with(id)].body; };
+  if (key.kind == ContactKind::particle_particle) {
+    return std::minmax(of_particle(key.first), of_particle(key.second));
+  }
+  if (key.kind == ContactKind::particle_face) {
+    const Label other = surface ? static_cast<Label>(key.second >> 32) : of_face(key.second);
+    return std::minmax(of_particle(key.first), other);
+  }
+  return std::minmax(of_face(key.first), of_face(key.second));
+}
+}  // namespace
+
+template <int Dim>
+std::vector<HeldPair> ContactManager<Dim>::held_pairs() const {
+  constexpr Real kSoon = 0.95;  // of the largest closure
+  const auto& own = *implementation_;
+  const auto& entities = own.search.entities();
+  std::map<std::size_t, HeldPair> by_pair;
+  for (const auto& [names, name] : own.setup.options.pair_names) {
+    const auto pair = own.setup.pairs.find(names.first, names.second);
+    if (pair && own.setup.pairs.of(names.first, names.second).holds()) by_pair[*pair].name = name;
+  }
+  const auto find = [&](const std::pair<Label, Label>& bodies) {
+    return by_pair.find(own.setup.pairs.find(bodies.first, bodies.second).value());
+  };
+  for (const auto& tie : own.memory.ties()) {
+    const auto it = find(bodies_of(entities, tie.key, false));
+    if (it != by_pair.end()) ++it->second.places;
+  }
+  for (const auto& candidate : own.search.candidates().faces()) {
+    const auto* options = candidate.laws.holds;
+    if (options == nullptr || !options->joint) continue;
+    const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
+    const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+    const auto it = find(std::minmax(lower.body, upper.body));
+    if (it == by_pair.end()) continue;
+    const HoldingSpring spring = spring_between(lower, upper, *options);
+    const Real steepest = options->joint->max_closure
+                              ? options->joint->normal / ((1 - kSoon) * (1 - kSoon))
+                              : std::max(options->joint->normal, options->joint->across());
+    if (steepest > spring.stiffest) it->second.stiffest = spring.stiffest;
+  }
+  std::vector<HeldPair> found;
+  found.reserve(by_pair.size());
+  for (const auto& [pair, held] : by_pair) found.push_back(held);
+  return found;
+}
+
 template <int Dim>
 std::vector<InitialOverlaps> ContactManager<Dim>::initial_overlaps() const {
   const auto& own = *implementation_;
   std::map<std::size_t, InitialOverlaps> by_pair;
-  const auto bodies_of = [&](const ContactKey& key) -> std::pair<Label, Label> {
-    const auto& entities = own.search.entities();
-    const auto body_of = [&](GlobalId particle) {
-      return entities.particles[entities.particle_with(particle)].body;
-    };
-    if (key.kind == ContactKind::particle_particle) {
-      return std::minmax(body_of(key.first), body_of(key.second));
-    }
-    if (key.kind == ContactKind::particle_face) {
-      return std::minmax(body_of(key.first), static_cast<Label>(key.second >> 32));
-    }
-    return std::minmax(entities.faces[entities.face_with(key.first)].body,
-                       entities.faces[entities.face_with(key.second)].body);
-  };
   for (const auto& touch : own.memory.touches()) {
     if (!(touch.overlap > 0)) continue;
-    const auto [a, b] = bodies_of(touch.key);
+    const auto [a, b] = bodies_of(own.search.entities(), touch.key, true);
     const std::size_t pair = own.setup.pairs.find(a, b).value();
     auto& overlaps = by_pair[pair];
     overlaps.name = own.setup.pairs.name(pair);
@@ -119,6 +162,8 @@ std::vector<OneSidedPair> ContactManager<Dim>::one_sided_pairs() const {
 
 template std::vector<OneSidedPair> ContactManager<2>::one_sided_pairs() const;
 template std::vector<OneSidedPair> ContactManager<3>::one_sided_pairs() const;
+template std::vector<HeldPair> ContactManager<2>::held_pairs() const;
+template std::vector<HeldPair> ContactManager<3>::held_pairs() const;
 template std::vector<InitialOverlaps> ContactManager<2>::initial_overlaps() const;
 template std::vector<InitialOverlaps> ContactManager<3>::initial_overlaps() const;
 template std::size_t ContactManager<2>::n_pairs() const;

@@ -80,7 +80,7 @@ void ContactManager<Dim>::rearrange() {
     return;
   }
   const LookAhead ahead = search.begin();
-  evaluation.run(setup, search, 0, ahead, {&memory.touches(), true}, nullptr);
+  evaluation.run(setup, search, 0, ahead, memory.step(true), nullptr);
   memory.begin(evaluation.records());
   evaluation.records().clear();
 }
@@ -98,7 +98,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
   search.refresh_friction();
   // Evaluate what is listed.
   const auto& records = evaluation.records();
-  evaluation.run(setup, search, dt, ahead, {&memory.touches()}, &memory.past());
+  evaluation.run(setup, search, dt, ahead, memory.step(), &memory.past());
   search.end_births();
   // Exchange with the ranks whose nodes are moved, and apply.
   const auto elsewhere = search.imports().send_home(records, entities.nodes);
@@ -111,6 +111,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
                        search.imports().send_tractions(records, entities), friction_check,
                        entities);
   }
+  if (setup.pairs.holds()) book_losses(records, entities);
   last = {dt, ahead.time, true};
 }
 

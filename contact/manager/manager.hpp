@@ -52,6 +52,15 @@ struct OneSidedPair {
   Label open;        ///< body of the surface
 };
 
+/// A pair that is tied or a joint.
+struct HeldPair {
+  std::string name;        ///< as in PairReport
+  std::size_t places = 0;  ///< that are held
+  /// [Pa/m] the slope from which a joint goes on along a line, where its curve or its own stiffness
+  /// would soon be steeper; 0: it would not.
+  Real stiffest = 0;
+};
+
 /// How much work the contact lists were; it says nothing about the answer.
 struct ContactWork {
   std::size_t builds = 0;      ///< of the lists, since time 0
@@ -116,6 +125,8 @@ class ContactManager {
   /// Pairs in which faces of elements may touch a surface with a rim: they meet its front alone,
   /// where particles meet both sides. Not collective.
   std::vector<OneSidedPair> one_sided_pairs() const;
+  /// Pairs that the deck names, and that are tied or a joint. Not collective.
+  std::vector<HeldPair> held_pairs() const;
   /// Contacts of the last evaluation; positions relative to the scene's origin; normal from
   /// body_a to body_b, force on body_b.
   ContactView view() const;

@@ -79,7 +79,9 @@ void visit_forces(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
   const auto& record = whole.record;
   visit(record.point, Vec<Dim>((record.spring + record.damping) * record.normal));
   if (whole.push != nullptr) {
-    for (auto k = whole.push->n_lower; k < record.n_nodes; ++k) {
+    // A particle is the upper side, and comes first.
+    const bool faces = record.kind == ContactKind::face_face;
+    for (auto k = faces ? whole.push->n_lower : 0; k < (faces ? record.n_nodes : 1); ++k) {
       const auto at = static_cast<std::size_t>(record.node[static_cast<std::size_t>(k)]);
       visit(nodes.x[at], whole.push->force[static_cast<std::size_t>(k)]);
     }

@@ -40,7 +40,7 @@ void ContactManager<Dim>::start() {
   auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
   if (last.started || !setup.pairs.presses()) return;
   const LookAhead ahead{evaluation.step_limit(), last.ahead};
-  evaluation.run(setup, search, 0, ahead, {&memory.touches(), true}, nullptr);
+  evaluation.run(setup, search, 0, ahead, memory.step(true), nullptr);
   memory.begin(evaluation.records());
   press(setup, evaluation.records(), search);  // row 0 of a history reads the records that are left
 }

@@ -15,6 +15,7 @@ void visit_node(Row& row, Nodes& nodes, std::size_t i) {
   row(nodes.spring_work[i]);
   row(nodes.damping_energy[i]);
   if (nodes.conduct) row(nodes.friction_given[i]);
+  if (nodes.holds) row(nodes.joint_loss[i]);
   if (!nodes.has_friction) return;
   row(nodes.friction[i]);
   row(nodes.friction_heat[i]);
@@ -93,7 +94,7 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   const LookAhead ahead = search.look_ahead(last.dt);
   last.ahead = ahead.time;
   search.renew(ahead.time, true, false);
-  evaluation.run(setup, search, last.dt, ahead, {&memory.touches(), false, true}, nullptr);
+  evaluation.run(setup, search, last.dt, ahead, memory.step(false, true), nullptr);
   memory.take_repeated(evaluation.records());
   if (!nodes.has_friction) return;
   load_friction(entities, tables, evaluation.records());
@@ -118,6 +119,11 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
       part.state_hash += hash.value();
       if (nodes.conduct) part.heat.friction.add(nodes.friction_given[i]);
+      if (nodes.holds) {
+        // Crushed asperities and broken bonds stay with what friction took.
+        part.add(Column::contact_friction, nodes.joint_loss[i]);
+        part.add(Column::contact_pairs, -nodes.joint_loss[i]);
+      }
       if (!nodes.has_friction) continue;
       part.add(Column::contact_friction, nodes.friction_heat[i]);
       part.add(Column::contact_spring, nodes.friction_stored[i]);

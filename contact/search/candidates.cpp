@@ -78,12 +78,17 @@ template <int Dim>
 FaceLaw law_of(const ContactFace<Dim>& a, const ContactFace<Dim>& b, const PairOptions& options,
                const RestingLayer& rests) {
   FaceLaw law;
-  law.stiffness =
-      options.stiffness * contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
+  const Real both = contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
+  law.stiffness = options.stiffness * both;
   const Real mass = in_series(a.areal_mass, b.areal_mass);
   law.damping = damping_coefficient(options.damping, law.stiffness, mass);
   law.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
   if (same_piece(a, b)) law.limit *= kDeepestInside;
+  if (options.joint) {
+    law.stiffness = std::min(options.joint->normal, kTiedStiffness * both);
+    law.damping = 0;
+    return law;
+  }
   if (!rests.acts()) return law;
   law.layer = rests.over(law.stiffness, law.limit);
   law.layer_damping =

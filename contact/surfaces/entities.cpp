@@ -175,7 +175,7 @@ template <int Dim>
 Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
                         const Section& section, const ContactRanks& ranks,
                         const RigidSprings& rigid) {
-  nodes.has_friction = pairs.has_friction();
+  nodes.has_friction = pairs.has_friction(), nodes.holds = pairs.holds();
   gaps = pairs.gaps();
   nodes.turns = pairs.particles_have_friction();
   nodes.needs_material = pairs.needs_material();

@@ -32,6 +32,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
     field->push_back(Vec<Dim>::Zero());
   }
   pressed.push_back(0), pressed_last.push_back(0);
+  if (holds) joint_loss.push_back(0);
   if (turns) spin.push_back(Vec3::Zero());
   if (needs_material) material.emplace_back();
   spring_work.push_back(0);
@@ -149,6 +150,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     pressed[i] = old.pressed[*it], pressed_last[i] = old.pressed_last[*it];
     spring_work[i] = old.spring_work[*it], damping_energy[i] = old.damping_energy[*it];
     if (conduct) friction_given[i] = old.friction_given[*it];
+    if (holds) joint_loss[i] = old.joint_loss[*it];
     if (!has_friction) continue;
     friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];
     friction_stored[i] = old.friction_stored[*it], pair_energy[i] = old.pair_energy[*it];

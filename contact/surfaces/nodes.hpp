@@ -45,6 +45,8 @@ struct ContactNodes {
   std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
   bool has_friction = false;       ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
+  bool holds = false;              ///< some pair is tied or a joint; else `joint_loss` is empty
+  std::vector<Real> joint_loss;    ///< [J] that joints have used up, booked since time 0
   bool turns = false;              ///< particles have friction with particles; else `spin` is empty
   std::vector<Vec3> spin;          ///< [rad/s] of the material, where its surface tells it
   bool needs_material = false;     ///< some friction does; else `material` is empty

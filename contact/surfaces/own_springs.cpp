@@ -70,7 +70,7 @@ std::map<Label, Touching> touching_of(const PairTable& pairs, const Entities<Dim
   }
   const auto stiffest = stiffest_of(entities);
   for (const auto& [a, b] : pairs.pairs()) {
-    const Real phi = pairs.of(a, b).stiffness;
+    const Real phi = pairs.stiffness(a, b);
     for (const auto& [body, other] : {std::pair(a, b), std::pair(b, a)}) {
       const auto it = touching.find(body);
       if (it == touching.end()) continue;

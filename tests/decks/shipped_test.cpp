@@ -105,6 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"hertz/cylinders", {"parameters.cells=6", "parameters.ratio=20", "time.end=8 us"}},
         Shipped{"rubbing-blocks", {"time.end=9 us"}},
         Shipped{"sliding-blocks", {"parameters.end=3 ms"}},
+        Shipped{"wave-through-joints", {"parameters.end=12 ms"}},
         Shipped{"rocking-block", {"parameters.end=40 ms"}},
         Shipped{"masonry-arch", {"parameters.end=15 ms"}},
         Shipped{"masonry-arch/hexes", {"parameters.end=2 ms"}},

@@ -113,6 +113,8 @@ contact:
     ag: {between: [a, g], friction: "= 0.3 - v/1000 - T/1e5", shear_limit: true}
     ad: {between: [a, d], friction: 0.3, cohesion: 1 MPa, tension: 0.5 MPa, initial_overlap: press}
     dd: {between: [d, d], bonded: true, resting_layer: 5}
+    ae: {between: [a, e], tied: true,
+         joint: {normal: 3.5 GPa/m, shear: 1 GPa/m, max_closure: 0.5 mm}}
 boundaries:
   all: {body: a, where: all, fix: [x]}
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}
