@@ -41,6 +41,11 @@ Json measures_json(const std::vector<MeasureResult>& measures) {
     entry["unit"] = measure.unit;
     entry["reference"] = measure.reference ? Json(*measure.reference) : Json();
     entry["error"] = measure.error ? Json(*measure.error) : Json();
+    if (measure.exact) entry["exact"] = *measure.exact;
+    if (measure.convergence.empty()) continue;
+    entry["bound"] = measure.bound ? Json(*measure.bound) : Json();
+    entry["order"] = measure.order ? Json(*measure.order) : Json();
+    entry["convergence"] = measure.convergence;
   }
   return all;
 }
@@ -54,6 +59,10 @@ std::vector<MeasureResult> measures_from(const Json& all) {
     measure.unit = entry.value("unit", "");
     measure.reference = optional_at(entry, "reference");
     measure.error = optional_at(entry, "error");
+    measure.exact = optional_at(entry, "exact");
+    measure.bound = optional_at(entry, "bound");
+    measure.order = optional_at(entry, "order");
+    measure.convergence = entry.value("convergence", "");
     measures.push_back(std::move(measure));
   }
   return measures;
@@ -100,7 +109,12 @@ RunSummary from_json(const Json& json) {
   s.overrides = json.value("overrides", s.overrides);
   s.reason = json.value("reason", s.reason);
   s.steps = json.value("steps", s.steps);
+  const Json plan = object_at(json, "plan");
+  s.planned_steps = plan.value("steps", s.planned_steps);
+  s.planned_memory = real_at(plan, "memory", s.planned_memory);
+  s.first_step = json.value("first_step", s.first_step);
   s.wall_seconds = real_at(json, "wall_seconds", s.wall_seconds);
+  s.cpu_seconds = real_at(json, "cpu_seconds", s.cpu_seconds);
   s.points = json.value("points", s.points);
   s.elements = json.value("elements", s.elements);
   s.particles = json.value("particles", s.particles);
@@ -166,7 +180,10 @@ std::string to_json(const RunSummary& s) {
   json["status"] = s.status;
   json["reason"] = s.reason;
   json["steps"] = s.steps;
+  json["plan"] = {{"steps", s.planned_steps}, {"memory", s.planned_memory}};
+  json["first_step"] = s.first_step;
   json["wall_seconds"] = s.wall_seconds;
+  json["cpu_seconds"] = s.cpu_seconds;
   json["points"] = s.points;
   json["elements"] = s.elements;
   json["particles"] = s.particles;

@@ -9,6 +9,15 @@
 
 namespace brunt {
 
+/// Exit statuses of the program (docs/guide/running.md).
+enum ExitStatus : int {
+  kDone = 0,
+  kDeckWrong = 2,
+  kPhysicsBroke = 3,
+  kMachineFailed = 4,
+  kStopped = 5,
+};
+
 /// A number that the deck asked for.
 struct MeasureResult {
   std::string name;
@@ -16,6 +25,10 @@ struct MeasureResult {
   std::string unit;               ///< its SI unit, "" for a pure number
   std::optional<Real> reference;  ///< the deck's, SI
   std::optional<Real> error;      ///< (value - reference) / |reference|
+  std::optional<Real> exact{};    ///< the deck's closed form, SI
+  std::optional<Real> bound{};    ///< of `run --refine`: what size does to the value, SI
+  std::optional<Real> order{};    ///< observed of convergence, where there is one
+  std::string convergence{};      ///< "order 1.9", or why there is none; "": not refined
 };
 
 /// A warning of the run; the id is stable over versions.
@@ -42,7 +55,11 @@ struct RunSummary {
   int status = 0;      ///< exit status: 0 done, 2 deck, 3 physics, 4 machine, 5 stopped
   std::string reason;  ///< why it ended
   std::int64_t steps = 0;
-  Real wall_seconds = 0;  ///< [s]
+  std::int64_t planned_steps = 0;  ///< if all were as long as the first that a material bounds
+  Real planned_memory = 0;         ///< [byte] as `brunt plan` estimates it; 0: several ranks
+  std::int64_t first_step = 0;     ///< the step from which this process went on; 0: from the start
+  Real wall_seconds = 0;           ///< [s]
+  Real cpu_seconds = 0;            ///< [s] processor time of all threads and ranks of this process
   std::int64_t points = 0;
   std::int64_t elements = 0;
   std::int64_t particles = 0;

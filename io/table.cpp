@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
+#include <sstream>
 #include <string_view>
 
 #include "core/errors.hpp"
+#include "io/file.hpp"
 #include "io/number.hpp"
 
 namespace brunt {
@@ -48,6 +51,8 @@ Cell measure_cell(const RunSummary& run, std::string_view key) {
   if (part == "unit") return measure->unit;
   if (part == "reference" && measure->reference) return *measure->reference;
   if (part == "error" && measure->error) return *measure->error;
+  if (part == "exact" && measure->exact) return *measure->exact;
+  if (part == "bound" && measure->bound) return *measure->bound;
   return {};
 }
 
@@ -58,6 +63,8 @@ struct PlainKey {
 
 constexpr PlainKey kPlainKeys[] = {
     {"wall_seconds", [](const RunSummary& r) { return Cell(r.wall_seconds); }},
+    {"cpu_seconds", [](const RunSummary& r) { return Cell(r.cpu_seconds); }},
+    {"created", [](const RunSummary& r) { return Cell(r.energy.created); }},
     {"drift", [](const RunSummary& r) { return Cell(r.drift); }},
     {"status", [](const RunSummary& r) { return Cell(status_word(r.status)); }},
     {"reason", [](const RunSummary& r) { return Cell(r.reason); }},
@@ -98,9 +105,31 @@ Cell cell_of(const RunSummary& run, std::string_view key) {
   return cell;
 }
 
+/// The last row of a column of history.csv.
+Cell history_cell(const std::string& folder, std::string_view column) {
+  const auto path = std::filesystem::path(folder) / "history.csv";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
+  std::string text = read_file(path);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const auto end = text.find('\n'), last = text.rfind('\n');
+  if (end == std::string::npos) return {};
+  std::istringstream names(text.substr(0, end)), values(text.substr(last + 1));
+  std::string name, value;
+  while (std::getline(names, name, ',') && std::getline(values, value, ',')) {
+    if (name != column) continue;
+    const auto number = parse_real(value);
+    return number ? Cell(*number) : Cell(value);
+  }
+  return {};
+}
+
 Cell cell_of(const TableRun& run, const std::string& key) {
-  if (run.summary) return cell_of(*run.summary, key);
-  return key == "status" ? Cell(run.problem) : Cell();
+  if (!run.summary) return key == "status" ? Cell(run.problem) : Cell();
+  constexpr std::string_view kHistory = "history.";
+  if (key.starts_with(kHistory)) return history_cell(run.folder, key.substr(kHistory.size()));
+  const Cell cell = cell_of(*run.summary, key);
+  return is_absent(cell) ? history_cell(run.folder, key) : cell;
 }
 
 /// The names of all runs' entries, each once, in the order in which they first appear.
@@ -154,6 +183,7 @@ void require_key(const std::vector<TableRun>& runs, const std::string& key) {
   for (const auto& name : parameter_names(runs)) message.append(" ").append(name);
   for (const auto& name : measure_names(runs)) message.append(" ").append(name);
   for (const auto& plain : kPlainKeys) message.append(" ").append(plain.name);
+  message += ", and the columns of history.csv";
   std::vector<DeckProblem> problems(1);
   problems[0].place.file = "--show";
   problems[0].path = key;
@@ -170,7 +200,8 @@ std::string title_of(const std::vector<TableRun>& runs, const std::string& key) 
     const auto* measure = find_measure(*run.summary, key);
     if (measure != nullptr && !measure->unit.empty()) return key + " [" + measure->unit + "]";
   }
-  if (key == "wall_seconds" || key.starts_with("phases.")) return key + " [s]";
+  if (key == "wall_seconds" || key == "cpu_seconds" || key.starts_with("phases."))
+    return key + " [s]";
   if (key == "ns_element_step" || key == "ns_particle_step") return key + " [ns]";
   if (key == "peak_memory") return key + " [byte]";
   return key;

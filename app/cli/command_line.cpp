@@ -13,10 +13,13 @@
 
 #include "app/cli/find_restart.hpp"
 #include "app/cli/launch_ranks.hpp"
+#include "app/cli/output_folder.hpp"
 #include "app/cli/pictures.hpp"
 #include "app/cli/reference.hpp"
 #include "app/cli/run.hpp"
 #include "app/deck/deck.hpp"
+#include "app/trade/refine.hpp"
+#include "app/trade/trade.hpp"
 #include "core/errors.hpp"
 #include "io/deck/suggest.hpp"
 #include "io/table.hpp"
@@ -55,9 +58,32 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   run->add_option("--restart", arguments.restart,
                   "goes on from a checkpoint, with a longer end or other output")
       ->option_text("MANIFEST|DIR");
+  run->add_flag("--refine{3}", arguments.refine,
+                "runs other sizes too, --refine=2 or 3 in all: an error bar for every measure")
+      ->check(CLI::Range(2, 5));
+  run->add_option("--refine-key", arguments.refine_key,
+                  "what they differ in: parameters.size, bodies.bar.cells; default: found")
+      ->option_text("KEY");
   run->add_flag("--quiet", arguments.quiet, "no progress, no closing words");
   run->add_flag("--json", arguments.json, "prints summary.json to stdout");
   return run;
+}
+
+int refine_run(const RunArguments& run) {
+  RefineArguments refine;
+  refine.deck = run.deck, refine.overrides = run.overrides, refine.key = run.refine_key;
+  refine.out = (output_path(run) / "").parent_path();  // without a slash at its end
+  refine.sizes = run.refine;
+  refine.force = run.force, refine.resume = run.resume;
+  refine.quiet = run.quiet, refine.json = run.json;
+  refine.threads = run.threads;
+  if (run.until || !run.restart.empty()) {
+    const std::string option = run.until ? "--until" : "--restart";
+    throw DeckError({{{option, 0, 0}, "", "does not go with --refine, which needs whole runs"}});
+  }
+  if (run.ranks > 1) refine.flags = {"--ranks", std::to_string(run.ranks)};
+  if (run.oversubscribe) refine.flags.emplace_back("--oversubscribe");
+  return refine_command(refine);
 }
 
 constexpr const char* kFooter =
@@ -90,6 +116,51 @@ CLI::App* add_table(CLI::App& app, std::vector<std::string>& folders, TableOptio
       ->allow_extra_args(false);
   table->add_flag("--csv", options.csv, "all digits, commas");
   return table;
+}
+
+int print_table(const std::vector<std::string>& folders, const TableOptions& options) {
+  const auto runs = read_runs({folders.begin(), folders.end()});
+  std::fputs(format_table(runs, options).c_str(), stdout);
+  return kDone;
+}
+
+CLI::App* add_trade(CLI::App& app, TradeArguments& trade) {
+  auto* command = app.add_subcommand("trade", "what accuracy costs: error over processor time");
+  command->add_option("DECK", trade.deck, "the deck, a YAML file")->required()->option_text(" ");
+  command
+      ->add_option("--vary", trade.vary,
+                   "runs the deck with each value: --vary parameters.size='1 mm,2 mm'; again for "
+                   "more keys; KEY+KEY=... changes two together")
+      ->option_text("KEY=V1,V2")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--set", trade.overrides, "overrides a key of all of them")
+      ->option_text("KEY=VALUE")
+      ->allow_extra_args(false);
+  auto* grid = command->add_flag("--grid", trade.grid, "all combinations of values; the default");
+  command->add_flag("--one-at-a-time", trade.one_at_a_time, "the deck, and each value alone")
+      ->excludes(grid);
+  command
+      ->add_option("--against", trade.against,
+                   "what the front is of: errors to the exact values, to the finest run, or to the "
+                   "references; default: exact, else finest")
+      ->option_text("WHAT")
+      ->check(CLI::IsMember({"exact", "finest", "reference"}));
+  command->add_option("--jobs", trade.jobs, "runs at the same time; default: 1")
+      ->option_text("N")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--repeat", trade.repeat, "runs of each, of which the time is taken; 3")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--threads", trade.threads, "threads of each run; default: 1")
+      ->option_text("N")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--out", trade.out, "folder; default: the deck's name and .trade")
+      ->option_text("DIR");
+  command->add_flag("--force", trade.force, "begins anew what is of another deck");
+  command->add_flag("--quiet", trade.quiet, "no progress");
+  command->add_flag("--json", trade.json, "prints trade.json instead of tables");
+  return command;
 }
 
 CLI::App* add_render(CLI::App& app, PictureArguments& picture) {
@@ -178,6 +249,8 @@ int command_line(int argc, char** argv) {
   std::vector<std::string> folders;
   TableOptions table_options;
   auto* table = add_table(app, folders, table_options);
+  TradeArguments trading;
+  auto* trade = add_trade(app, trading);
   PictureArguments picture;
   auto* render = add_render(app, picture);
 
@@ -198,19 +271,17 @@ int command_line(int argc, char** argv) {
 
   app.footer(kFooter);  // commands made after it would show it too
   if (const auto status = parse(app, argc, argv)) return *status;
-  if (*run && arguments.ranks > 1 && !launched_by_mpirun()) {
+  if (*run && arguments.refine == 0 && arguments.ranks > 1 && !launched_by_mpirun()) {
     return launch_ranks(arguments, argc, argv);
   }
   const ParallelSession session(argc, argv);
   return guarded(session, [&]() -> int {
+    if (*run && arguments.refine > 0) return refine_run(arguments);
     if (*run) return run_command(arguments, session.ranks());
     if (*check) return check_command(arguments);
     if (*plan) return plan_command(arguments);
-    if (*table) {
-      const auto runs = read_runs({folders.begin(), folders.end()});
-      std::fputs(format_table(runs, table_options).c_str(), stdout);
-      return kDone;
-    }
+    if (*trade) return trade_command(trading);
+    if (*table) return print_table(folders, table_options);
     if (*verify) return verify_command(checkpoint);
     if (*render) return render_command(picture);
     if (*explain) return explain_command(key);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "app/watch/history_columns.hpp"
 #include "contact/search/candidates.hpp"
 #include "fe/element_block.hpp"
 #include "sph/particles.hpp"
@@ -110,6 +111,20 @@ Real resident_memory() {
 }
 
 template <int Dim>
+MemoryInputs memory_inputs(const Deck& deck, const Scene<Dim>& scene, Real program) {
+  MemoryInputs inputs;
+  inputs.program = program;
+  for (const auto& [name, body] : deck.bodies) {
+    const bool full = body.element.integration != Integration::one_point;
+    if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = Shape<Dim>::kGauss;
+    inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
+  }
+  if (deck.output.history) inputs.rows = deck.time.end / *deck.output.history;
+  inputs.columns = HistoryColumns<Dim>(scene).names().size();
+  return inputs;
+}
+
+template <int Dim>
 MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
   MemoryEstimate estimate;
   estimate.program = inputs.program;
@@ -135,6 +150,8 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
   return estimate;
 }
 
+template MemoryInputs memory_inputs<2>(const Deck&, const Scene<2>&, Real);
+template MemoryInputs memory_inputs<3>(const Deck&, const Scene<3>&, Real);
 template MemoryEstimate memory_of<2>(const Scene<2>&, const MemoryInputs&);
 template MemoryEstimate memory_of<3>(const Scene<3>&, const MemoryInputs&);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/deck/deck.hpp"
 #include "app/scene/scene.hpp"
 
 namespace brunt {
@@ -29,6 +30,10 @@ struct MemoryInputs {
 
 /// Resident memory of this process now [byte]; 0 where the system does not tell.
 Real resident_memory();
+
+/// What a deck says of them. program  [byte] resident before the scene was built
+template <int Dim>
+MemoryInputs memory_inputs(const Deck& deck, const Scene<Dim>& scene, Real program);
 
 template <int Dim>
 MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs);

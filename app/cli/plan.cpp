@@ -1,8 +1,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/cli/calibration.hpp"
 #include "app/cli/forecast.hpp"
 #include "app/cli/memory.hpp"
+#include "app/cli/plan_pairs.hpp"
 #include "app/cli/run.hpp"
 #include "app/deck/findings.hpp"
 #include "app/setup/heat.hpp"
@@ -10,6 +12,7 @@
 #include "app/setup/scene_checks.hpp"
 #include "app/setup/sound_part.hpp"
 #include "app/watch/history_columns.hpp"
+#include "app/watch/progress.hpp"
 
 namespace brunt {
 
@@ -78,16 +81,7 @@ void print_physics(const LoadedDeck& loaded) {
 
 template <int Dim>
 void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
-  MemoryInputs inputs;
-  inputs.program = program;
-  for (const auto& [name, body] : deck.bodies) {
-    const bool full = body.element.integration != Integration::one_point;
-    if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = Shape<Dim>::kGauss;
-    inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
-  }
-  if (deck.output.history) inputs.rows = deck.time.end / *deck.output.history;
-  inputs.columns = HistoryColumns<Dim>(scene).names().size();
-  const MemoryEstimate memory = memory_of(scene, inputs);
+  const MemoryEstimate memory = memory_of(scene, memory_inputs(deck, scene, program));
   std::printf("memory     about %.0f MB:", memory.total() / 1e6);
   const std::pair<const char*, Real> parts[] = {
       {"program", memory.program},     {"elements", memory.elements},
@@ -158,6 +152,41 @@ void print_contact(const Scene<Dim>& scene) {
   std::printf("\n");
 }
 
+/// Every pair of a small scene; of a large one those that are not modelled, by their number.
+template <int Dim>
+void print_pairs(const Deck& deck, const Scene<Dim>& scene) {
+  constexpr std::size_t kMany = 15;
+  const auto pairs = planned_pairs(deck, scene);
+  if (pairs.size() <= kMany) {
+    for (const auto& pair : pairs) {
+      std::printf("  %-24s %s%s\n", pair.name.c_str(),
+                  pair.modelled ? "" : "not modelled: ", pair.what.c_str());
+    }
+    return;
+  }
+  std::size_t modelled = 0;
+  for (const auto& pair : pairs) modelled += pair.modelled;
+  std::printf("  %zu of %zu pairs of bodies may touch\n", modelled, pairs.size());
+}
+
+/// How long the run will take on one thread, by its own first steps.
+template <int Dim>
+void print_time(const LoadedDeck& loaded, Scene<Dim>& scene, Real steps) {
+  const auto measured = calibrate(loaded, scene);
+  if (!measured) {
+    std::printf("time       not known: the first steps do not run\n");
+    return;
+  }
+  const Real most = flattening_of(loaded.deck).most_steps() * steps;
+  const auto seconds = [&](Real n) { return measured->start + n * measured->seconds_per_step; };
+  std::string range = duration_text(seconds(steps));
+  constexpr Real kHardly = 1.2;
+  if (most > kHardly * steps) range += " to " + duration_text(seconds(most));
+  std::printf("time       about %s of one thread: %s a step, measured over the first %lld\n",
+              range.c_str(), deck::time_text(measured->seconds_per_step).c_str(),
+              static_cast<long long>(measured->steps));
+}
+
 /// The whole scene of a deck, with what it has to be warned of.
 template <int Dim>
 std::unique_ptr<Scene<Dim>> build_and_warn(const LoadedDeck& loaded) {
@@ -176,6 +205,7 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   print_bodies(loaded, *scene);
   print_physics(loaded);
   print_contact(*scene);
+  print_pairs(loaded.deck, *scene);
   scene->rigid_motions.start();
   scene->boundaries.start();
   scene->rearrange();
@@ -196,6 +226,8 @@ void print_plan(const LoadedDeck& loaded, Real program) {
                 deck::time_text(heat_step).c_str(), heat_step / dt, deck.time.heat_every);
   }
   print_columns(*scene);
+  scene = build_scene<Dim>(loaded);  // as it is at time 0
+  print_time(loaded, *scene, steps);
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 #include <omp.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdio>
 #include <optional>
 
+#include "app/cli/costs.hpp"
 #include "app/cli/find_restart.hpp"
+#include "app/cli/memory.hpp"
 #include "app/cli/output_folder.hpp"
 #include "app/cli/pictures.hpp"
 #include "app/deck/findings.hpp"
@@ -50,52 +51,6 @@ LoadedDeck load(const RunArguments& arguments, bool print_warnings) {
     }
     throw DeckError(problems);
   }
-}
-
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
-
-template <int Dim>
-void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary) {
-  const auto seconds = [&](Phase phase) { return scene.phases.of(phase).seconds; };
-  for (int p = 0; p < kPhases; ++p) {
-    summary.phases.emplace_back(kPhaseNames[static_cast<std::size_t>(p)],
-                                seconds(static_cast<Phase>(p)));
-  }
-  summary.points = static_cast<std::int64_t>(scene.n_points());
-  summary.elements = static_cast<std::int64_t>(scene.n_elements());
-  summary.particles = static_cast<std::int64_t>(scene.n_particles());
-  // Whatever is spent on points, step bound and lists is shared by elements and particles.
-  const double shared = seconds(Phase::points) + seconds(Phase::step_bound);
-  const auto count = static_cast<double>(summary.elements + summary.particles);
-  if (steps == 0 || count == 0) return;
-  const auto n = static_cast<double>(steps);
-  if (summary.elements > 0) {
-    const auto elements = static_cast<double>(summary.elements);
-    summary.ns_element_step = 1e9 * (seconds(Phase::elements) / elements + shared / count) / n;
-  }
-  if (summary.particles > 0) {
-    const auto particles = static_cast<double>(summary.particles);
-    summary.ns_particle_step =
-        1e9 * ((seconds(Phase::particles) + seconds(Phase::search)) / particles + shared / count) /
-        n;
-  }
-}
-
-/// What goes between ranks in a step, of all ranks together.
-void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& summary) {
-  summary.ranks = ranks.size();
-  if (ranks.alone() || steps == 0) return;
-  const auto sum = [&](std::int64_t mine) {
-    return static_cast<double>(ranks.sum(static_cast<std::uint64_t>(mine)));
-  };
-  const Traffic own = ranks.traffic();
-  summary.messages_step = sum(own.messages) / static_cast<double>(steps);
-  summary.bytes_step = sum(own.bytes) / static_cast<double>(steps);
-  summary.reductions_step = static_cast<double>(own.reductions) / static_cast<double>(steps);
 }
 
 /// The log of the root; other ranks keep none.
@@ -172,6 +127,14 @@ void print_summary(const RunSummary& summary, const fs::path& folder,
   std::fprintf(stderr, "%lld steps in %s, energy drift %.1e. Results are in %s:\n",
                static_cast<long long>(summary.steps), duration_text(summary.wall_seconds).c_str(),
                summary.drift, folder.c_str());
+  if (summary.planned_steps > 0) {
+    std::fprintf(stderr, "  planned were %lld steps; memory %.0f MB",
+                 static_cast<long long>(summary.planned_steps), summary.peak_memory / 1e6);
+    if (summary.planned_memory > 0) {
+      std::fprintf(stderr, ", planned %.0f MB", summary.planned_memory / 1e6);
+    }
+    std::fputc('\n', stderr);
+  }
   std::fprintf(stderr, "  frames.pvd opens in ParaView, history.csv holds curves\n");
   if (pictures.empty()) {
     std::fprintf(stderr, "  brunt render %s draws pictures\n", folder.c_str());
@@ -219,7 +182,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
       error = (measure.value - *measure.reference) / std::fabs(*measure.reference);
     }
     summary.measures.push_back(
-        {measure.name, measure.value, measure.unit, measure.reference, error});
+        {measure.name, measure.value, measure.unit, measure.reference, error, measure.exact});
   }
   for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
   const auto& reported = monitor.warned();
@@ -318,19 +281,35 @@ void take_balance(const Balance<Dim>& balance, RunSummary& summary, spdlog::logg
            balance.steps_alone(), summary.threads);
 }
 
+/// What the run cost, and the steps that a plan would have said.
+template <int Dim>
+void take_costs(const Scene<Dim>& scene, const Clock& clock, std::int64_t first_step,
+                const Communicator& ranks, RunSummary& summary) {
+  summary.first_step = first_step;
+  if (clock.planned_step() > 0) {
+    summary.planned_steps = std::llround(std::ceil(clock.end() / clock.planned_step()));
+  }
+  fill_costs(scene, clock.step() - first_step, summary);
+  fill_traffic(ranks, clock.step() - first_step, summary);
+}
+
 template <int Dim>
 int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
   const auto wall_start = std::chrono::steady_clock::now();
   ask_for_pictures(loaded);
+  const Real program = resident_memory();
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings = loaded.warnings;
   warn_of_scene(loaded, *scene, ranks.is_root(), warnings);
+  RunSummary summary;
+  if (ranks.alone()) {
+    summary.planned_memory = memory_of(*scene, memory_inputs(loaded.deck, *scene, program)).total();
+  }
   distribute(*scene, ranks);
   const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
   Balance<Dim> balance(
       loaded.deck.ranks, [&] { return build_scene<Dim>(loaded); }, build_time.count());
   const auto folder = output_path(arguments);
-  RunSummary summary;
   summary.threads = omp_get_max_threads();
   const bool root = ranks.is_root();
   std::optional<OutputFolder> output;
@@ -357,9 +336,8 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
               deck.time.min_step);
-  const auto columns = HistoryColumns<Dim>(*scene).names();
   std::optional<HistoryWriter> history;
-  if (root) history.emplace(folder / "history.csv", columns);
+  if (root) history.emplace(folder / "history.csv", HistoryColumns<Dim>(*scene).names());
   const auto frames = make_frame_sink(folder, ranks);
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
                        [&](const RunWarning& warning) { tell(warning, root, *log); });
@@ -371,8 +349,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   fill_summary(loaded, ended, clock, monitor, summary);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-  fill_costs(*scene, clock.step() - checkpointing.first_step(), summary);
-  fill_traffic(ranks, clock.step() - checkpointing.first_step(), summary);
+  take_costs(*scene, clock, checkpointing.first_step(), ranks, summary);
   take_balance(balance, summary, *log);
   if (root) report_end(loaded, arguments, folder, ended, clock, monitor, summary, *log);
   return ended.status;

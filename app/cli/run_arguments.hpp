@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "io/summary.hpp"
+
 namespace brunt {
 
 /// What the command line says about a run.
@@ -18,16 +20,9 @@ struct RunArguments {
   int ranks = 1;                     ///< processes that brunt starts by mpirun
   bool oversubscribe = false;        ///< more ranks than cores
   std::optional<std::string> until;  ///< overrides time.until
+  int refine = 0;                    ///< sizes that are run in all; 0: the deck's alone
+  std::string refine_key;            ///< what they differ in; empty: found
   std::string restart;               ///< a checkpoint or a folder of them; empty: none
-};
-
-/// Exit statuses (docs/guide/running.md).
-enum ExitStatus : int {
-  kDone = 0,
-  kDeckWrong = 2,
-  kPhysicsBroke = 3,
-  kMachineFailed = 4,
-  kStopped = 5,
 };
 
 }  // namespace brunt

@@ -111,6 +111,8 @@ void describe(Schema& s, ExpressionMeasure& measure) {
 void describe(Schema& s, Measure& measure) {
   s.one_of({"", "what is measured", Need::required}, measure.kind);
   s.real({"reference", "the value that it should have"}, measure.reference, {unit_of(measure)});
+  s.real({"exact", "the closed form of what the deck models: what sizes are to converge to"},
+         measure.exact, {unit_of(measure)});
   s.real({"at", "when; default: at the end"}, measure.at, {"s", at_least(0)});
 }
 

@@ -78,6 +78,7 @@ using MeasureKind =
 struct Measure {
   MeasureKind kind;
   std::optional<Real> reference;  ///< SI, in unit_of(*this)
+  std::optional<Real> exact;      ///< SI: the closed form of what the deck models
   std::optional<Real> at;         ///< [s]; none: at the end
 };
 

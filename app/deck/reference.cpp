@@ -42,10 +42,10 @@ void set_conditions(KeyInfo& bodies) {
   }
 }
 
-/// A reference has the unit of what is measured.
+/// A reference and an exact value have the unit of what is measured.
 void free_the_reference(KeyInfo& measures) {
   for (KeyInfo& key : measures.children) {
-    if (key.name == "reference") key.unit = "any";
+    if (key.name == "reference" || key.name == "exact") key.unit = "any";
   }
 }
 

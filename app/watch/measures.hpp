@@ -13,7 +13,7 @@ struct MeasureValue {
   std::string name;
   Real value = 0;  ///< SI
   std::string unit;
-  std::optional<Real> reference;
+  std::optional<Real> reference, exact;
 };
 
 /// Evaluates one measure; an expression reads the values found before it.

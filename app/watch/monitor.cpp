@@ -321,7 +321,7 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
     if (!scene.ranks->is_root()) continue;
     try {
       const Real value = evaluate_measure(measure, source, measures_);
-      measures_.push_back({name, value, deck::unit_of(measure), measure.reference});
+      measures_.push_back({name, value, deck::unit_of(measure), measure.reference, measure.exact});
     } catch (const std::exception& error) {
       warnings_.push_back("measure '" + name + "': " + error.what());
     }

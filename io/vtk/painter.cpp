@@ -7,28 +7,25 @@
 #include <vtkDoubleArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include "core/errors.hpp"
 #include "io/vtk/grid.hpp"
 #include "io/vtk/messages.hpp"
 #include "io/vtk/overlay.hpp"
+#include "io/vtk/picture_bytes.hpp"
 
 namespace brunt {
 
 namespace {
 
-constexpr int kOversampling = 2;
 constexpr std::size_t kCellsWithEdges = 20000;
 constexpr const char* kScalars = "scalars";
 constexpr Colour kRigid = {214, 218, 224};
@@ -197,43 +194,6 @@ void add_lights(vtkRenderer& renderer) {
   }
 }
 
-/// Averages squares of kOversampling x kOversampling pixels.
-vtkSmartPointer<vtkImageData> averaged(vtkUnsignedCharArray& pixels, int width, int height) {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(width, height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-  const unsigned char* in = pixels.GetPointer(0);
-  const std::size_t row = 3 * static_cast<std::size_t>(width) * kOversampling;
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        int sum = 0;
-        for (std::size_t sy = 0; sy < kOversampling; ++sy) {
-          for (std::size_t sx = 0; sx < kOversampling; ++sx) {
-            const std::size_t line = static_cast<std::size_t>(y) * kOversampling + sy;
-            const std::size_t place = static_cast<std::size_t>(x) * kOversampling + sx;
-            sum += in[line * row + 3 * place + c];
-          }
-        }
-        constexpr int n = kOversampling * kOversampling;
-        *out++ = static_cast<unsigned char>((sum + n / 2) / n);
-      }
-    }
-  }
-  return image;
-}
-
-std::string png_of(vtkImageData* image) {
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  auto* bytes = writer->GetResult();
-  return std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                     static_cast<std::size_t>(bytes->GetNumberOfValues()));
-}
-
 }  // namespace
 
 Painter::Painter(PictureStyle style)
@@ -262,15 +222,9 @@ std::string Painter::paint(const std::vector<BodyView>& bodies, Real time) {
 
   auto& window = offscreen_.window();
   window.AddRenderer(renderer);
-  window.Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window.GetPixelData(0, 0, style_.width * kOversampling - 1, style_.height * kOversampling - 1, 0,
-                      pixels);
+  const std::string bytes = picture_bytes(window, style_.width, style_.height, messages);
   window.RemoveRenderer(renderer);
-  if (messages.any() || pixels->GetNumberOfValues() == 0) {
-    throw MachineError("cannot draw a picture: " + messages.text());
-  }
-  return png_of(averaged(*pixels, style_.width, style_.height));
+  return bytes;
 }
 
 }  // namespace brunt

@@ -130,7 +130,7 @@ sections: {neck: {body: a, plane: {axis: x, at: 1.5}}}
 gravity: [0, 0, -9.81]
 damping: {rate: 100, until: 1 ms}
 measures:
-  m_extent: {extent: {body: a, axis: x}, reference: 1, at: 1 us}
+  m_extent: {extent: {body: a, axis: x}, reference: 1, exact: 1, at: 1 us}
   m_min: {min: {body: a, field: pressure}}
   m_max: {max: {body: a, field: stress.xx}}
   m_mean: {mean: {body: a, field: velocity.x}}

@@ -29,7 +29,7 @@ struct Measures : testing::Test {
   MeasureSource source{[this](const std::string&) { return view; }, &start, &columns, &rows};
 
   Real value(deck::MeasureKind kind, const std::vector<MeasureValue>& before = {}) {
-    return evaluate_measure({std::move(kind), {}, {}}, source, before);
+    return evaluate_measure({std::move(kind), {}, {}, {}}, source, before);
   }
 };
 
@@ -40,7 +40,7 @@ TEST_F(Measures, ReadBodies) {
   EXPECT_EQ(value(deck::MeanMeasure{"dust", "temperature"}), 375);
   EXPECT_EQ(value(deck::MaxMeasure{"dust", "stress.xz"}), 6);
   EXPECT_EQ(value(deck::PointMeasure{"dust", "temperature", {1.9, 0}}), 400);
-  EXPECT_EQ(unit_of(deck::Measure{deck::SpeedMeasure{"dust"}, {}, {}}), std::string("m/s"));
+  EXPECT_EQ(unit_of(deck::Measure{deck::SpeedMeasure{"dust"}, {}, {}, {}}), std::string("m/s"));
   view.point_fields[0].values = {3, 0, 4, 3, 0, 4};
   EXPECT_DOUBLE_EQ(value(deck::SpeedMeasure{"dust"}), 5);
   view.point_fields[0].values = {0, 0, 0, 0, 0, 0};
@@ -58,7 +58,7 @@ TEST_F(Measures, ReduceHistory) {
 }
 
 TEST_F(Measures, CombineMeasures) {
-  const std::vector<MeasureValue> before{{"a", 6, "m", {}}, {"b", 3, "m", {}}};
+  const std::vector<MeasureValue> before{{"a", 6, "m", {}, {}}, {"b", 3, "m", {}, {}}};
   EXPECT_EQ(value(deck::ExpressionMeasure{"= $a / $b"}, before), 2);
   EXPECT_THROW(value(deck::ExpressionMeasure{"= $a / $c"}, before), std::invalid_argument);
   EXPECT_THROW(value(deck::MaxMeasure{"dust", "porosity"}), std::invalid_argument);

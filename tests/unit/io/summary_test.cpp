@@ -23,6 +23,10 @@ RunSummary example() {
   s.reason = "element 12 of bar: volume = -1e-9";
   s.steps = 123456789012;
   s.wall_seconds = 1.0 / 3;
+  s.cpu_seconds = 2.0 / 3;
+  s.first_step = 17;
+  s.planned_steps = 99;
+  s.planned_memory = 1.5e8;
   s.points = 5;
   s.elements = 2;
   s.particles = 7;
@@ -33,6 +37,10 @@ RunSummary example() {
   s.drift = -1.25e-13;
   s.step_margins = {{"bar", 1.25}, {"plate", 0.75}};
   s.measures = {{"length", 0.0173, "m", 0.017, 0.0173 / 0.017 - 1}, {"bounce", 0.5, "", {}, {}}};
+  s.measures[1].exact = 0.5;
+  s.measures[1].bound = 0.25;
+  s.measures[1].order = 1.75;
+  s.measures[1].convergence = "order 1.8";
   s.warnings = {{"coarse-body", "body 'a': \"one\" element"}};
   s.ranks = 4;
   s.threads = 2;
@@ -51,6 +59,10 @@ TEST(Summary, ReadsBackTheSame) {
   EXPECT_EQ(b.reason, a.reason);
   EXPECT_EQ(b.steps, a.steps);
   EXPECT_EQ(b.wall_seconds, a.wall_seconds);
+  EXPECT_EQ(b.cpu_seconds, a.cpu_seconds);
+  EXPECT_EQ(b.first_step, a.first_step);
+  EXPECT_EQ(b.planned_steps, a.planned_steps);
+  EXPECT_EQ(b.planned_memory, a.planned_memory);
   EXPECT_EQ(b.points, a.points);
   EXPECT_EQ(b.elements, a.elements);
   EXPECT_EQ(b.particles, a.particles);
@@ -69,6 +81,11 @@ TEST(Summary, ReadsBackTheSame) {
   EXPECT_EQ(b.measures[1].name, "bounce");
   EXPECT_FALSE(b.measures[1].reference.has_value());
   EXPECT_FALSE(b.measures[1].error.has_value());
+  EXPECT_FALSE(b.measures[0].exact || b.measures[0].bound || b.measures[0].order);
+  EXPECT_EQ(b.measures[1].exact, a.measures[1].exact);
+  EXPECT_EQ(b.measures[1].bound, a.measures[1].bound);
+  EXPECT_EQ(b.measures[1].order, a.measures[1].order);
+  EXPECT_EQ(b.measures[1].convergence, a.measures[1].convergence);
   ASSERT_EQ(b.warnings.size(), 1u);
   EXPECT_EQ(b.warnings[0].id, a.warnings[0].id);
   EXPECT_EQ(b.warnings[0].text, a.warnings[0].text);

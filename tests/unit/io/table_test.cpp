@@ -49,6 +49,20 @@ TEST(Table, ShowsTheKeysAskedFor) {
             "a,1 mm,0.25,0.5,1234567\n");
 }
 
+TEST(Table, ShowsTheLastRowOfAColumnOfTheHistory) {
+  const auto folder = std::filesystem::path(test::own_file("table_history"));
+  create_folder(folder);
+  write_file_atomically(folder / "history.csv", "time,energy.kinetic,length\n0,1,2\n0.5,0.125,3\n");
+  auto one = run(folder.string(), "1 m/s", 0.025);
+  one.summary->cpu_seconds = 1.5;
+  // A name that is a measure too is the measure; history.NAME says the column.
+  EXPECT_EQ(
+      format_table({one}, {{"energy.kinetic", "length", "history.length", "cpu_seconds"}, true}),
+      "run,energy.kinetic,length [m],history.length,cpu_seconds [s]\n" + folder.string() +
+          ",0.125,0.025,3,1.5\n");
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Table, RefusesAKeyThatNoRunHas) {
   try {
     format_table(two_runs_and_a_broken_one(), {{"sped"}, false});

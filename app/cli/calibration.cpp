@@ -1,0 +1,91 @@
+#include "app/cli/calibration.hpp"
+
+#include <omp.h>
+#include <unistd.h>
+
+#include <ctime>
+#include <filesystem>
+
+#include "app/loop/time_loop.hpp"
+#include "app/watch/frames.hpp"
+#include "app/watch/monitor.hpp"
+#include "io/file.hpp"
+
+namespace brunt {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr Real kSampleSeconds = 0.7;          // processor time that a plan takes for it
+constexpr std::int64_t kSampleSteps = 20000;  // more tell no more
+
+/// Watches as a run does, and stops the clock when enough was seen.
+template <int Dim>
+class Sample final : public Observer<Dim> {
+ public:
+  explicit Sample(Monitor<Dim>& monitor) : monitor_(monitor) {}
+  void begin(Scene<Dim>& scene, Clock& clock) override {
+    monitor_.begin(scene, clock);
+    first_ = processor_seconds();
+  }
+  Requests requests(const Scene<Dim>& scene, const Clock& clock) override {
+    return monitor_.requests(scene, clock);
+  }
+  void answer(const StepHead& head, Scene<Dim>& scene, Clock& clock) override {
+    monitor_.answer(head, scene, clock);
+  }
+  void step_done(Scene<Dim>& scene, Clock& clock) override {
+    monitor_.step_done(scene, clock);
+    last_ = processor_seconds();
+    steps_ = clock.step();
+    if (last_ - first_ > kSampleSeconds || steps_ >= kSampleSteps) clock.stop();
+  }
+  std::optional<Calibration> result() const {
+    if (steps_ == 0) return std::nullopt;
+    return Calibration{steps_, (last_ - first_) / static_cast<Real>(steps_), first_};
+  }
+
+ private:
+  Monitor<Dim>& monitor_;
+  Real first_ = 0, last_ = 0;  // [s]
+  std::int64_t steps_ = 0;
+};
+}  // namespace
+
+Real processor_seconds() {
+  timespec now{};
+  if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now) != 0) return 0;
+  return static_cast<Real>(now.tv_sec) + 1e-9 * static_cast<Real>(now.tv_nsec);
+}
+
+template <int Dim>
+std::optional<Calibration> calibrate(const LoadedDeck& loaded, Scene<Dim>& scene) {
+  const Deck& deck = loaded.deck;
+  std::error_code error;
+  const fs::path folder =
+      fs::temp_directory_path(error) / ("brunt-plan-" + std::to_string(getpid()));
+  if (error || !fs::create_directory(folder, error)) return std::nullopt;
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  std::optional<Calibration> found;
+  try {
+    HistoryWriter history(folder / "history.csv", HistoryColumns<Dim>(scene).names());
+    const auto frames = make_frame_sink(folder, lone_rank());
+    Monitor<Dim> monitor(deck, &history, frames.get(), true, [](const RunWarning&) {});
+    Sample<Dim> sample(monitor);
+    Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
+                deck.time.min_step);
+    run_time_loop<Dim>(scene, clock, sample);
+    found = sample.result();
+  } catch (const std::exception&) {
+    found.reset();  // a plan says nothing of what breaks; the run will
+  }
+  omp_set_num_threads(threads);
+  fs::remove_all(folder, error);
+  return found;
+}
+
+template std::optional<Calibration> calibrate(const LoadedDeck&, Scene<2>&);
+template std::optional<Calibration> calibrate(const LoadedDeck&, Scene<3>&);
+
+}  // namespace brunt

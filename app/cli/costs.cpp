@@ -1,0 +1,60 @@
+#include "app/cli/costs.hpp"
+
+#include <sys/resource.h>
+
+#include "app/cli/calibration.hpp"
+
+namespace brunt {
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+template <int Dim>
+void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary) {
+  const auto seconds = [&](Phase phase) { return scene.phases.of(phase).seconds; };
+  for (int p = 0; p < kPhases; ++p) {
+    summary.phases.emplace_back(kPhaseNames[static_cast<std::size_t>(p)],
+                                seconds(static_cast<Phase>(p)));
+  }
+  summary.points = static_cast<std::int64_t>(scene.n_points());
+  summary.elements = static_cast<std::int64_t>(scene.n_elements());
+  summary.particles = static_cast<std::int64_t>(scene.n_particles());
+  // Whatever is spent on points, step bound and lists is shared by elements and particles.
+  const double shared = seconds(Phase::points) + seconds(Phase::step_bound);
+  const auto count = static_cast<double>(summary.elements + summary.particles);
+  if (steps == 0 || count == 0) return;
+  const auto n = static_cast<double>(steps);
+  if (summary.elements > 0) {
+    const auto elements = static_cast<double>(summary.elements);
+    summary.ns_element_step = 1e9 * (seconds(Phase::elements) / elements + shared / count) / n;
+  }
+  if (summary.particles > 0) {
+    const auto particles = static_cast<double>(summary.particles);
+    summary.ns_particle_step =
+        1e9 * ((seconds(Phase::particles) + seconds(Phase::search)) / particles + shared / count) /
+        n;
+  }
+}
+
+void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& summary) {
+  summary.ranks = ranks.size();
+  constexpr double kMicro = 1e-6;
+  const auto own_time = static_cast<std::uint64_t>(processor_seconds() / kMicro);
+  summary.cpu_seconds = kMicro * static_cast<double>(ranks.sum(own_time));
+  if (ranks.alone() || steps == 0) return;
+  const auto sum = [&](std::int64_t mine) {
+    return static_cast<double>(ranks.sum(static_cast<std::uint64_t>(mine)));
+  };
+  const Traffic own = ranks.traffic();
+  summary.messages_step = sum(own.messages) / static_cast<double>(steps);
+  summary.bytes_step = sum(own.bytes) / static_cast<double>(steps);
+  summary.reductions_step = static_cast<double>(own.reductions) / static_cast<double>(steps);
+}
+
+template void fill_costs(const Scene<2>&, std::int64_t, RunSummary&);
+template void fill_costs(const Scene<3>&, std::int64_t, RunSummary&);
+
+}  // namespace brunt
