@@ -28,6 +28,27 @@ bool can_touch(const Shown& a, const Shown& b, bool bonded) {
   if (a.particles && b.particles && !bonded) return true;
   return faces || (a.particles && b.faces) || (a.faces && b.particles);
 }
+/// What each body shows of itself.
+template <int Dim>
+std::map<Label, Shown> shown_bodies(const std::vector<Surface<Dim>*>& surfaces) {
+  std::map<Label, Shown> bodies;
+  for (const auto* surface : surfaces) {
+    for (const auto& facet : surface->facets) {
+      auto& shown = bodies[facet.body];
+      shown.faces = true;
+      shown.soft_faces = shown.soft_faces || !facet.rigid();
+      shown.take(facet.piece);
+    }
+    for (const auto& particle : surface->particles) {
+      const auto point = static_cast<std::size_t>(particle.point);
+      auto& shown = bodies[surface->points->body[point]];
+      shown.particles = true;
+      shown.take(surface->points->piece[point]);
+    }
+    for (const Label body : surface->may_free) bodies[body].particles = true;
+  }
+  return bodies;
+}
 }  // namespace
 
 template <int Dim>
@@ -38,25 +59,13 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       pair_names_(options.pair_names),
       turned_(options.turned),
       body_names_(std::move(body_names)) {
-  std::map<Label, Shown> bodies;
+  const auto bodies = shown_bodies<Dim>(surfaces);
   for (const auto* surface : surfaces) {
     for (const auto& facet : surface->facets) {
-      auto& shown = bodies[facet.body];
-      shown.faces = true;
-      shown.soft_faces = shown.soft_faces || !facet.rigid();
-      if (!facet.rigid()) {
-        auto& softest = softest_.try_emplace(facet.body, facet.stiffness).first->second;
-        softest = std::min(softest, facet.stiffness);
-      }
-      shown.take(facet.piece);
+      if (facet.rigid()) continue;
+      auto& softest = softest_.try_emplace(facet.body, facet.stiffness).first->second;
+      softest = std::min(softest, facet.stiffness);
     }
-    for (const auto& particle : surface->particles) {
-      const auto point = static_cast<std::size_t>(particle.point);
-      auto& shown = bodies[surface->points->body[point]];
-      shown.particles = true;
-      shown.take(surface->points->piece[point]);
-    }
-    for (const Label body : surface->may_free) bodies[body].particles = true;
   }
   for (const auto& [pair, name] : options.pair_names) {
     if (pair.first == pair.second) selves_.insert(pair.first);
