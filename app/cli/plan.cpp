@@ -38,7 +38,7 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
     for (const auto& solid : scene.solids) {
       for (const Label label : solid->points().body) points += label == b;
     }
-    const BodyView view = scene.view(static_cast<Label>(b));
+    const BodyView view = scene.view(static_cast<Label>(b), kNoFields);
     if (view.corners > 0)
       elements = view.connectivity.size() / static_cast<std::size_t>(view.corners);
     if (body.rigid) {
@@ -86,7 +86,7 @@ void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
     inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
   }
   if (deck.output.history) inputs.rows = deck.time.end / *deck.output.history;
-  inputs.columns = HistoryColumns<Dim>(scene).names().size();
+  inputs.columns = HistoryColumns<Dim>(scene, deck.output.state_hash).names().size();
   const MemoryEstimate memory = memory_of(scene, inputs);
   std::printf("memory     about %.0f MB:", memory.total() / 1e6);
   const std::pair<const char*, Real> parts[] = {

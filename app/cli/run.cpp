@@ -68,8 +68,11 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   summary.points = static_cast<std::int64_t>(scene.n_points());
   summary.elements = static_cast<std::int64_t>(scene.n_elements());
   summary.particles = static_cast<std::int64_t>(scene.n_particles());
-  // Whatever is spent on points, step bound and lists is shared by elements and particles.
-  const double shared = seconds(Phase::points) + seconds(Phase::step_bound);
+  summary.loop_seconds = scene.phases.loop.seconds;
+  // What is spent on neither, on contact and output too, is shared by elements and particles.
+  const double own =
+      seconds(Phase::particles) + (summary.particles > 0 ? seconds(Phase::search) : 0);
+  const double shared = summary.loop_seconds - seconds(Phase::elements) - own;
   const auto count = static_cast<double>(summary.elements + summary.particles);
   if (steps == 0 || count == 0) return;
   const auto n = static_cast<double>(steps);
@@ -79,9 +82,7 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   }
   if (summary.particles > 0) {
     const auto particles = static_cast<double>(summary.particles);
-    summary.ns_particle_step =
-        1e9 * ((seconds(Phase::particles) + seconds(Phase::search)) / particles + shared / count) /
-        n;
+    summary.ns_particle_step = 1e9 * (own / particles + shared / count) / n;
   }
 }
 
@@ -225,6 +226,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   const auto& reported = monitor.warned();
   summary.warnings.insert(summary.warnings.end(), reported.begin(), reported.end());
   summary.energy = monitor.energy_shares();
+  if (monitor.end_hash()) summary.state_hash = std::to_string(*monitor.end_hash());
   summary.step_margins = monitor.step_check().margins();
   for (const auto& warning : monitor.step_check().warnings()) summary.warnings.push_back(warning);
   for (const auto& [pair, text] : monitor.lost_contacts()) {
@@ -356,7 +358,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
               deck.time.min_step);
-  const auto columns = HistoryColumns<Dim>(*scene).names();
+  const auto columns = HistoryColumns<Dim>(*scene, deck.output.state_hash).names();
   std::optional<HistoryWriter> history;
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);

@@ -93,7 +93,7 @@ void add_heat(Filler& to) {
 }  // namespace
 
 template <int Dim>
-ColumnNames column_names(const Scene<Dim>& scene) {
+ColumnNames column_names(const Scene<Dim>& scene, bool hashes) {
   const int torque = first_torque(scene);
   Filler to;
   add_scene<Dim>(to);
@@ -122,11 +122,11 @@ ColumnNames column_names(const Scene<Dim>& scene) {
     to.add_components("section.NAME.moment.AXIS", torque, 3, section.name);
   }
   if (scene.conducts()) add_heat(to);
-  to.add("state_hash");
+  if (hashes) to.add("state_hash");
   return to.take();
 }
 
-template ColumnNames column_names<2>(const Scene<2>&);
-template ColumnNames column_names<3>(const Scene<3>&);
+template ColumnNames column_names<2>(const Scene<2>&, bool);
+template ColumnNames column_names<3>(const Scene<3>&, bool);
 
 }  // namespace brunt

@@ -11,9 +11,10 @@ struct ColumnNames {
   std::vector<std::string> names;
   std::vector<std::size_t> whole;  ///< indices of whole numbers: step, dt_body, planes
 };
-/// In the order in which HistoryColumns collects the values. Collective.
+/// In the order in which HistoryColumns collects the values; the hash, where it is wanted, last.
+/// Collective.
 template <int Dim>
-ColumnNames column_names(const Scene<Dim>& scene);
+ColumnNames column_names(const Scene<Dim>& scene, bool hashes);
 
 /// The first component of a torque: all three, or z alone in 2D, or none (3) of a whole ring.
 template <int Dim>

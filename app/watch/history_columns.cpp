@@ -32,8 +32,8 @@ Real energy_of_rounding(const Scene<Dim>& scene) {
 }  // namespace
 
 template <int Dim>
-HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene) {
-  ColumnNames columns = column_names(scene);
+HistoryColumns<Dim>::HistoryColumns(const Scene<Dim>& scene, bool hashes) {
+  ColumnNames columns = column_names(scene, hashes);
   names_ = std::move(columns.names), whole_ = std::move(columns.whole);
   largest_ = energy_of_rounding(scene);
   energies_ = EnergyWatch(scene.body_names.size());
@@ -68,7 +68,8 @@ void HistoryColumns<Dim>::add_boundaries(const Scene<Dim>& scene, std::vector<Re
 template <int Dim>
 void HistoryColumns<Dim>::add_watched(const Scene<Dim>& scene, std::vector<Real>& values) {
   for (const auto& probe : scene.probes) {
-    const auto watched = probe_values(probe, scene.own_view(probe.body), *scene.ranks);
+    const auto view = scene.own_view(probe.body, fields_of(probe));
+    const auto watched = probe_values(probe, view, *scene.ranks);
     values.insert(values.end(), watched.begin(), watched.end());
   }
   for (const auto& section : scene.sections.all()) {
@@ -156,8 +157,9 @@ void HistoryColumns<Dim>::add_heat(const Totals<Dim>& totals, std::vector<Real>&
 
 template <int Dim>
 typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>& scene,
-                                                               const Clock& clock, bool keeps) {
-  const Totals<Dim> totals = scene.totals(clock.dt());
+                                                               const Clock& clock, bool keeps,
+                                                               bool hashes) {
+  const Totals<Dim> totals = scene.totals(clock.dt(), hashes);
   Row row;
   auto& values = row.values;
   values = {clock.time(), static_cast<Real>(clock.step()), clock.dt(),

@@ -26,7 +26,8 @@ struct Measures : testing::Test {
   std::map<std::string, BodyView> start{{"dust", particles()}};
   std::vector<std::string> columns{"time", "force"};
   std::vector<std::vector<Real>> rows{{0, 0}, {1, 2}, {2, 2}, {4, 0}};
-  MeasureSource source{[this](const std::string&) { return view; }, &start, &columns, &rows};
+  MeasureSource source{[this](const std::string&) -> const BodyView& { return view; }, &start,
+                       &columns, &rows};
 
   Real value(deck::MeasureKind kind, const std::vector<MeasureValue>& before = {}) {
     return evaluate_measure({std::move(kind), {}, {}}, source, before);
