@@ -80,8 +80,8 @@ struct Totals {
   std::array<ExactSum, kColumns> columns;
   std::vector<BodySums<Dim>> bodies;
   HeatSums heat;
-  bool hashes = true;            ///< whether state_hash is wanted: it costs more than all sums
   std::uint64_t state_hash = 0;  ///< sum modulo 2^64 of the mixed bits of each entity's state
+  bool hashes = true;            ///< whether it is wanted: it costs more than all sums
 
   void add(Column column, Real value) { columns[static_cast<int>(column)].add(value); }
   Real value(Column column) const { return columns[static_cast<int>(column)].value(); }

@@ -68,7 +68,7 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   summary.points = static_cast<std::int64_t>(scene.n_points());
   summary.elements = static_cast<std::int64_t>(scene.n_elements());
   summary.particles = static_cast<std::int64_t>(scene.n_particles());
-  summary.loop_seconds = scene.phases.loop.seconds;
+  summary.loop_seconds = scene.loop.seconds;
   // What is spent on neither, on contact and output too, is shared by elements and particles.
   const double own =
       seconds(Phase::particles) + (summary.particles > 0 ? seconds(Phase::search) : 0);

@@ -25,7 +25,6 @@ inline constexpr std::array<const char*, kPhases> kPhaseNames = {
 struct Phases {
   const Communicator* ranks = &lone_rank();
   std::array<WallTime, kPhases> time{};
-  WallTime loop;  ///< of all steps, whatever they are spent on; what comes before the first aside
 
   WallTime& of(Phase phase) { return time[static_cast<std::size_t>(phase)]; }
   const WallTime& of(Phase phase) const { return time[static_cast<std::size_t>(phase)]; }

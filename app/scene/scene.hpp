@@ -52,6 +52,7 @@ struct Scene {
   std::vector<std::string> notes;  ///< of its building, for the log
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Partition> partition;  ///< whose each point is; none on a lone rank
+  WallTime loop;  ///< of all steps, whatever they are spent on; what comes before the first aside
 
   /// The smallest step limit of this rank, and whose. Not collective.
   StepLimit stable_step(Real time) const;

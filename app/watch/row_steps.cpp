@@ -35,4 +35,4 @@ template RowWork row_work<2>(const Scene<2>&);
 template RowWork row_work<3>(const Scene<3>&);
 
 }  // namespace brunt
-// Tested by tests/unit/app/monitor_test.cpp.
+// Tested by tests/unit/app/row_steps_test.cpp.

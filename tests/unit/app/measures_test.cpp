@@ -49,6 +49,22 @@ TEST_F(Measures, ReadBodies) {
   EXPECT_EQ(value(deck::RestitutionMeasure{"dust"}), 0);
 }
 
+TEST(MeasureReads, NameTheBodyAndItsField) {
+  const auto reads = [](deck::MeasureKind kind) { return reads_of({std::move(kind), {}, {}}); };
+  const auto stress = reads(deck::MaxMeasure{"dust", "stress.xz"});
+  EXPECT_EQ(stress->body, "dust");
+  EXPECT_EQ(*stress->fields.names, std::vector<std::string>{"stress"});
+  EXPECT_FALSE(stress->at_start);
+  const auto bounce = reads(deck::RestitutionMeasure{"dust"});
+  EXPECT_TRUE(bounce->fields.has("velocity") && bounce->at_start);
+  EXPECT_FALSE(bounce->fields.has("stress"));
+  EXPECT_TRUE(reads(deck::SpeedMeasure{"dust"})->fields.has("velocity"));
+  EXPECT_TRUE(reads(deck::ExtentMeasure{"dust", deck::Axis::x})->fields.names->empty());
+  EXPECT_TRUE(reads(deck::PointMeasure{"dust", "temperature", {0, 0}})->at_start);
+  EXPECT_FALSE(reads(deck::HistoryMeasure{"force", deck::Reduce::max, {}, {}}).has_value());
+  EXPECT_TRUE(WantedFields{}.has("anything"));
+}
+
 TEST_F(Measures, ReduceHistory) {
   EXPECT_EQ(value(deck::HistoryMeasure{"force", deck::Reduce::max, {}, {}}), 2);
   EXPECT_EQ(value(deck::HistoryMeasure{"force", deck::Reduce::mean, 1.0, 2.0}), 2);
