@@ -41,9 +41,9 @@ BRUNT_INLINE Pack cut(Pack& rest, Pack cutter) {
 }
 }  // namespace
 
-/// Leading bits of values that are multiples of one unit add up without rounding; what they leave
-/// is cut again, 48 bits lower. Rump, Ogita & Oishi, Accurate floating-point summation I, 2008,
-/// sec. 3. What is below the last cut goes one by one.
+/// Leading bits of values as multiples of one unit, which add up without rounding; what they leave
+/// is cut again, 48 bits lower: docs/theory/ledger.md (L9). Rump, Ogita & Oishi, Accurate
+/// floating-point summation I, 2008, sec. 3.
 void ExactSum::add_tile(const Real* values, std::size_t n) {
   alignas(32) std::array<Real, kTileOfSum> rest;
   std::copy_n(values, n, rest.begin());

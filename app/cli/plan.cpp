@@ -126,10 +126,10 @@ void print_steps(const Deck& deck, Real steps) {
 
 /// Names of the columns of history.csv, for measures.
 template <int Dim>
-void print_columns(const Scene<Dim>& scene) {
+void print_columns(const Scene<Dim>& scene, bool hashes) {
   constexpr std::size_t kWidth = 96;
   std::string line = "history   ";
-  const HistoryColumns<Dim> columns(scene);
+  const HistoryColumns<Dim> columns(scene, hashes);
   for (const auto& name : columns.names()) {
     if (line.size() + 1 + name.size() > kWidth) {
       std::printf("%s\n", line.c_str());
@@ -195,7 +195,7 @@ void print_plan(const LoadedDeck& loaded, Real program) {
     std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
                 deck::time_text(heat_step).c_str(), heat_step / dt, deck.time.heat_every);
   }
-  print_columns(*scene);
+  print_columns(*scene, deck.output.state_hash);
 }
 
 }  // namespace
