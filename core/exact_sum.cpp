@@ -1,13 +1,86 @@
 #include "core/exact_sum.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include "core/simd.hpp"
 
 namespace brunt {
 
 namespace {
 constexpr int kBias = 1074;  // the least significant bit of digit 0 is 2^-1074
+
+/// Values that are summed at once: 32 = 2^5 in each lane.
+constexpr std::size_t kTileOfSum = 32 * kLanes;
+/// Below so many it is not worth the trouble.
+constexpr std::size_t kWorthTile = 16;
+/// What one cut takes of a value, in bits: 32 times 2^47 units of it still are a double.
+constexpr int kCutBits = 47;
+/// Above the largest exponent of the values that are cut: x + cutter stays in one binade.
+constexpr int kRoom = 5;
+/// Exponents of values from here on are cut without overflow or underflow.
+constexpr int kLeastCut = -900, kMostCut = 1000;
+
+/// The largest bits of a tile without their signs, in the order of magnitudes; NaN is above all.
+std::int64_t most_bits(const Real* values, std::size_t n) {
+  constexpr long long m = 0x7fffffffffffffffLL;
+  PackMask most{0, 0, 0, 0};
+  for (std::size_t i = 0; i < n; i += kLanes) {
+    const PackMask bits = reinterpret_cast<PackMask>(load(values + i)) & PackMask{m, m, m, m};
+    most = bits > most ? bits : most;
+  }
+  return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+}
+
+/// Takes the leading bits of four values, as multiples of one unit; what is left is exact.
+BRUNT_INLINE Pack cut(Pack& rest, Pack cutter) {
+  const Pack leading = (rest + cutter) - cutter;
+  rest = rest - leading;
+  return leading;
+}
 }  // namespace
+
+/// Leading bits of values as multiples of one unit, which add up without rounding; what they leave
+/// is cut again, 48 bits lower: docs/theory/ledger.md (L9). Rump, Ogita & Oishi, Accurate
+/// floating-point summation I, 2008, sec. 3.
+void ExactSum::add_tile(const Real* values, std::size_t n) {
+  alignas(32) std::array<Real, kTileOfSum> rest;
+  std::copy_n(values, n, rest.begin());
+  const std::size_t padded = (n + kLanes - 1) / kLanes * kLanes;
+  std::fill(rest.begin() + static_cast<std::ptrdiff_t>(n),
+            rest.begin() + static_cast<std::ptrdiff_t>(padded), 0.0);
+  std::int64_t most = most_bits(rest.data(), padded);
+  while (most != 0) {
+    const int exponent = static_cast<int>(most >> 52) - 1023 + 1;  // all are below 2^exponent
+    if (exponent < kLeastCut || exponent > kMostCut) {
+      for (std::size_t i = 0; i < n; ++i) add(rest[i]);
+      return;
+    }
+    const Pack first = broadcast<Pack>(std::ldexp(1.5, exponent + kRoom));
+    const Pack second = broadcast<Pack>(std::ldexp(1.5, exponent + kRoom - kCutBits - 1));
+    Pack high{0, 0, 0, 0}, low{0, 0, 0, 0};
+    PackMask left{0, 0, 0, 0};
+    for (std::size_t i = 0; i < padded; i += kLanes) {
+      Pack value = load(rest.data() + i);
+      high += cut(value, first);
+      low += cut(value, second);
+      store(rest.data() + i, value);
+      left |= value != Pack{0, 0, 0, 0};
+    }
+    for (int k = 0; k < kLanes; ++k) add(high[k]), add(low[k]);
+    most = any(left) ? most_bits(rest.data(), padded) : 0;
+  }
+}
+
+void ExactSum::add(std::span<const Real> values) {
+  while (values.size() >= kWorthTile) {
+    const std::size_t n = std::min(values.size(), kTileOfSum);
+    add_tile(values.data(), n);
+    values = values.subspan(n);
+  }
+  for (const Real value : values) add(value);
+}
 
 void ExactSum::combine(const ExactSum& other, std::int64_t sign) {
   if (pending_ + other.pending_ >= kMostPending) carry();

@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 #include "core/types.hpp"
 
@@ -25,6 +26,8 @@ class ExactSum {
       add_scaled(bits, bits & kFraction, 0);
     }
   }
+  /// Adds many values: the same sum, several of them at once.
+  void add(std::span<const Real> values);
   void add(const ExactSum& other) { combine(other, 1); }
   void subtract(const ExactSum& other) { combine(other, -1); }
   Real value() const;  ///< the exact sum rounded once, to nearest
@@ -45,11 +48,38 @@ class ExactSum {
     digit_[first + 1] += (high ^ sign) - sign;
     if (++pending_ >= kMostPending) carry();
   }
+  void add_tile(const Real* values, std::size_t n);
   void combine(const ExactSum& other, std::int64_t sign);
   void carry();
   std::array<std::int64_t, kDigits> digit_{};
   std::uint32_t pending_ = 0;  ///< additions since the last carry
   bool poisoned_ = false;
+};
+
+/// N exact sums of entities that come one after another, a tile of them at a time.
+template <std::size_t N>
+class ExactColumns {
+ public:
+  /// The values of one more entity, in the order of the sums.
+  void add(const std::array<Real, N>& values) {
+    for (std::size_t c = 0; c < N; ++c) value_[c][n_] = values[c];
+    if (++n_ == kTile) flush();
+  }
+  /// The sum so far.
+  const ExactSum& sum(std::size_t column) {
+    flush();
+    return sum_[column];
+  }
+
+ private:
+  static constexpr std::size_t kTile = 128;
+  void flush() {
+    for (std::size_t c = 0; c < N; ++c) sum_[c].add(std::span<const Real>(value_[c].data(), n_));
+    n_ = 0;
+  }
+  std::array<ExactSum, N> sum_;
+  std::array<std::array<Real, kTile>, N> value_;
+  std::size_t n_ = 0;
 };
 
 }  // namespace brunt

@@ -83,6 +83,7 @@ struct Totals {
   std::vector<BodySums<Dim>> bodies;
   HeatSums heat;
   std::uint64_t state_hash = 0;  ///< sum modulo 2^64 of the mixed bits of each entity's state
+  bool hashes = true;            ///< whether it is wanted: it costs more than all sums
 
   void add(Column column, Real value) { columns[static_cast<int>(column)].add(value); }
   Real value(Column column) const { return columns[static_cast<int>(column)].value(); }
@@ -102,10 +103,11 @@ void add_totals(const Totals<Dim>& from, Totals<Dim>& into) {
 template <int Dim, class Add>
 void add_in_shares(std::size_t n, Totals<Dim>& totals, const Add& add) {
   constexpr std::size_t kWorthThreads = 1000;
-  if (n < kWorthThreads) return add(std::size_t{0}, n, totals);
+  if (n < kWorthThreads || omp_get_max_threads() == 1) return add(std::size_t{0}, n, totals);
 #pragma omp parallel
   {
     Totals<Dim> part;
+    part.hashes = totals.hashes;
     part.bodies.resize(totals.bodies.size());
     const auto threads = static_cast<std::size_t>(omp_get_num_threads());
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());

@@ -54,8 +54,9 @@ class Solid {
   /// What may help where an element or particle is crushed, sheared or torn, as options of its body
   /// leave it open; empty where it is not owned here.
   virtual std::string advice(GlobalId) const { return {}; }
-  /// Positions, connectivity and all fields of one body.
-  virtual BodyView view(Label body) const = 0;
+  /// Positions, connectivity and the wanted fields of one body.
+  virtual BodyView view(Label body, const WantedFields& wanted) const = 0;
+  BodyView view(Label body) const { return view(body, {}); }
   /// How the motion of copies of points follows their owners; empty where there are none.
   virtual const GhostPlan& ghosts() const = 0;
   /// Brings to the copies what update_state published. Collective.

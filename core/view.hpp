@@ -1,7 +1,9 @@
 #pragma once
 /// What a group shows to output, measures and pictures: plain data, SI. A group's view is
 /// relative to the scene's origin; the scene adds it.
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +26,18 @@ inline const Field* field_named(const std::vector<Field>& fields, std::string_vi
   }
   return nullptr;
 }
+
+/// Which fields a view shall have: all, or those of these names. Positions, cells and weights are
+/// in every view.
+struct WantedFields {
+  std::optional<std::vector<std::string>> names;  ///< none: all
+  bool has(std::string_view name) const {
+    return !names || std::find(names->begin(), names->end(), name) != names->end();
+  }
+};
+
+/// Positions, cells and weights alone.
+inline const WantedFields kNoFields{std::vector<std::string>{}};
 
 /// One named body at one instant. Cells hold corners (hexes 8, quads 4, triangles 3, edges 2);
 /// a body of particles has no cells and its fields are point fields.

@@ -23,8 +23,10 @@ std::vector<Cell<Dim>> cells_of(const std::vector<ElementBlock<Dim>>& blocks, La
       if (block.body[e] == body) cells.push_back({&block, e});
     }
   }
-  std::sort(cells.begin(), cells.end(),
-            [](const Cell<Dim>& a, const Cell<Dim>& b) { return a.id() < b.id(); });
+  const auto ascends = [](const Cell<Dim>& a, const Cell<Dim>& b) { return a.id() < b.id(); };
+  if (!std::is_sorted(cells.begin(), cells.end(), ascends)) {
+    std::sort(cells.begin(), cells.end(), ascends);
+  }
   return cells;
 }
 
@@ -58,33 +60,55 @@ Field vector_field(const char* name, const std::vector<LocalIndex>& nodes, const
   return field;
 }
 
+/// Adds what is wanted of a list of fields, each only then computed.
+class FieldAdder {
+ public:
+  FieldAdder(const WantedFields& wanted, std::vector<Field>& fields)
+      : wanted_(wanted), fields_(fields) {}
+  /// make()  the field, or one of no values where it is not there
+  template <class Make>
+  void add(const char* name, const Make& make) {
+    if (wanted_.has(name)) fields_.push_back(make(name));
+  }
+  /// value(k)  of the k-th of n entities
+  template <class Value>
+  void add_scalar(const char* name, std::size_t n, const Value& value) {
+    if (!wanted_.has(name)) return;
+    Field& field = fields_.emplace_back(Field{name, 1, std::vector<Real>(n)});
+    for (std::size_t k = 0; k < n; ++k) field.values[k] = value(k);
+  }
+
+ private:
+  const WantedFields& wanted_;
+  std::vector<Field>& fields_;
+};
+
 template <int Dim>
 void add_point_fields(const Points<Dim>& points, const std::vector<LocalIndex>& nodes,
-                      BodyView& view) {
+                      const WantedFields& wanted, BodyView& view) {
   view.position = vector_field<Dim>("", nodes, [&](LocalIndex k) { return points.x[k]; }).values;
-  auto& fields = view.point_fields;
-  fields.push_back(vector_field<Dim>("displacement", nodes, [&](LocalIndex k) -> Vec<Dim> {
-    return points.x[k] - points.x_start[k];
-  }));
-  fields.push_back(vector_field<Dim>("velocity", nodes, [&](LocalIndex k) { return points.v[k]; }));
-  fields.push_back(
-      vector_field<Dim>("acceleration", nodes, [&](LocalIndex k) { return points.a[k]; }));
-  fields.push_back(vector_field<Dim>("force", nodes, [&](LocalIndex k) { return points.f[k]; }));
-  Field id{"id", 1, {}}, piece{"piece", 1, {}};
+  FieldAdder fields(wanted, view.point_fields);
+  const auto add_vector = [&](const char* name, const auto& value) {
+    fields.add(name, [&](const char* of) { return vector_field<Dim>(of, nodes, value); });
+  };
+  add_vector("displacement",
+             [&](LocalIndex k) -> Vec<Dim> { return points.x[k] - points.x_start[k]; });
+  add_vector("velocity", [&](LocalIndex k) { return points.v[k]; });
+  add_vector("acceleration", [&](LocalIndex k) { return points.a[k]; });
+  add_vector("force", [&](LocalIndex k) { return points.f[k]; });
+  const std::size_t n = nodes.size();
+  fields.add_scalar("id", n, [&](std::size_t k) { return static_cast<Real>(points.id[nodes[k]]); });
+  fields.add_scalar("piece", n,
+                    [&](std::size_t k) { return static_cast<Real>(points.piece[nodes[k]]); });
+  view.point_mass.reserve(n), view.point_owned.reserve(n);
   for (const LocalIndex node : nodes) {
-    id.values.push_back(static_cast<Real>(points.id[node]));
-    piece.values.push_back(static_cast<Real>(points.piece[node]));
     // Means over a rigid body, which has no mass, are weighted by heat capacities.
     const bool rigid = points.mass[node] == 0 && points.conducts;
     view.point_mass.push_back(rigid ? points.capacity[node] : points.mass[node]);
     view.point_owned.push_back(node < points.n_owned);
   }
-  fields.push_back(std::move(id));
-  fields.push_back(std::move(piece));
   if (!points.conducts) return;
-  Field temperature{"temperature", 1, {}};
-  for (const LocalIndex node : nodes) temperature.values.push_back(points.temperature[node]);
-  fields.push_back(std::move(temperature));
+  fields.add_scalar("temperature", n, [&](std::size_t k) { return points.temperature[nodes[k]]; });
 }
 
 /// Mean of a quantity of the material points of an element, weighted by their volumes at time 0.
@@ -109,72 +133,87 @@ Real von_mises(const MaterialState& state, std::size_t k) {
 }
 
 template <int Dim>
-void add_stress_fields(const std::vector<Cell<Dim>>& cells, BodyView& view) {
-  Field stress{"stress", 6, {}}, pressure{"pressure", 1, {}}, mises{"von_mises", 1, {}};
-  for (const Cell<Dim>& cell : cells) {
-    const MaterialState& state = cell.block->state;
-    const Real p = mean_of(cell, [&](std::size_t k) { return state.pressure[k]; });
-    for (int i = 0; i < 6; ++i) {
-      const Real s = mean_of(cell, [&](std::size_t k) { return state.deviator[i][k]; });
-      stress.values.push_back(i < 3 ? s - p : s);
+void add_stress_fields(const std::vector<Cell<Dim>>& cells, FieldAdder& fields) {
+  const auto pressure = [&](std::size_t c) {
+    const MaterialState& state = cells[c].block->state;
+    return mean_of(cells[c], [&](std::size_t k) { return state.pressure[k]; });
+  };
+  fields.add("stress", [&](const char* name) {
+    Field stress{name, 6, {}};
+    stress.values.reserve(6 * cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const MaterialState& state = cells[c].block->state;
+      const Real p = pressure(c);
+      for (int i = 0; i < 6; ++i) {
+        const Real s = mean_of(cells[c], [&](std::size_t k) { return state.deviator[i][k]; });
+        stress.values.push_back(i < 3 ? s - p : s);
+      }
     }
-    pressure.values.push_back(p);
-    mises.values.push_back(mean_of(cell, [&](std::size_t k) { return von_mises(state, k); }));
-  }
-  view.cell_fields.push_back(std::move(stress));
-  view.cell_fields.push_back(std::move(pressure));
-  view.cell_fields.push_back(std::move(mises));
+    return stress;
+  });
+  fields.add_scalar("pressure", cells.size(), pressure);
+  fields.add_scalar("von_mises", cells.size(), [&](std::size_t c) {
+    const MaterialState& state = cells[c].block->state;
+    return mean_of(cells[c], [&](std::size_t k) { return von_mises(state, k); });
+  });
 }
 
 /// A state field, where the law of the body's elements has it.
 template <int Dim>
 void add_state_field(const char* name, std::vector<Real> MaterialState::*member,
-                     const std::vector<Cell<Dim>>& cells, BodyView& view) {
-  Field field{name, 1, {}};
-  for (const Cell<Dim>& cell : cells) {
-    const std::vector<Real>& values = cell.block->state.*member;
-    if (values.empty()) return;
-    field.values.push_back(mean_of(cell, [&](std::size_t k) { return values[k]; }));
-  }
-  view.cell_fields.push_back(std::move(field));
+                     const std::vector<Cell<Dim>>& cells, FieldAdder& fields) {
+  const bool there = std::none_of(cells.begin(), cells.end(), [&](const Cell<Dim>& cell) {
+    return (cell.block->state.*member).empty();
+  });
+  if (!there) return;
+  fields.add_scalar(name, cells.size(), [&](std::size_t c) {
+    const std::vector<Real>& values = cells[c].block->state.*member;
+    return mean_of(cells[c], [&](std::size_t k) { return values[k]; });
+  });
 }
 
 }  // namespace
 
 template <int Dim>
-BodyView FiniteElements<Dim>::view(Label body) const {
+BodyView FiniteElements<Dim>::view(Label body, const WantedFields& wanted) const {
   BodyView view;
   std::vector<Cell<Dim>> cells = cells_of(blocks_, body);
   view.corners = cells.empty() ? Shape<Dim>::kCorners : cells.front().block->corners;
   view.cell_dimension = Dim;
   std::vector<std::int64_t> place;
-  add_point_fields(points_, nodes_of(cells, points_, place), view);
+  add_point_fields(points_, nodes_of(cells, points_, place), wanted, view);
   std::erase_if(cells, [](const Cell<Dim>& cell) { return !cell.block->owned[cell.element]; });
-  add_stress_fields(cells, view);
-  add_state_field("eps_p", &MaterialState::eps_p, cells, view);
-  add_state_field("strain_rate", &MaterialState::strain_rate, cells, view);
-  add_state_field("plastic_volume", &MaterialState::plastic_volume, cells, view);
-  add_state_field("opening", &MaterialState::opening, cells, view);
-  add_state_field("damage", &MaterialState::damage, cells, view);
-  if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, view);
-  Field density{"density", 1, {}}, piece{"piece", 1, {}}, id{"id", 1, {}};
+  FieldAdder fields(wanted, view.cell_fields);
+  add_stress_fields(cells, fields);
+  add_state_field("eps_p", &MaterialState::eps_p, cells, fields);
+  add_state_field("strain_rate", &MaterialState::strain_rate, cells, fields);
+  add_state_field("plastic_volume", &MaterialState::plastic_volume, cells, fields);
+  add_state_field("opening", &MaterialState::opening, cells, fields);
+  add_state_field("damage", &MaterialState::damage, cells, fields);
+  if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, fields);
+  const std::size_t n = cells.size();
+  view.connectivity.reserve(n * static_cast<std::size_t>(view.corners));
+  view.cell_volume.reserve(n);
   for (const Cell<Dim>& cell : cells) {
     const ElementBlock<Dim>& block = *cell.block;
-    const LocalIndex e = cell.element;
-    for (const LocalIndex node : block.corners_of(e)) view.connectivity.push_back(place[node]);
-    const Real volume =
-        block.formulation->volume(corner_positions(block, e, points_), false, thickness_);
-    view.cell_volume.push_back(volume);
-    density.values.push_back(block.mass[e] / volume);
-    piece.values.push_back(static_cast<Real>(block.piece[e]));
-    id.values.push_back(static_cast<Real>(block.id[e]));
+    for (const LocalIndex node : block.corners_of(cell.element)) {
+      view.connectivity.push_back(place[node]);
+    }
+    view.cell_volume.push_back(block.formulation->volume(
+        corner_positions(block, cell.element, points_), false, thickness_));
   }
-  for (Field* field : {&density, &piece, &id}) view.cell_fields.push_back(std::move(*field));
+  fields.add_scalar("density", n, [&](std::size_t c) {
+    return cells[c].block->mass[cells[c].element] / view.cell_volume[c];
+  });
+  fields.add_scalar("piece", n, [&](std::size_t c) {
+    return static_cast<Real>(cells[c].block->piece[cells[c].element]);
+  });
+  fields.add_scalar("id", n, [&](std::size_t c) { return static_cast<Real>(cells[c].id()); });
   return view;
 }
 
-template BodyView FiniteElements<2>::view(Label) const;
-template BodyView FiniteElements<3>::view(Label) const;
+template BodyView FiniteElements<2>::view(Label, const WantedFields&) const;
+template BodyView FiniteElements<3>::view(Label, const WantedFields&) const;
 
 }  // namespace brunt
 // Tested by tests/unit/fe/finite_elements_test.cpp.

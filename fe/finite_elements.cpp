@@ -139,20 +139,19 @@ StepLimit FiniteElements<Dim>::stable_step() const {
 namespace {
 /// Energies [J] of elements of one body that stand one after another: each is summed once and then
 /// given to the body and to the columns.
-struct ElementSums {
-  ExactSum stress_work, heat, compression, hourglass, viscous;
-
+class ElementSums {
+ public:
   template <int Dim>
   void add(const ElementBlock<Dim>& block, LocalIndex e) {
-    stress_work.add(block.stress_work[e]);
-    hourglass.add(block.hourglass_work[e]);
-    viscous.add(block.viscous_work[e]);
-    if (!block.state.heat.empty()) heat.add(plastic_heat(block, e));
-    if (!block.state.compression_heat.empty()) compression.add(compression_heat(block, e));
+    sums_.add({block.stress_work[e], block.hourglass_work[e], block.viscous_work[e],
+               block.state.heat.empty() ? 0.0 : plastic_heat(block, e),
+               block.state.compression_heat.empty() ? 0.0 : compression_heat(block, e)});
   }
 
   template <int Dim>
-  void give(Label body, bool conducts, Totals<Dim>& totals) const {
+  void give(Label body, bool conducts, Totals<Dim>& totals) {
+    const ExactSum &stress_work = sums_.sum(0), &hourglass = sums_.sum(1), &viscous = sums_.sum(2);
+    const ExactSum &heat = sums_.sum(3), &compression = sums_.sum(4);
     const auto column = [&](Column which) -> ExactSum& {
       return totals.columns[static_cast<std::size_t>(which)];
     };
@@ -172,6 +171,9 @@ struct ElementSums {
       own.heat.add(heat),
           own.heat.add(compression);  // else its points carry it, and what is conducted
   }
+
+ private:
+  ExactColumns<5> sums_;
 };
 
 template <int Dim>
@@ -183,7 +185,7 @@ void add_elements(const ElementBlock<Dim>& block, std::size_t first, std::size_t
     for (; e < last && block.body[e] == body; ++e) {
       if (!block.owned[e]) continue;
       sums.add(block, static_cast<LocalIndex>(e));
-      totals.state_hash += element_hash(block, static_cast<LocalIndex>(e));
+      if (totals.hashes) totals.state_hash += element_hash(block, static_cast<LocalIndex>(e));
     }
     sums.give(body, block.conducts, totals);
   }

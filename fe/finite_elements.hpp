@@ -49,7 +49,8 @@ class FiniteElements final : public Solid<Dim> {
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
   std::string advice(GlobalId entity) const override;
-  BodyView view(Label body) const override;
+  using Solid<Dim>::view;
+  BodyView view(Label body, const WantedFields& wanted) const override;
   std::size_t n_elements() const override;
   std::size_t n_particles() const override { return 0; }
   const GhostPlan& ghosts() const override { return ghosts_; }

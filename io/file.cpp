@@ -55,31 +55,74 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
-void replace(const std::filesystem::path& path, std::string_view bytes, bool lasting) {
-  TemporaryFile temporary;
-  std::string name = path.string() + ".tmp-XXXXXX";
-  temporary.descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-  if (temporary.descriptor < 0) fail("write", path, errno);
-  temporary.name = name;
-  const mode_t mask = ::umask(0);  // mkostemp gives 0600; the user's umask is what others expect
-  ::umask(mask);
-  if (::fchmod(temporary.descriptor, 0666 & ~mask) != 0) fail("write", path, errno);
-  if (write_all(temporary.descriptor, bytes) != bytes.size()) fail("write", path, errno);
-  if (lasting && ::fsync(temporary.descriptor) != 0) fail("write", path, errno);
-  if (::close(std::exchange(temporary.descriptor, -1)) != 0) fail("write", path, errno);
-  if (::rename(name.c_str(), path.c_str()) != 0) fail("write", path, errno);
-  temporary.name.clear();
-  if (lasting) sync_folder(folder_of(path));
-}
+constexpr std::size_t kWaiting = 1 << 20;  // [byte] gathered before they are written
 
 }  // namespace
 
+ReplacedFile::ReplacedFile(std::filesystem::path path) : path_(std::move(path)) {
+  std::string name = path_.string() + ".tmp-XXXXXX";
+  descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor_ < 0) fail("write", path_, errno);
+  temporary_ = name;
+  const mode_t mask = ::umask(0);  // mkostemp gives 0600; the user's umask is what others expect
+  ::umask(mask);
+  if (::fchmod(descriptor_, 0666 & ~mask) == 0) return;
+  const int error = errno;  // no destructor follows a constructor that throws
+  ::close(descriptor_);
+  ::unlink(temporary_.c_str());
+  fail("write", path_, error);
+}
+
+ReplacedFile::~ReplacedFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void ReplacedFile::write(std::string_view bytes) {
+  if (write_all(descriptor_, bytes) != bytes.size()) fail("write", path_, errno);
+}
+
+void ReplacedFile::flush() {
+  write(waiting_);
+  written_ += waiting_.size();
+  waiting_.clear();
+}
+
+void ReplacedFile::append(std::string_view bytes) {
+  waiting_ += bytes;
+  if (waiting_.size() >= kWaiting) flush();
+}
+
+void ReplacedFile::overwrite(std::size_t at, std::string_view bytes) {
+  if (at >= written_) {
+    waiting_.replace(at - written_, bytes.size(), bytes);
+    return;
+  }
+  flush();
+  if (::lseek(descriptor_, static_cast<off_t>(at), SEEK_SET) < 0) fail("write", path_, errno);
+  write(bytes);
+  if (::lseek(descriptor_, 0, SEEK_END) < 0) fail("write", path_, errno);
+}
+
+void ReplacedFile::finish(bool lasting) {
+  if (!waiting_.empty() || written_ == 0) flush();
+  if (lasting && ::fsync(descriptor_) != 0) fail("write", path_, errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("write", path_, errno);
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("write", path_, errno);
+  temporary_.clear();
+  if (lasting) sync_folder(folder_of(path_));
+}
+
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
-  replace(path, bytes, true);
+  ReplacedFile file(path);
+  file.append(bytes);
+  file.finish(true);
 }
 
 void replace_file(const std::filesystem::path& path, std::string_view bytes) {
-  replace(path, bytes, false);
+  ReplacedFile file(path);
+  file.append(bytes);
+  file.finish();
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -17,6 +17,33 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 /// costs more than the frame.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// What replace_file does, in parts, for what is too much for memory. All functions throw
+/// MachineError; a file that was not finished is gone, and the old one stays.
+class ReplacedFile {
+ public:
+  explicit ReplacedFile(std::filesystem::path path);
+  ~ReplacedFile();
+  ReplacedFile(const ReplacedFile&) = delete;
+  ReplacedFile& operator=(const ReplacedFile&) = delete;
+
+  void append(std::string_view bytes);
+  /// Writes over bytes that were appended.
+  void overwrite(std::size_t at, std::string_view bytes);
+  std::size_t size() const { return written_ + waiting_.size(); }
+  /// lasting: with fsync of file and folder
+  void finish(bool lasting = false);
+
+ private:
+  void flush();
+  void write(std::string_view bytes);
+
+  std::filesystem::path path_;
+  std::string temporary_;  // "": there is none
+  int descriptor_ = -1;
+  std::size_t written_ = 0;  // [byte]
+  std::string waiting_;      // what is appended and not written yet
+};
+
 /// All bytes of a file. Throws MachineError where it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 

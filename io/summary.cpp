@@ -122,10 +122,12 @@ RunSummary from_json(const Json& json) {
   for (const auto& [name, unused] : phases.items()) {
     s.phases.emplace_back(name, real_at(phases, name.c_str(), kUnknown));
   }
+  s.loop_seconds = real_at(json, "loop_seconds", s.loop_seconds);
   s.ns_element_step = real_at(json, "ns_element_step", s.ns_element_step);
   s.ns_particle_step = real_at(json, "ns_particle_step", s.ns_particle_step);
   s.peak_memory = real_at(json, "peak_memory", s.peak_memory);
   s.drift = real_at(json, "drift", s.drift);
+  s.state_hash = json.value("state_hash", s.state_hash);
   s.energy = energy_from(object_at(json, "energy"));
   const Json margins = object_at(json, "step_margins");
   for (const auto& [body, unused] : margins.items()) {
@@ -189,10 +191,12 @@ std::string to_json(const RunSummary& s) {
   json["particles"] = s.particles;
   json["phases"] = Json::object();
   for (const auto& [name, seconds] : s.phases) json["phases"][name] = seconds;
+  json["loop_seconds"] = s.loop_seconds;
   json["ns_element_step"] = s.ns_element_step;
   json["ns_particle_step"] = s.ns_particle_step;
   json["peak_memory"] = s.peak_memory;
   json["drift"] = s.drift;
+  if (!s.state_hash.empty()) json["state_hash"] = s.state_hash;
   json["energy"] = energy_json(s.energy);
   if (!s.step_margins.empty()) json["step_margins"] = shares_json(s.step_margins);
   if (!s.eroded.empty()) json["eroded"] = shares_json(s.eroded);

@@ -64,10 +64,13 @@ struct RunSummary {
   std::int64_t elements = 0;
   std::int64_t particles = 0;
   std::vector<std::pair<std::string, Real>> phases;  ///< name, wall time [s]
-  Real ns_element_step = 0;                          ///< [ns] of FE phases an element and step
-  Real ns_particle_step = 0;                         ///< [ns] of SPH phases a particle and step
-  Real peak_memory = 0;                              ///< [byte]
-  Real drift = 0;                                    ///< energy.drift at the end
+  Real loop_seconds = 0;                             ///< [s] of all steps, the start aside
+  /// [ns] an element and step, a particle and step, of all that the steps took: together with the
+  /// counts they make up loop_seconds.
+  Real ns_element_step = 0, ns_particle_step = 0;
+  Real peak_memory = 0;    ///< [byte]
+  Real drift = 0;          ///< energy.drift at the end
+  std::string state_hash;  ///< of the end; "": the run broke
   EnergyShares energy;
   /// Smallest stable step over the step limit, by body, where the deck asks for it.
   std::vector<std::pair<std::string, Real>> step_margins;

@@ -72,6 +72,7 @@ constexpr PlainKey kPlainKeys[] = {
     {"points", [](const RunSummary& r) { return Cell(static_cast<Real>(r.points)); }},
     {"elements", [](const RunSummary& r) { return Cell(static_cast<Real>(r.elements)); }},
     {"particles", [](const RunSummary& r) { return Cell(static_cast<Real>(r.particles)); }},
+    {"loop_seconds", [](const RunSummary& r) { return Cell(r.loop_seconds); }},
     {"ns_element_step", [](const RunSummary& r) { return Cell(r.ns_element_step); }},
     {"ns_particle_step", [](const RunSummary& r) { return Cell(r.ns_particle_step); }},
     {"peak_memory", [](const RunSummary& r) { return Cell(r.peak_memory); }},
@@ -200,7 +201,8 @@ std::string title_of(const std::vector<TableRun>& runs, const std::string& key) 
     const auto* measure = find_measure(*run.summary, key);
     if (measure != nullptr && !measure->unit.empty()) return key + " [" + measure->unit + "]";
   }
-  if (key == "wall_seconds" || key == "cpu_seconds" || key.starts_with("phases."))
+  if (key == "wall_seconds" || key == "loop_seconds" || key == "cpu_seconds" ||
+      key.starts_with("phases."))
     return key + " [s]";
   if (key == "ns_element_step" || key == "ns_particle_step") return key + " [ns]";
   if (key == "peak_memory") return key + " [byte]";

@@ -98,7 +98,8 @@ class SphParticles final : public Solid<Dim> {
   void rearrange() override;
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
-  BodyView view(Label body) const override;
+  using Solid<Dim>::view;
+  BodyView view(Label body, const WantedFields& wanted) const override;
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return n_owned(); }
   const GhostPlan& ghosts() const override { return ghosts_; }
@@ -135,7 +136,9 @@ class SphParticles final : public Solid<Dim> {
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
   void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
   void set_size(std::size_t i);
-  void add_slot(const ParticleBlock& block, std::size_t slot, Totals<Dim>& totals) const;
+  std::uint64_t slot_hash(const ParticleBlock& block, std::size_t slot) const;
+  void add_slots(const ParticleBlock& block, std::size_t first, std::size_t last,
+                 Totals<Dim>& totals) const;
   void add_tension(const ParticleBlock& block, std::size_t i, BodySums<Dim>& body) const;
   void seed_step_limits();
   void find_spread(const ParticleBlock& block, LocalIndex i);

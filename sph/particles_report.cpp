@@ -21,16 +21,20 @@ Real von_mises(const MaterialState& state, std::size_t slot) {
   return std::sqrt(1.5 * sum);
 }
 
-/// Fields of one body while they fill.
+/// Fields of one body while they fill, of those that are wanted.
 class FieldList {
  public:
+  /// most  entities that the fields may have
+  FieldList(const WantedFields& wanted, std::size_t most) : wanted_(wanted), most_(most) {}
   /// Adds values to the field of this name; the first call of a name makes it.
   void add(const char* name, std::initializer_list<Real> values) {
+    if (!wanted_.has(name)) return;
     auto field = std::find_if(fields_.begin(), fields_.end(),
                               [&](const Field& f) { return f.name == name; });
     if (field == fields_.end()) {
       fields_.push_back({name, static_cast<int>(values.size()), {}});
       field = fields_.end() - 1;
+      field->values.reserve(values.size() * most_);
     }
     field->values.insert(field->values.end(), values);
   }
@@ -45,6 +49,8 @@ class FieldList {
   std::vector<Field> take() { return std::move(fields_); }
 
  private:
+  const WantedFields& wanted_;
+  std::size_t most_;
   std::vector<Field> fields_;
 };
 
@@ -83,27 +89,8 @@ void SphParticles<Dim>::add_tension(const ParticleBlock& block, std::size_t i,
 }
 
 template <int Dim>
-void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
-                                 Totals<Dim>& totals) const {
-  const auto &heat = block.state.heat, &compression = block.state.compression_heat;
+std::uint64_t SphParticles<Dim>::slot_hash(const ParticleBlock& block, std::size_t slot) const {
   const auto i = static_cast<std::size_t>(block.set.particle[slot]);
-  const auto& state = state_[i];
-  const Real plastic = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
-  const Real warmed = compression.empty() ? 0.0 : compression[slot] * state.start_volume;
-  const Real internal = state.stress_work - plastic;
-  totals.add(Column::internal, internal);
-  totals.add(Column::plastic_heat, plastic);
-  if (points_.conducts) totals.heat.plastic.add(plastic), totals.heat.compression.add(warmed);
-  totals.add(Column::viscosity, state.viscous_work);
-  totals.add(Column::artificial_stress, state.artificial_work);
-  if (points_.body[i] < totals.bodies.size()) {
-    auto& body = totals.bodies[points_.body[i]];
-    body.internal.add(internal);
-    body.stress_work.add(state.stress_work), body.viscosity.add(state.viscous_work);
-    body.artificial_stress.add(state.artificial_work);
-    if (block.set.options.artificial_stress != 0) add_tension(block, i, body);
-    if (!points_.conducts) body.heat.add(plastic), body.heat.add(warmed);
-  }
   EntityHash hash(points_.id[i]);
   const auto add = [&](const auto& value, FieldUse use) {
     if constexpr (std::is_same_v<decltype(value), const Real&>) {
@@ -111,16 +98,56 @@ void SphParticles<Dim>::add_slot(const ParticleBlock& block, std::size_t slot,
     }
   };
   visit_slot(block, slot, add);
-  visit_particle(state, add);
-  totals.state_hash += hash.value();
+  visit_particle(state_[i], add);
+  return hash.value();
+}
+
+/// Slots first .. last are of one body: each of their energies is summed once, and then given to
+/// the body and to the columns.
+template <int Dim>
+void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first, std::size_t last,
+                                  Totals<Dim>& totals) const {
+  const auto &heat = block.state.heat, &compression = block.state.compression_heat;
+  const Label label = points_.body[static_cast<std::size_t>(block.set.particle[first])];
+  BodySums<Dim>* body = label < totals.bodies.size() ? &totals.bodies[label] : nullptr;
+  enum { internal, plastic, warmed, stress_work, viscous, artificial, kSums };
+  ExactColumns<kSums> sums;
+  for (std::size_t slot = first; slot < last; ++slot) {
+    const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+    const auto& state = state_[i];
+    const Real plastic_heat = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
+    const Real warmth = compression.empty() ? 0.0 : compression[slot] * state.start_volume;
+    sums.add({state.stress_work - plastic_heat, plastic_heat, warmth, state.stress_work,
+              state.viscous_work, state.artificial_work});
+    if (body && block.set.options.artificial_stress != 0) add_tension(block, i, *body);
+    if (totals.hashes) totals.state_hash += slot_hash(block, slot);
+  }
+  const auto give = [&](Column column, int from) {
+    totals.columns[static_cast<std::size_t>(column)].add(sums.sum(from));
+  };
+  give(Column::internal, internal), give(Column::plastic_heat, plastic);
+  give(Column::viscosity, viscous), give(Column::artificial_stress, artificial);
+  if (points_.conducts) {
+    totals.heat.plastic.add(sums.sum(plastic)), totals.heat.compression.add(sums.sum(warmed));
+  }
+  if (!body) return;
+  body->internal.add(sums.sum(internal)), body->stress_work.add(sums.sum(stress_work));
+  body->viscosity.add(sums.sum(viscous)), body->artificial_stress.add(sums.sum(artificial));
+  if (!points_.conducts) body->heat.add(sums.sum(plastic)), body->heat.add(sums.sum(warmed));
 }
 
 template <int Dim>
 void SphParticles<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& block : blocks_) {
+    const auto body_of = [&](std::size_t slot) { return points_.body[block.set.particle[slot]]; };
     const std::size_t n = block.set.particle.size();
     add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
-      for (std::size_t slot = first; slot < last; ++slot) add_slot(block, slot, part);
+      while (first < last) {
+        std::size_t end = first + 1;
+        while (end < last && body_of(end) == body_of(first)) ++end;
+        add_slots(block, first, end, part);
+        first = end;
+      }
     });
   }
 }
@@ -152,9 +179,13 @@ void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_na
 }
 
 template <int Dim>
-BodyView SphParticles<Dim>::view(Label body) const {
+BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
   BodyView view;
-  FieldList fields;
+  const auto most = std::count(points_.body.begin(), points_.body.begin() + points_.n_owned, body);
+  FieldList fields(wanted, static_cast<std::size_t>(most));
+  view.position.reserve(3 * static_cast<std::size_t>(most));
+  view.point_mass.reserve(static_cast<std::size_t>(most));
+  view.point_radius.reserve(static_cast<std::size_t>(most));
   for (const auto& block : blocks_) {
     for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
       const auto i = static_cast<std::size_t>(block.set.particle[slot]);
@@ -181,8 +212,8 @@ template void SphParticles<2>::add_totals(Totals<2>&) const;
 template void SphParticles<3>::add_totals(Totals<3>&) const;
 template void SphParticles<2>::check(Real, const std::vector<std::string>&) const;
 template void SphParticles<3>::check(Real, const std::vector<std::string>&) const;
-template BodyView SphParticles<2>::view(Label) const;
-template BodyView SphParticles<3>::view(Label) const;
+template BodyView SphParticles<2>::view(Label, const WantedFields&) const;
+template BodyView SphParticles<3>::view(Label, const WantedFields&) const;
 
 }  // namespace brunt
 // Tested by tests/unit/sph/particles_test.cpp.

@@ -22,8 +22,11 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   summary.points = static_cast<std::int64_t>(scene.n_points());
   summary.elements = static_cast<std::int64_t>(scene.n_elements());
   summary.particles = static_cast<std::int64_t>(scene.n_particles());
-  // Whatever is spent on points, step bound and lists is shared by elements and particles.
-  const double shared = seconds(Phase::points) + seconds(Phase::step_bound);
+  summary.loop_seconds = scene.loop.seconds;
+  // What is spent on neither, on contact and output too, is shared by elements and particles.
+  const double own =
+      seconds(Phase::particles) + (summary.particles > 0 ? seconds(Phase::search) : 0);
+  const double shared = summary.loop_seconds - seconds(Phase::elements) - own;
   const auto count = static_cast<double>(summary.elements + summary.particles);
   if (steps == 0 || count == 0) return;
   const auto n = static_cast<double>(steps);
@@ -33,9 +36,7 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   }
   if (summary.particles > 0) {
     const auto particles = static_cast<double>(summary.particles);
-    summary.ns_particle_step =
-        1e9 * ((seconds(Phase::particles) + seconds(Phase::search)) / particles + shared / count) /
-        n;
+    summary.ns_particle_step = 1e9 * (own / particles + shared / count) / n;
   }
 }
 

@@ -78,12 +78,11 @@ Real building_bytes(std::size_t points, std::size_t elements) {
          static_cast<Real>(elements) * (element + kFaces * face);
 }
 
-/// A frame holds all fields of all bodies; VTK copies them, and encodes the copy.
+/// A frame holds all fields of all bodies.
 Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
-  constexpr Real kPointValues = 16, kCellValues = 16;
-  return 3 *
-         (static_cast<Real>(points) * kPointValues * sizeof(Real) +
-          static_cast<Real>(cells) * (kCellValues * sizeof(Real) + corners * sizeof(std::int64_t)));
+  constexpr Real kPointValues = 18, kCellValues = 18;
+  return static_cast<Real>(points) * kPointValues * sizeof(Real) +
+         static_cast<Real>(cells) * (kCellValues * sizeof(Real) + corners * sizeof(std::int64_t));
 }
 
 /// A checkpoint holds the state of all entities, twice while it is written: as tables and as a

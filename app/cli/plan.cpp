@@ -41,7 +41,7 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
     for (const auto& solid : scene.solids) {
       for (const Label label : solid->points().body) points += label == b;
     }
-    const BodyView view = scene.view(static_cast<Label>(b));
+    const BodyView view = scene.view(static_cast<Label>(b), kNoFields);
     if (view.corners > 0)
       elements = view.connectivity.size() / static_cast<std::size_t>(view.corners);
     if (body.rigid) {

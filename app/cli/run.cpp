@@ -188,6 +188,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   const auto& reported = monitor.warned();
   summary.warnings.insert(summary.warnings.end(), reported.begin(), reported.end());
   summary.energy = monitor.energy_shares();
+  if (monitor.end_hash()) summary.state_hash = std::to_string(*monitor.end_hash());
   summary.step_margins = monitor.step_check().margins();
   summary.eroded = monitor.eroded();
   for (const auto& warning : monitor.step_check().warnings()) summary.warnings.push_back(warning);

@@ -92,8 +92,14 @@ void describe(Schema& s, Output& output) {
   }();
   s.real({"every", "time between frames; default: a hundredth of the end"}, output.every,
          {"s", positive()});
-  s.real({"history", "time between rows of history.csv; default: the end over 2000"},
+  s.real({"history",
+          "time between rows of history.csv; default: the end over 2000, and so many steps at "
+          "least that rows take little of the time"},
          output.history, {"s", positive()});
+  s.flag({"state_hash",
+          "a hash of the whole state in every row of history.csv, not in the first, in those of "
+          "frames and in that of the end alone: it costs more than the rest of the row"},
+         output.state_hash);
   s.real({"from", "frames only from this time, besides the first and the last"}, output.from,
          {"s", at_least(0)});
   s.real({"to", "frames only until this time, besides the first and the last"}, output.to,

@@ -63,13 +63,14 @@ struct Stop {
 
 struct Output {
   std::optional<Real> every;        ///< [s] between frames; none: 100 frames
-  std::optional<Real> history;      ///< [s] between rows; none: 2,000 rows
+  std::optional<Real> history;      ///< [s] between rows; none: at most 2,000 rows, not too often
   std::optional<Real> from, to;     ///< [s] frames only in between; first and last always
   std::vector<std::string> fields;  ///< empty: all
   std::vector<std::string> bodies;  ///< empty: all
   bool pictures = false;
   std::optional<Real> checkpoint = 600;  ///< [s] of wall time between checkpoints; none: off
   int checkpoint_steps = 0;              ///< steps between checkpoints besides; 0: none
+  bool state_hash = false;               ///< a hash of the state in every row of the history
 };
 
 struct Ranks {

@@ -59,6 +59,7 @@ struct HistoryMeasure {
 /// Speed of a body's centre of mass at the end over that at time 0.
 struct RestitutionMeasure {
   static constexpr const char* deck_name = "restitution";
+  static constexpr const char* reads = "velocity";
   static constexpr const char* deck_help = "speed of a body's centre after over before";
   std::string body;
 };
@@ -70,7 +71,8 @@ struct ExpressionMeasure {
   std::string formula;  ///< as written, with "="; evaluate with io/deck/expression.hpp
 };
 
-/// A kind that has `unit` and `value(const MeasureSource&)` needs no more than its name here.
+/// A kind that has `unit` and `value(const MeasureSource&)` needs no more than its name here, and
+/// where it reads a field of its `body`, that field's name in `reads`.
 using MeasureKind =
     std::variant<ExtentMeasure, MinMeasure, MaxMeasure, MeanMeasure, PointMeasure, HistoryMeasure,
                  RestitutionMeasure, ExpressionMeasure, SpeedMeasure>;

@@ -11,6 +11,7 @@ struct SpeedMeasure {
   static constexpr const char* deck_name = "speed";
   static constexpr const char* deck_help = "speed of a body's centre of mass";
   static constexpr const char* unit = "m/s";
+  static constexpr const char* reads = "velocity";
   std::string body;
 
   Real value(const MeasureSource& source) const { return speed_of(source.view(body)); }

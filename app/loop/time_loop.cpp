@@ -66,6 +66,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
   Phases& phases = scene.phases;
   start(scene);
   observer.begin(scene, clock);
+  const WallTimer loop(scene.loop, *phases.ranks);
   while (!clock.finished()) {
     if (balance != nullptr) {
       const PhaseTimer timer(phases, Phase::balance);

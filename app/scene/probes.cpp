@@ -55,6 +55,12 @@ std::string column_of(const Probe& probe, std::size_t field) {
   return "probe." + probe.name + "." + probe.fields[field];
 }
 
+WantedFields fields_of(const Probe& probe) {
+  std::vector<std::string> names{"id"};
+  for (const auto& field : probe.fields) names.push_back(field.substr(0, field.find('.')));
+  return {names};
+}
+
 std::vector<Real> probe_values(const Probe& probe, const BodyView& mine,
                                const Communicator& ranks) {
   std::vector<Known> known;  // by field: of its cell, or of its points one after another

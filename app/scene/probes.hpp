@@ -24,6 +24,8 @@ std::string place_text(const Probe& probe);
 /// The column of a field.
 std::string column_of(const Probe& probe, std::size_t field);
 
+/// What `probe_values` reads of the probe's body.
+WantedFields fields_of(const Probe& probe);
 /// Values of a probe's fields from what each rank has of its body; NaN where its element is gone.
 /// Collective.
 std::vector<Real> probe_values(const Probe& probe, const BodyView& mine, const Communicator& ranks);

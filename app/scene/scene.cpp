@@ -104,34 +104,59 @@ void Scene<Dim>::rearrange() {
 }
 
 namespace {
-/// Exact sums of owned points first .. last by body, and their part of the state hash.
+/// Part of the state hash of a point.
 template <int Dim>
-void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, Real dt,
+std::uint64_t point_hash(const Points<Dim>& points, std::size_t i) {
+  EntityHash hash(points.id[i]);
+  hash_values<Dim>(hash, [&](const auto& add) {
+    Points<Dim>::visit_fields(points, [&](const auto& field, FieldUse use) { add(field[i], use); });
+  });
+  return hash.value();
+}
+
+/// Exact sums of owned points first .. last, all of one body.
+template <int Dim>
+void sum_points(const Points<Dim>& points, std::size_t first, std::size_t last, Real dt,
                 Totals<Dim>& totals) {
+  ExactColumns<4 + 2 * Dim> sums;
   for (std::size_t i = first; i < last; ++i) {
-    auto& body = totals.bodies[points.body[i]];
     const Real m = points.mass[i];
-    EntityHash hash(points.id[i]);
-    hash_values<Dim>(hash, [&](const auto& add) {
-      Points<Dim>::visit_fields(points,
-                                [&](const auto& field, FieldUse use) { add(field[i], use); });
-    });
-    if (points.conducts) {
-      body.heat.add(points.heat[i]);
-      totals.heat.stored.add(points.heat[i]);
-    }
-    totals.state_hash += hash.value();
-    if (m == 0) continue;
-    body.mass.add(m);
-    for (int c = 0; c < Dim; ++c) {
-      body.mass_position[c].add(m * points.x[i][c]);
-      body.momentum[c].add(m * points.v[i][c]);
+    const Real heat = points.conducts ? points.heat[i] : 0.0;
+    if (m == 0) {
+      if (heat != 0) sums.add({0, 0, 0, heat});
+      continue;
     }
     // m v(n-1/2).v(n+1/2)/2, the kinetic energy that velocity Verlet keeps: docs/theory/ledger.md
     // (L2); as a product it is 0 to the last digit in the first step from rest
     const Vec<Dim> half = 0.5 * dt * points.a[i];
-    body.kinetic.add(0.5 * m * (points.v[i] - half).dot(points.v[i] + half));
-    body.integration.add(points.integration[i]);
+    const Real kinetic = 0.5 * m * (points.v[i] - half).dot(points.v[i] + half);
+    std::array<Real, 4 + 2 * Dim> values{m, kinetic, points.integration[i], heat};
+    for (int c = 0; c < Dim; ++c) {
+      values[4 + c] = m * points.x[i][c];
+      values[4 + Dim + c] = m * points.v[i][c];
+    }
+    sums.add(values);
+  }
+  auto& body = totals.bodies[points.body[first]];
+  body.mass.add(sums.sum(0)), body.kinetic.add(sums.sum(1)), body.integration.add(sums.sum(2));
+  for (std::size_t c = 0; c < Dim; ++c) {
+    body.mass_position[c].add(sums.sum(4 + c)), body.momentum[c].add(sums.sum(4 + Dim + c));
+  }
+  if (points.conducts) body.heat.add(sums.sum(3)), totals.heat.stored.add(sums.sum(3));
+}
+
+/// Exact sums of owned points first .. last by body, and their part of the state hash.
+template <int Dim>
+void add_points(const Points<Dim>& points, std::size_t first, std::size_t last, Real dt,
+                Totals<Dim>& totals) {
+  for (std::size_t i = first; totals.hashes && i < last; ++i) {
+    totals.state_hash += point_hash(points, i);
+  }
+  while (first < last) {
+    std::size_t end = first + 1;
+    while (end < last && points.body[end] == points.body[first]) ++end;
+    sum_points(points, first, end, dt, totals);
+    first = end;
   }
 }
 
@@ -167,8 +192,9 @@ void sum_over_ranks(Totals<Dim>& totals, const Communicator& ranks) {
 }  // namespace
 
 template <int Dim>
-Totals<Dim> Scene<Dim>::totals(Real dt) const {
+Totals<Dim> Scene<Dim>::totals(Real dt, bool hashes) const {
   Totals<Dim> totals;
+  totals.hashes = hashes;
   totals.bodies.resize(body_names.size());
   for (const auto& solid : solids) {
     const auto& points = solid->points();
@@ -271,12 +297,14 @@ std::string Scene<Dim>::advice(const StepLimit& step_limit) const {
 }
 
 template <int Dim>
-BodyView Scene<Dim>::own_view(Label body) const {
+BodyView Scene<Dim>::own_view(Label body, const WantedFields& wanted) const {
+  WantedFields fields = wanted;
+  if (fields.names && !ranks->alone()) fields.names->push_back("id");
   BodyView view;
   for (const auto& solid : solids) {
     const auto& bodies = solid->points().body;
     if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) continue;
-    view = solid->view(body);
+    view = solid->view(body, fields);
     break;
   }
   view.body = body_names[body];
@@ -288,8 +316,8 @@ BodyView Scene<Dim>::own_view(Label body) const {
 }
 
 template <int Dim>
-BodyView Scene<Dim>::view(Label body) const {
-  return gather_view(own_view(body), *ranks);
+BodyView Scene<Dim>::view(Label body, const WantedFields& wanted) const {
+  return gather_view(own_view(body, wanted), *ranks);
 }
 
 template <int Dim>

@@ -53,6 +53,7 @@ struct Scene {
   std::vector<std::string> notes;  ///< of its building, for the log
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Partition> partition;  ///< whose each point is; none on a lone rank
+  WallTime loop;  ///< of all steps, whatever they are spent on; what comes before the first aside
 
   /// The smallest step limit of this rank, and whose. Not collective.
   StepLimit stable_step(Real time) const;
@@ -72,16 +73,18 @@ struct Scene {
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
   /// are due, after the motion; no answer depends on when.
   void rearrange();
-  /// Exact totals of all columns, bodies and the state hash; dt is that of the last step.
-  Totals<Dim> totals(Real dt) const;
+  /// Exact totals of all columns and bodies, and the state hash where it is asked for; dt is that
+  /// of the last step.
+  Totals<Dim> totals(Real dt, bool hashes) const;
   /// Throws PhysicsError where a state is no longer a number or an element is inverted.
   void check(Real time) const;
   /// What may help where a step limit has collapsed. Collective.
   std::string advice(const StepLimit& step_limit) const;
-  /// The whole body on the root, absolute positions; elsewhere empty.
-  BodyView view(Label body) const;
+  /// The whole body on the root, absolute positions; elsewhere empty. Of several ranks a view has
+  /// the fields `id` too, by which it is put together.
+  BodyView view(Label body, const WantedFields& wanted = {}) const;
   /// What this rank has of it, copies of points included; absolute positions. Not collective.
-  BodyView own_view(Label body) const;
+  BodyView own_view(Label body, const WantedFields& wanted = {}) const;
   ContactView own_contacts() const;
   /// Tables of all that goes on from step to step.
   void save_state(std::vector<StateTable>& tables) const;

@@ -63,7 +63,7 @@ void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene,
     const auto label = static_cast<Label>(named - scene.body_names.begin());
     const deck::Body& given = loaded.deck.bodies[label].value;
     if (given.rigid) return;  // its surface alone has points
-    const Real far = find_place(scene.view(label), at).point_distance;
+    const Real far = find_place(scene.view(label, kNoFields), at).point_distance;
     if (far > scene.body_size[label]) {
       warn(path, "lies outside of '" + body + "': values of its nearest point are taken, " +
                      deck::length_text(far) + " away");

@@ -68,7 +68,8 @@ void HistoryColumns<Dim>::add_boundaries(const Scene<Dim>& scene, std::vector<Re
 template <int Dim>
 void HistoryColumns<Dim>::add_watched(const Scene<Dim>& scene, std::vector<Real>& values) {
   for (const auto& probe : scene.probes) {
-    const auto watched = probe_values(probe, scene.own_view(probe.body), *scene.ranks);
+    const auto view = scene.own_view(probe.body, fields_of(probe));
+    const auto watched = probe_values(probe, view, *scene.ranks);
     values.insert(values.end(), watched.begin(), watched.end());
   }
   for (const auto& section : scene.sections.all()) {
@@ -159,8 +160,9 @@ void HistoryColumns<Dim>::add_heat(const Totals<Dim>& totals, std::vector<Real>&
 
 template <int Dim>
 typename HistoryColumns<Dim>::Row HistoryColumns<Dim>::collect(const Scene<Dim>& scene,
-                                                               const Clock& clock, bool keeps) {
-  const Totals<Dim> totals = scene.totals(clock.dt());
+                                                               const Clock& clock, bool keeps,
+                                                               bool hashes) {
+  const Totals<Dim> totals = scene.totals(clock.dt(), hashes);
   Row row;
   auto& values = row.values;
   values = {clock.time(), static_cast<Real>(clock.step()), clock.dt(),

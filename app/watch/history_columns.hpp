@@ -18,7 +18,7 @@ class HistoryColumns {
   struct Row {
     std::vector<Real> values;            ///< one a column, state_hash aside
     std::vector<std::size_t> whole;      ///< indices of whole numbers: step, planes
-    std::uint64_t state_hash = 0;        ///< the last column
+    std::uint64_t state_hash = 0;        ///< the last column; 0 where it was not wanted
     Real total = 0;                      ///< [J]
     Real drift = 0;                      ///< (total - total at time 0) / largest column so far
     EnergyLook energies;                 ///< what the watch over created energy read
@@ -30,7 +30,8 @@ class HistoryColumns {
   };
   /// Collects a row; the first call sets what drift is measured against.
   /// keeps  the watch over energies remembers what is largest here: at fixed steps alone
-  Row collect(const Scene<Dim>& scene, const Clock& clock, bool keeps);
+  /// hashes  with the state hash
+  Row collect(const Scene<Dim>& scene, const Clock& clock, bool keeps, bool hashes);
   const EnergyWatch& energies() const { return energies_; }
   /// Indices of whole numbers in a row.
   const std::vector<std::size_t>& whole() const { return whole_; }

@@ -110,7 +110,7 @@ struct Evaluate {
     return sum / total;
   }
   Real operator()(const deck::PointMeasure& m) const {
-    const BodyView view = source.view(m.body);
+    const BodyView& view = source.view(m.body);
     const auto dot = m.field.find('.');
     const bool cells = field_named(view.cell_fields, m.field.substr(0, dot)) != nullptr;
     const BodyView& start = source.start->at(m.body);
@@ -136,6 +136,27 @@ struct Evaluate {
   }
 };
 }  // namespace
+
+std::optional<MeasureReads> reads_of(const deck::Measure& measure) {
+  return std::visit(
+      [](const auto& kind) -> std::optional<MeasureReads> {
+        using Kind = std::remove_cvref_t<decltype(kind)>;
+        if constexpr (requires { kind.body; }) {
+          MeasureReads reads{kind.body, kNoFields};
+          if constexpr (requires { kind.field; }) {
+            reads.fields = {{{kind.field.substr(0, kind.field.find('.'))}}};
+          } else if constexpr (requires { Kind::reads; }) {
+            reads.fields = {{{Kind::reads}}};
+          }
+          reads.at_start = std::is_same_v<Kind, deck::PointMeasure> ||
+                           std::is_same_v<Kind, deck::RestitutionMeasure>;
+          return reads;
+        } else {
+          return std::nullopt;
+        }
+      },
+      measure.kind);
+}
 
 Real evaluate_measure(const deck::Measure& measure, const MeasureSource& source,
                       const std::vector<MeasureValue>& before) {

@@ -16,6 +16,14 @@ struct MeasureValue {
   std::optional<Real> reference, exact;
 };
 
+/// What a measure reads of a body; nothing of expressions and of columns of the history.
+struct MeasureReads {
+  std::string body;
+  WantedFields fields;
+  bool at_start = false;  ///< at time 0 too
+};
+std::optional<MeasureReads> reads_of(const deck::Measure& measure);
+
 /// Evaluates one measure; an expression reads the values found before it.
 /// Throws DeckError-free std::invalid_argument where body, field or column do not exist.
 Real evaluate_measure(const deck::Measure& measure, const MeasureSource& source,

@@ -8,6 +8,7 @@
 
 #include "app/watch/frame_check.hpp"
 #include "app/watch/frame_piece.hpp"
+#include "app/watch/row_steps.hpp"
 
 namespace brunt {
 
@@ -86,13 +87,25 @@ template <int Dim>
 void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
   columns_ = collector_->names();
-  if (!deck_.measures.empty()) {
-    for (const auto& name : body_names_) start_[name] = scene.view(label(name));
-  }
+  if (!deck_.output.history) row_steps_ = steps_between_rows(row_work(scene));
+  keep_start(scene);
   const auto& beyond = deck_.stop.beyond;
   if (beyond && static_cast<int>(beyond->axis) < Dim) {
     start_center_ = center(scene, label(beyond->body), static_cast<int>(beyond->axis));
   }
+}
+
+/// Keeps of time 0 what measures read of it.
+template <int Dim>
+void Monitor<Dim>::keep_start(Scene<Dim>& scene) {
+  std::map<std::string, WantedFields> wanted;
+  for (const auto& [name, measure] : deck_.measures) {
+    const auto reads = reads_of(measure);
+    if (!reads || !reads->at_start) continue;
+    auto& names = wanted.try_emplace(reads->body, kNoFields).first->second.names;
+    names->insert(names->end(), reads->fields.names->begin(), reads->fields.names->end());
+  }
+  for (const auto& [name, fields] : wanted) start_[name] = scene.view(label(name), fields);
 }
 
 template <int Dim>
@@ -117,8 +130,9 @@ void Monitor<Dim>::tell(const RunWarning& warning) {
 
 /// A row, and what it tells beside its columns.
 template <int Dim>
-typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const Clock& clock) {
-  auto row = collector_->collect(scene, clock, is_looked_at(clock.step()));
+typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const Clock& clock,
+                                                        bool hashes) {
+  auto row = collector_->collect(scene, clock, is_looked_at(clock.step()), hashes);
   refuse_row(scene, row, clock);
   for (const auto& text : lost_contacts_.take(row.lost)) tell({"contact", text});
   energies_ = row.energies, created_ = row.created;
@@ -177,11 +191,11 @@ EnergyShares Monitor<Dim>::energy_shares() const {
 template <int Dim>
 void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
   const PhaseTimer timer(scene.phases, Phase::ledger);
-  const HistoryRow row = collect(scene, clock);
-  if (history_) history_->write_row(history_values(row.values, row.state_hash, row.whole));
+  const HistoryRow row = collect(scene, clock, wants_hash(clock));
   rows_.push_back(row.values);
   hashes_.push_back(row.state_hash);
-  last_row_ = clock.time();
+  if (history_) history_->write_row(history_values(row.values, row.state_hash, row.whole));
+  last_row_ = clock.time(), row_step_ = clock.step();
   drift_ = row.drift;
   worst_drift_ = std::max(worst_drift_, std::fabs(drift_));
   if (!(std::fabs(drift_) <= deck_.time.max_drift)) {
@@ -191,6 +205,13 @@ void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
                         "a smaller time.safety or a lower contact stiffness"});
   }
   if (is_looked_at(clock.step()) || clock.finished()) watch(row, clock);
+}
+
+/// True for rows with a hash of the state: the first, those of frames, that of the end, or all.
+template <int Dim>
+bool Monitor<Dim>::wants_hash(const Clock& clock) const {
+  return deck_.output.state_hash || rows_.empty() || clock.time() >= deck_.time.end ||
+         multiples(clock.time(), frame_every_) > frames_due_;
 }
 
 /// What this rank writes of a body, with the fields that the deck names. Several ranks write `id`
@@ -232,11 +253,11 @@ template <int Dim>
 void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   if (is_looked_at(clock.step())) scene.check(clock.time());
   const auto rows = multiples(clock.time(), history_every_);
-  if (rows > rows_due_) {
+  if (rows > rows_due_ && clock.step() - row_step_ >= row_steps_) {
     rows_due_ = rows;
     write_row(scene, clock);
   } else if (is_looked_at(clock.step())) {
-    const HistoryRow row = collect(scene, clock);
+    const HistoryRow row = collect(scene, clock, false);
     drift_ = row.drift;
     if (!(std::fabs(drift_) <= deck_.time.max_drift)) write_row(scene, clock);
     watch(row, clock);
@@ -307,17 +328,20 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
   bool any_due = false;
   for (std::size_t i = 0; i < deck_.measures.size(); ++i) any_due = any_due || is_due(i);
   if (!any_due) return;
-  std::map<std::string, BodyView> views;  // all ranks take part, the root evaluates
-  for (const auto& body : body_names_) views[body] = scene.view(label(body));
-  const MeasureSource source{[&](const std::string& body) {
+  BodyView view;  // of one measure at a time; all ranks take part, the root evaluates
+  const MeasureSource source{[&](const std::string& body) -> const BodyView& {
                                label(body);  // throws where there is none
-                               return views.at(body);
+                               return view;
                              },
                              &start_, &columns_, &rows_};
   for (std::size_t i = 0; i < deck_.measures.size(); ++i) {
     const auto& [name, measure] = deck_.measures[i];
     if (!is_due(i)) continue;
     measured_[i] = true;
+    const auto reads = reads_of(measure);
+    const bool there = reads && std::find(body_names_.begin(), body_names_.end(), reads->body) !=
+                                    body_names_.end();
+    view = there ? scene.view(label(reads->body), reads->fields) : BodyView{};
     if (!scene.ranks->is_root()) continue;
     try {
       const Real value = evaluate_measure(measure, source, measures_);
@@ -346,6 +370,7 @@ void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
   if (last_row_ != clock.time()) write_row(scene, clock);
   if (last_frame_ != clock.time()) write_frame(scene, clock.time());
   take_measures(scene, clock.time(), true);
+  end_hash_ = scene.totals(clock.dt(), true).state_hash;
   if (history_) history_->flush();
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,7 +83,10 @@ class Monitor final : public Observer<Dim> {
   std::vector<std::pair<std::string, Real>> eroded() const;
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Real>>& rows() const { return rows_; }
+  /// Of each row; 0 where none was wanted.
   const std::vector<std::uint64_t>& hashes() const { return hashes_; }
+  /// Of the end; none before it.
+  std::optional<std::uint64_t> end_hash() const { return end_hash_; }
   Real worst_drift() const { return worst_drift_; }
   const std::string& reason() const { return reason_; }  ///< why it stopped before its end
 
@@ -90,12 +94,14 @@ class Monitor final : public Observer<Dim> {
   template <class Row, class AnyMonitor>
   static void visit(Row& row, AnyMonitor& monitor);
   using HistoryRow = typename HistoryColumns<Dim>::Row;
-  HistoryRow collect(Scene<Dim>& scene, const Clock& clock);
+  HistoryRow collect(Scene<Dim>& scene, const Clock& clock, bool hashes);
   void tell(const RunWarning& warning);
+  void keep_start(Scene<Dim>& scene);
   void watch(const HistoryRow& row, const Clock& clock);
   void refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Clock& clock) const;
   void write_row(Scene<Dim>& scene, const Clock& clock);
   void write_frame(Scene<Dim>& scene, Real time);
+  bool wants_hash(const Clock& clock) const;
   BodyView frame_part(const Scene<Dim>& scene, Label body, Real time) const;
   void check_step(Scene<Dim>& scene, const Clock& clock);
   void check_stops(Scene<Dim>& scene, Clock& clock);
@@ -111,6 +117,7 @@ class Monitor final : public Observer<Dim> {
   std::vector<std::string> columns_;
   std::vector<std::vector<Real>> rows_;
   std::vector<std::uint64_t> hashes_;
+  std::optional<std::uint64_t> end_hash_;
   std::map<std::string, BodyView> start_;
   std::vector<MeasureValue> measures_;
   std::vector<bool> measured_;
@@ -124,6 +131,8 @@ class Monitor final : public Observer<Dim> {
   Warn warn_;
   std::string reason_;
   Real history_every_, frame_every_;
+  std::int64_t row_steps_ = 1;  // least number of steps between two rows that are due
+  std::int64_t row_step_ = 0;   // of the last row
   std::int64_t rows_due_ = 0, frames_due_ = 0;
   Real last_row_ = -1, last_frame_ = -1;
   Real drift_ = 0, worst_drift_ = 0;

@@ -95,7 +95,7 @@ void Monitor<Dim>::load_state(const StateTables& tables,
       "monitor", [&](auto& row) { visit(row, *this); }, tables);
   collector_->load_state(tables);
   watch_.load_state(tables, texts);
-  // A row has a value a column, of which the last is the hash.
+  // A row has a value a column and its hash, 0 where none was asked for.
   rows_.assign(tables.rows("history").size(), std::vector<Real>(columns_.size() - 1));
   hashes_.assign(rows_.size(), 0);
   load_rows(
@@ -128,7 +128,9 @@ void Monitor<Dim>::load_state(const StateTables& tables,
   for (std::size_t k = 0; k + 1 < artificial.size(); k += 2)
     reported[artificial[k]] = artificial[k + 1];
   artificial_tension_.restore(std::move(reported));
-  rows_due_ = multiples(clock.time(), history_every_);
+  // A row that waits for its step is due yet; the step is in the second column.
+  rows_due_ = multiples(row_steps_ > 1 ? last_row_ : clock.time(), history_every_);
+  row_step_ = rows_.empty() ? 0 : static_cast<std::int64_t>(rows_.back()[1]);
   frames_due_ = multiples(clock.time(), frame_every_);
   for (std::size_t r = 0; history_ && r < rows_.size(); ++r) {
     history_->write_row(history_values(rows_[r], hashes_[r], collector_->whole()));

@@ -24,6 +24,16 @@ void visit_node(Row& row, Nodes& nodes, std::size_t i) {
   row(nodes.pair_energy[i]);
 }
 
+template <int Dim>
+std::uint64_t node_hash(const ContactNodes<Dim>& nodes, std::size_t i) {
+  EntityHash hash(nodes.id[i]);
+  hash.add(static_cast<std::uint64_t>(nodes.surface[i]));
+  hash.add(nodes.spring_work[i]);
+  hash.add(nodes.damping_energy[i]);
+  for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
+  return hash.value();
+}
+
 /// Nodes of one surface that are points here: the owned ones, or copies too.
 template <int Dim>
 std::vector<std::size_t> nodes_of(const ContactNodes<Dim>& nodes, std::size_t surface,
@@ -112,12 +122,7 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       if (!nodes.owned[i]) continue;
       part.add(Column::contact_pairs, nodes.spring_work[i]);
       part.add(Column::contact_damping, nodes.damping_energy[i]);
-      EntityHash hash(nodes.id[i]);
-      hash.add(static_cast<std::uint64_t>(nodes.surface[i]));
-      hash.add(nodes.spring_work[i]);
-      hash.add(nodes.damping_energy[i]);
-      for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
-      part.state_hash += hash.value();
+      if (part.hashes) part.state_hash += node_hash(nodes, i);
       if (nodes.conduct) part.heat.friction.add(nodes.friction_given[i]);
       if (nodes.holds) {
         // Crushed asperities and broken bonds stay with what friction took.
@@ -139,7 +144,7 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
     totals.add(Column::contact_spring, record.stored);
     totals.add(Column::contact_pairs, -record.stored);
   });
-  totals.state_hash += implementation_->memory.hash(records);
+  if (totals.hashes) totals.state_hash += implementation_->memory.hash(records);
 }
 
 template void ContactManager<2>::add_totals(Totals<2>&) const;

@@ -58,7 +58,7 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Partition& partition,
 }
 
 template <int Dim>
-BodyView RigidSurfaces<Dim>::view(Label body) const {
+BodyView RigidSurfaces<Dim>::view(Label body, const WantedFields& wanted) const {
   BodyView view;
   Field displacement{"displacement", 3, {}}, velocity{"velocity", 3, {}}, force{"force", 3, {}};
   Field id{"id", 1, {}};
@@ -95,6 +95,7 @@ BodyView RigidSurfaces<Dim>::view(Label body) const {
     }
     view.point_fields.push_back(std::move(temperature));
   }
+  std::erase_if(view.point_fields, [&](const Field& field) { return !wanted.has(field.name); });
   return view;
 }
 

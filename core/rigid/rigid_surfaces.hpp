@@ -47,7 +47,8 @@ class RigidSurfaces final : public Solid<Dim> {
   void rearrange() override {}
   void add_totals(Totals<Dim>&) const override {}
   void check(Real, const std::vector<std::string>&) const override {}
-  BodyView view(Label body) const override;
+  using Solid<Dim>::view;
+  BodyView view(Label body, const WantedFields& wanted) const override;
   const GhostPlan& ghosts() const override { return ghosts_; }
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return 0; }

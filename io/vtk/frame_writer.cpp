@@ -12,6 +12,7 @@
 #include "io/run_files.hpp"
 #include "io/vtk/grid.hpp"
 #include "io/vtk/messages.hpp"
+#include "io/vtk/vtu_writer.hpp"
 
 namespace brunt {
 
@@ -161,7 +162,7 @@ void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
   }
   list_files(folder_, files);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    write_data<vtkXMLUnstructuredGridWriter>(to_grid(bodies[b]), folder_ / files[b]);
+    write_vtu(folder_ / files[b], bodies[b]);
   }
   if (contact != nullptr) {
     write_data<vtkXMLPolyDataWriter>(to_contacts(*contact, time), folder_ / files.back());

@@ -24,20 +24,47 @@ namespace {
 constexpr std::array kTensorNames = {"XX", "YY", "ZZ", "XY", "YZ", "ZX"};
 constexpr std::array kVectorNames = {"X", "Y", "Z"};
 constexpr std::array kWholeFields = {"id", "piece", "rank"};
+}  // namespace
+
+bool is_whole_field(const std::string& name) {
+  return std::find(kWholeFields.begin(), kWholeFields.end(), name) != kWholeFields.end();
+}
+
+const char* component_name(int components, int component) {
+  const auto c = static_cast<std::size_t>(component);
+  return components == 6 ? kTensorNames[c] : kVectorNames[c];
+}
+
+unsigned char vtk_cell_type(int corners, int dimension) {
+  switch (corners) {
+    case 1:
+      return VTK_VERTEX;
+    case 2:
+      return VTK_LINE;
+    case 3:
+      return VTK_TRIANGLE;
+    case 4:
+      return dimension == 3 ? VTK_TETRA : VTK_QUAD;
+    case 6:
+      return VTK_WEDGE;
+    case 8:
+      return VTK_HEXAHEDRON;
+    default:
+      throw std::invalid_argument("view: cells of " + std::to_string(corners) + " corners");
+  }
+}
+
+namespace {
 
 [[noreturn]] void misfit(const std::string& what) {
   throw std::invalid_argument("view: " + what + " has the wrong length");
-}
-
-bool is_whole(const std::string& name) {
-  return std::find(kWholeFields.begin(), kWholeFields.end(), name) != kWholeFields.end();
 }
 
 vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
   const auto components = static_cast<std::size_t>(field.components);
   if (field.values.size() != n * components) misfit("field " + field.name);
   vtkSmartPointer<vtkDataArray> array;
-  if (is_whole(field.name)) {
+  if (is_whole_field(field.name)) {
     array = vtkSmartPointer<vtkIdTypeArray>::New();
   } else {
     array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -45,8 +72,7 @@ vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
   array->SetName(field.name.c_str());
   array->SetNumberOfComponents(field.components);
   for (int c = 0; c < field.components && field.components > 1; ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    array->SetComponentName(c, field.components == 6 ? kTensorNames[i] : kVectorNames[i]);
+    array->SetComponentName(c, component_name(field.components, c));
   }
   array->SetNumberOfTuples(static_cast<vtkIdType>(n));
   if (auto* reals = vtkDoubleArray::SafeDownCast(array)) {
@@ -68,26 +94,6 @@ vtkSmartPointer<vtkPoints> to_points(const std::vector<Real>& position) {
 
 void set_time(vtkDataObject& object, Real time) {
   object.GetFieldData()->AddArray(to_array({"TimeValue", 1, {time}}, 1));
-}
-
-/// dimension  3: four corners are a tetrahedron; else a quad
-unsigned char cell_type(int corners, int dimension) {
-  switch (corners) {
-    case 1:
-      return VTK_VERTEX;
-    case 2:
-      return VTK_LINE;
-    case 3:
-      return VTK_TRIANGLE;
-    case 4:
-      return dimension == 3 ? VTK_TETRA : VTK_QUAD;
-    case 6:
-      return VTK_WEDGE;
-    case 8:
-      return VTK_HEXAHEDRON;
-    default:
-      throw std::invalid_argument("view: cells of " + std::to_string(corners) + " corners");
-  }
 }
 
 /// Cells of `corners` each, with triangles among quads; particles are one vertex a point.
@@ -114,7 +120,7 @@ void set_cells(const BodyView& view, std::size_t n_points, vtkUnstructuredGrid& 
       cell[n++] = point;
     }
     cells->InsertNextCell(n, cell.data());
-    types->InsertNextValue(cell_type(n, view.cell_dimension));
+    types->InsertNextValue(vtk_cell_type(n, view.cell_dimension));
   }
   grid.SetCells(types, cells);
 }
@@ -156,7 +162,7 @@ int corners_of(vtkUnstructuredGrid& grid) {
   for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
     const auto n = grid.GetCells()->GetCellSize(c);
     const int dimension = is_volume(grid.GetCellType(c)) ? 3 : 2;
-    if (n > 8 || cell_type(static_cast<int>(n), dimension) != grid.GetCellType(c)) {
+    if (n > 8 || vtk_cell_type(static_cast<int>(n), dimension) != grid.GetCellType(c)) {
       throw std::invalid_argument("cell " + std::to_string(c) + " is none that brunt writes");
     }
     most = std::max(most, n);

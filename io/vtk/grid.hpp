@@ -25,6 +25,14 @@ vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time);
 vtkSmartPointer<vtkUnstructuredGrid> to_grid_piece(const BodyView& view);
 vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real time);
 
+/// VTK's type of a cell. dimension  3: four corners are a tetrahedron; else a quad. Throws
+/// std::invalid_argument where there is none.
+unsigned char vtk_cell_type(int corners, int dimension);
+/// True where a field holds whole numbers: written as such.
+bool is_whole_field(const std::string& name);
+/// "X", "YZ": of a vector or a tensor.
+const char* component_name(int components, int component);
+
 /// The view that to_grid or to_grid_piece made the grid of: masses and volumes are not in it.
 /// Throws std::invalid_argument where the grid holds other cells than to_grid makes.
 BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body);

@@ -15,11 +15,11 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 export OMP_NUM_THREADS=1
 deck=$decks/bars/bars.yaml
-short=(--quiet --set "time.end=12 us" --set "output.every=3 us" --set "output.history=0.5 us")
+short=(--quiet --set "time.end=12 us" --set "output.every=3 us" --set "output.history=0.5 us" --set output.state_hash=true)
 
 says() { grep -q "$1" err.txt || { cat err.txt; fail "does not say '$1'"; }; }
 # All that a run says about the physics: wall times and memory aside.
-result() { grep -vE 'wall_seconds|peak_memory|ns_|^    "(step_bound|search|points|elements|particles|contact|ledger|output|balance)"' "$1/summary.json"; }
+result() { grep -vE '(wall|loop)_seconds|peak_memory|ns_|^    "(step_bound|search|points|elements|particles|contact|ledger|output|balance)"' "$1/summary.json"; }
 same_run() {  # same_run A B
   cmp "$1/history.csv" "$2/history.csv" || fail "history of $2"
   cmp "$1/frames.pvd" "$2/frames.pvd" || fail "frames.pvd of $2"
@@ -57,7 +57,7 @@ says 'time.safety: .* in the checkpoint, 0.5 in the deck'
 [ ! -e wrong ] || fail "a refused restart made a folder"
 
 # Signals: one goes on, the others stop; what is left goes on to the same end.
-long=(--quiet --set "time.end=60 us" --set "output.every=20 us" --set "output.history=1 us"
+long=(--quiet --set "time.end=60 us" --set "output.every=20 us" --set "output.history=1 us" --set output.state_hash=true
   --set "time.max_step=2 ns")
 wait_for() { for _ in $(seq 300); do [ -n "$(find "$1" -name "$2" 2>/dev/null)" ] && return; sleep 0.02; done; fail "no $2 in $1"; }
 "$brunt" run "$deck" "${long[@]}" --out whole_long

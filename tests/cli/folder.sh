@@ -10,7 +10,7 @@ cd "$work"
 export OMP_NUM_THREADS=1
 limit=60
 deck=$2/decks/bars/bars.yaml
-short=(--quiet --set "time.end=5 us" --set "output.every=2 us" --set "output.history=0.5 us")
+short=(--quiet --set "time.end=5 us" --set "output.every=2 us" --set "output.history=0.5 us" --set output.state_hash=true)
 says() { grep -q -- "$1" err.txt || { cat err.txt; fail "does not say '$1'"; }; }
 
 # Names like those of a run, links and folders are not a run's unless its list has them.

@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 deck=$decks/bars/bars.yaml
-short=(--set "time.end=5 us" --set "output.every=2 us" --set "output.history=0.5 us" --quiet)
+short=(--set "time.end=5 us" --set "output.every=2 us" --set "output.history=0.5 us" --set output.state_hash=true --quiet)
 
 expect 0 "$brunt" run "$deck" "${short[@]}"
 for file in deck.resolved.yaml log.txt history.csv summary.json; do

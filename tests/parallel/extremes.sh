@@ -44,7 +44,7 @@ materials:
 bodies:
   a: {method: fe, material: steel, shape: {box: {min: [0, 0, 0], max: [1 mm, 1 mm, 1 mm]}}, size: 1 mm, velocity: [10 m/s, 0, 0]}
   b: {method: fe, material: steel, shape: {box: {min: [1.05 mm, 0, 0], max: [2.05 mm, 1 mm, 1 mm]}}, size: 1 mm}
-output: {every: 5 us, history: 0.1 us}
+output: {every: 5 us, history: 0.1 us, state_hash: true}
 Y
 for n in 1 2 3 20; do run two-$n two.yaml $n; done
 same two-1 two-2
@@ -65,7 +65,7 @@ bodies:
   stray: {method: sph, material: copper, shape: {box: {min: [0, 0, 50 mm], max: [1 mm, 1 mm, 51 mm]}}, size: 1 mm, velocity: [2.5e14 m/s, 0, 0]}
   plate: {method: fe, material: copper, shape: {box: {min: [-2 mm, -2 mm, -2 mm], max: [8 mm, 8 mm, 0]}}, size: 2 mm}
 contact: {pairs: {apart: {between: [stray, any], ignore: true}}}
-output: {every: 2 us, history: 0.1 us}
+output: {every: 2 us, history: 0.1 us, state_hash: true}
 Y
 for n in 1 2 3; do (ulimit -v 4000000; run stray-$n stray.yaml $n); done
 same stray-1 stray-2
@@ -92,7 +92,7 @@ bodies:
 boundaries:
   foot: {body: bar, where: {side: min-x}, fix: [x]}
   end: {body: bar, where: {side: max-x}, velocity: [-20000 m/s, 0, 0]}
-output: {every: 5 us, history: 0.1 us}
+output: {every: 5 us, history: 0.1 us, state_hash: true}
 Y
 ends 3 '^brunt: ' "$brunt" run crush.yaml --quiet --out crush-1
 cp err.txt alone.txt

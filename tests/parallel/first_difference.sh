@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 for each in a b; do
   declare -n arguments=$each
   "$brunt" run "${arguments[@]}" --quiet --out "$work/$each" --set output.history='1e-15 s' \
-    --set output.every='1 s' >/dev/null 2>&1 || { echo "run $each fails: ${arguments[*]}"; exit 2; }
+    --set output.every='1 s' --set output.state_hash=true >/dev/null 2>&1 || { echo "run $each fails: ${arguments[*]}"; exit 2; }
 done
 # Step and time of the first row in which anything differs.
 found=$(paste -d'\n' "$work/a/history.csv" "$work/b/history.csv" | awk -F, '

@@ -86,6 +86,7 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
     overrides+=(--set "${each//$'\1'/_}")
   done
   case $deck in decks/*) deck=$own/$(path_of "$deck") ;; *) deck=$decks/$(path_of "$deck") ;; esac
+  overrides+=(--set output.state_hash=true)
   printf '%q ' "$deck" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
   "$program" run "$deck" --quiet --out "$out" --oversubscribe \
     "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }

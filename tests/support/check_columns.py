@@ -10,7 +10,7 @@ them with a probe and a section, one on two ranks.
 import csv, pathlib, re, subprocess, sys, tempfile
 
 RUNS = [
-    ("bars", ["--set", "materials.steel.damage={principal_stress: 1 GPa}"]), ("block-on-incline", []), ("hot-block", []), ("taylor-bar", []),
+    ("bars", ["--set", "materials.steel.damage={principal_stress: 1 GPa}", "--set", "output.state_hash=true"]), ("block-on-incline", []), ("hot-block", []), ("taylor-bar", []),
     ("taylor-bar-axisymmetric", ["--set", "boundaries={sea: {body: bar, where: {side: max-x}, pressure: 1 MPa}}"]),
     ("hot-rod", []), ("tumbling-blocks", []),
     ("sliding-blocks", ["--set", "materials.rubber.strength={drucker-prager: {cohesion: 1 MPa, friction_angle: 30 deg}}"]),

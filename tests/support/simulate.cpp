@@ -134,8 +134,10 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
 }
 }  // namespace
 
-Simulation simulate(const LoadedDeck& loaded, const RunVariation& variation,
+Simulation simulate(const LoadedDeck& given, const RunVariation& variation,
                     const SceneHooks& hooks) {
+  LoadedDeck loaded = given;
+  loaded.deck.output.state_hash = true;  // tests compare runs by it
   const int threads = omp_get_max_threads();
   if (variation.threads > 0) omp_set_num_threads(variation.threads);
   const auto run = [&](const std::filesystem::path& folder, Restart* restart) {

@@ -55,7 +55,9 @@ class Broken final : public Solid<3> {
   void check(Real time, const std::vector<std::string>& names) const override {
     solid_->check(time, names);
   }
-  BodyView view(Label body) const override { return solid_->view(body); }
+  BodyView view(Label body, const WantedFields& wanted) const override {
+    return solid_->view(body, wanted);
+  }
   std::size_t n_elements() const override { return solid_->n_elements(); }
   std::size_t n_particles() const override { return solid_->n_particles(); }
   std::vector<Real> point_work() const override { return solid_->point_work(); }

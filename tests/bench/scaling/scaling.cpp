@@ -3,12 +3,14 @@
 // rank would have is counted. With it a simple model of the time of a step.
 //   scaling DECK [--set KEY=VALUE]... [--steps N] [--ranks N,...] [--csv]
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <numeric>
 
 #include "app/loop/time_loop.hpp"
 #include "app/ranks/distribute.hpp"
 #include "app/setup/scene_builder.hpp"
+#include "app/watch/row_steps.hpp"
 #include "io/summary.hpp"
 #include "sph/particles.hpp"
 #include "step_model.hpp"
@@ -57,6 +59,9 @@ template <int Dim>
 void count_meetings(const Deck& deck, const Scene<Dim>& scene, Real dt, Rates& rates) {
   const Real every = deck.output.history.value_or(deck.time.end / 2000);
   rates.rows = std::min(1.0, dt / every) + 0.01 * std::max(0.0, 1 - dt / every);
+  if (!deck.output.history) {
+    rates.rows = std::min(rates.rows, 1 / static_cast<Real>(steps_between_rows(row_work(scene))));
+  }
   // Columns, bodies, hash; what supports take.
   Real row = 3 + static_cast<Real>(scene.boundaries.template of<PrescribedMotion>().size());
   rates.reductions = 1.01;  // the head of a step, and checks
@@ -72,6 +77,25 @@ void count_meetings(const Deck& deck, const Scene<Dim>& scene, Real dt, Rates& r
     rates.exchanges += (4 + static_cast<Real>(scene.solids.size())) * rates.contact_lists;
   }
   rates.reductions += rates.rows * row;
+}
+
+/// What an element and a particle take by themselves, of the phases of a run on one rank: contact,
+/// rows and frames are counted apart.
+void take_costs(const RunSummary& summary, Machine& machine) {
+  const auto seconds = [&](const char* phase) {
+    const auto found = std::find_if(summary.phases.begin(), summary.phases.end(),
+                                    [&](const auto& one) { return one.first == phase; });
+    return found == summary.phases.end() ? 0.0 : found->second;
+  };
+  const auto elements = static_cast<Real>(summary.elements);
+  const auto particles = static_cast<Real>(summary.particles);
+  const auto steps = static_cast<Real>(summary.steps);
+  if (steps == 0 || elements + particles == 0) return;
+  const Real shared = (seconds("points") + seconds("step_bound")) / (elements + particles);
+  if (elements > 0) machine.element = (seconds("elements") / elements + shared) / steps;
+  if (particles > 0) {
+    machine.particle = ((seconds("particles") + seconds("search")) / particles + shared) / steps;
+  }
 }
 
 /// Steps the scene on this one rank; from that, what work costs and how often lists are made.
@@ -103,9 +127,7 @@ void measure(const Deck& deck, const Arguments& arguments, Scene<Dim>& scene, Ma
   }
   count_meetings(deck, scene, dt, rates);
   if (!arguments.summary.empty()) {
-    const RunSummary summary = read_summary(arguments.summary);
-    if (summary.elements > 0) machine.element = 1e-9 * summary.ns_element_step;
-    if (summary.particles > 0) machine.particle = 1e-9 * summary.ns_particle_step;
+    take_costs(read_summary(arguments.summary), machine);
   }
   if (arguments.ns_element > 0) machine.element = 1e-9 * arguments.ns_element;
   if (arguments.ns_particle > 0) machine.particle = 1e-9 * arguments.ns_particle;

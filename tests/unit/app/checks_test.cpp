@@ -93,11 +93,11 @@ TEST(Drift, ABodyAtRestDoesNotDriftByItsEnergyOfRounding) {
     std::unique_ptr<HistoryColumns<3>> columns;
     Real worst = 0;
     void begin(Scene<3>& scene, Clock& clock) override {
-      columns = std::make_unique<HistoryColumns<3>>(scene);
-      columns->collect(scene, clock, true);
+      columns = std::make_unique<HistoryColumns<3>>(scene, false);
+      columns->collect(scene, clock, true, false);
     }
     void step_done(Scene<3>& scene, Clock& clock) override {
-      worst = std::max(worst, std::fabs(columns->collect(scene, clock, true).drift));
+      worst = std::max(worst, std::fabs(columns->collect(scene, clock, true, false).drift));
     }
   } watch;
   Clock clock(10e-6, 0.9, kInfinity);

@@ -140,7 +140,9 @@ measures:
   m_speed: {speed: {body: a}}
   m_expression: {expression: "= $m_min / $m_max"}
 stop: {at_rest: {body: a, below: 1, for: 1 us}, beyond: {body: a, axis: z, at: 3}}
-output: {every: 1 us, history: 1 us, from: 1 us, to: 2 us, fields: [stress], bodies: [a]}
+output:
+  {every: 1 us, history: 1 us, state_hash: true, from: 1 us, to: 2 us, fields: [stress],
+   bodies: [a]}
 )yaml";
 
 inline const char* const kFlat = R"yaml(

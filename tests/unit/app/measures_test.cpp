@@ -26,7 +26,8 @@ struct Measures : testing::Test {
   std::map<std::string, BodyView> start{{"dust", particles()}};
   std::vector<std::string> columns{"time", "force"};
   std::vector<std::vector<Real>> rows{{0, 0}, {1, 2}, {2, 2}, {4, 0}};
-  MeasureSource source{[this](const std::string&) { return view; }, &start, &columns, &rows};
+  MeasureSource source{[this](const std::string&) -> const BodyView& { return view; }, &start,
+                       &columns, &rows};
 
   Real value(deck::MeasureKind kind, const std::vector<MeasureValue>& before = {}) {
     return evaluate_measure({std::move(kind), {}, {}, {}}, source, before);
@@ -46,6 +47,22 @@ TEST_F(Measures, ReadBodies) {
   view.point_fields[0].values = {0, 0, 0, 0, 0, 0};
   EXPECT_EQ(value(deck::SpeedMeasure{"dust"}), 0);
   EXPECT_EQ(value(deck::RestitutionMeasure{"dust"}), 0);
+}
+
+TEST(MeasureReads, NameTheBodyAndItsField) {
+  const auto reads = [](deck::MeasureKind kind) { return reads_of({std::move(kind), {}, {}}); };
+  const auto stress = reads(deck::MaxMeasure{"dust", "stress.xz"});
+  EXPECT_EQ(stress->body, "dust");
+  EXPECT_EQ(*stress->fields.names, std::vector<std::string>{"stress"});
+  EXPECT_FALSE(stress->at_start);
+  const auto bounce = reads(deck::RestitutionMeasure{"dust"});
+  EXPECT_TRUE(bounce->fields.has("velocity") && bounce->at_start);
+  EXPECT_FALSE(bounce->fields.has("stress"));
+  EXPECT_TRUE(reads(deck::SpeedMeasure{"dust"})->fields.has("velocity"));
+  EXPECT_TRUE(reads(deck::ExtentMeasure{"dust", deck::Axis::x})->fields.names->empty());
+  EXPECT_TRUE(reads(deck::PointMeasure{"dust", "temperature", {0, 0}})->at_start);
+  EXPECT_FALSE(reads(deck::HistoryMeasure{"force", deck::Reduce::max, {}, {}}).has_value());
+  EXPECT_TRUE(WantedFields{}.has("anything"));
 }
 
 TEST_F(Measures, ReduceHistory) {

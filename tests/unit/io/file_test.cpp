@@ -57,6 +57,28 @@ TEST_F(FileTest, KeepsTheOldFileOnAFullDisk) {
   EXPECT_EQ(files_in_folder(), 1u);
 }
 
+/// Parts, of which some are in the file already when others are written over.
+TEST_F(FileTest, ReplacesInParts) {
+  const auto path = folder_ / "a.bin";
+  write_file_atomically(path, "old");
+  const std::string part(700'000, 'x');
+  {
+    ReplacedFile file(path);
+    file.append("head ");
+    for (int k = 0; k < 4; ++k) file.append(part);
+    EXPECT_EQ(file.size(), 5 + 4 * part.size());
+    file.overwrite(0, "HEAD");
+    file.append("tail");
+    file.overwrite(file.size() - 4, "T");
+    EXPECT_EQ(read_file(path), "old");
+    file.finish();
+  }
+  EXPECT_EQ(read_file(path), "HEAD " + part + part + part + part + "Tail");
+  { ReplacedFile(path).append("never finished"); }
+  EXPECT_EQ(read_file(path).size(), 9 + 4 * part.size());
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
 TEST_F(FileTest, NamesTheFileWhereTheFolderIsMissing) {
   const auto path = folder_ / "none" / "a";
   const std::string message = message_of([&] { write_file_atomically(path, "x"); });

@@ -31,10 +31,12 @@ RunSummary example() {
   s.elements = 2;
   s.particles = 7;
   s.phases = {{"elements", 0.25}, {"contact", 0.125}};
+  s.loop_seconds = 0.75;
   s.ns_element_step = 95.5;
   s.ns_particle_step = std::nan("");
   s.peak_memory = 123456768;
   s.drift = -1.25e-13;
+  s.state_hash = "16045690984833335023";
   s.step_margins = {{"bar", 1.25}, {"plate", 0.75}};
   s.measures = {{"length", 0.0173, "m", 0.017, 0.0173 / 0.017 - 1}, {"bounce", 0.5, "", {}, {}}};
   s.measures[1].exact = 0.5;
@@ -67,10 +69,12 @@ TEST(Summary, ReadsBackTheSame) {
   EXPECT_EQ(b.elements, a.elements);
   EXPECT_EQ(b.particles, a.particles);
   EXPECT_EQ(b.phases, a.phases);
+  EXPECT_EQ(b.loop_seconds, a.loop_seconds);
   EXPECT_EQ(b.ns_element_step, a.ns_element_step);
   EXPECT_TRUE(std::isnan(b.ns_particle_step));
   EXPECT_EQ(b.peak_memory, a.peak_memory);
   EXPECT_EQ(b.drift, a.drift);
+  EXPECT_EQ(b.state_hash, a.state_hash);
   EXPECT_EQ(b.step_margins, a.step_margins);
   ASSERT_EQ(b.measures.size(), 2u);
   EXPECT_EQ(b.measures[0].name, "length");
@@ -96,31 +100,13 @@ TEST(Summary, ReadsBackTheSame) {
 
 TEST(Summary, KeepsTheKeysThatSweepsRead) {
   const std::string text = to_json(example());
-  for (const char* key : {"version",
-                          "deck_hash",
-                          "parameters",
-                          "overrides",
-                          "status",
-                          "reason",
-                          "steps",
-                          "wall_seconds",
-                          "points",
-                          "elements",
-                          "particles",
-                          "phases",
-                          "ns_element_step",
-                          "ns_particle_step",
-                          "peak_memory",
-                          "drift",
-                          "measures",
-                          "warnings",
-                          "ranks",
-                          "threads",
-                          "instruction_set",
-                          "value",
-                          "unit",
-                          "reference",
-                          "error"}) {
+  for (const char* key :
+       {"version",     "deck_hash", "parameters",      "overrides",       "status",
+        "reason",      "steps",     "wall_seconds",    "points",          "elements",
+        "particles",   "phases",    "loop_seconds",    "ns_element_step", "ns_particle_step",
+        "peak_memory", "drift",     "state_hash",      "measures",        "warnings",
+        "ranks",       "threads",   "instruction_set", "value",           "unit",
+        "reference",   "error"}) {
     const std::string quoted = std::string(1, '"') + key + "\":";
     EXPECT_NE(text.find(quoted), std::string::npos) << key;
   }

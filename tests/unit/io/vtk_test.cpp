@@ -88,6 +88,34 @@ TEST_F(VtkTest, ReadsBackTheSame) {
   EXPECT_EQ(read[3].cell_dimension, 3);
 }
 
+/// Many packed blocks an array, one of which is not full, of numbers that hardly pack and of such
+/// that do.
+TEST_F(VtkTest, ReadsBackLargeBodies) {
+  BodyView quads = quad_and_triangle(), grains = particles();
+  std::uint64_t bits = 1;
+  const auto number = [&] {
+    bits = bits * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<Real>(static_cast<std::int64_t>(bits)) * 1e-9;
+  };
+  constexpr std::size_t kMany = 40'001;
+  quads.connectivity.clear();
+  for (std::size_t k = 0; k < kMany; ++k) {
+    const std::array<std::int64_t, 4> cell{0, 1, 2, k % 3 == 0 ? -1 : 3};
+    quads.connectivity.insert(quads.connectivity.end(), cell.begin(), cell.end());
+  }
+  quads.cell_fields = {{"pressure", 1, std::vector<Real>(kMany)}};
+  for (Real& value : quads.cell_fields[0].values) value = number();
+  grains.position.resize(3 * kMany), grains.point_radius.assign(kMany, 0.25);
+  for (Real& value : grains.position) value = number();
+  grains.point_fields = {{"id", 1, std::vector<Real>(kMany)}};
+  for (std::size_t k = 0; k < kMany; ++k) grains.point_fields[0].values[k] = static_cast<Real>(k);
+  FrameWriter(folder_).write(0, {quads, grains}, nullptr);
+  const auto read = read_frame(folder_, read_frame_index(folder_)[0]);
+  ASSERT_EQ(read.size(), 2u);
+  expect_same(read[0], quads);
+  expect_same(read[1], grains);
+}
+
 TEST_F(VtkTest, WritesContactsWithTheirFields) {
   const ContactView view = contacts();
   FrameWriter writer(folder_);

@@ -1,0 +1,227 @@
+#include "io/vtk/vtu_writer.hpp"
+
+#include <vtkLZ4DataCompressor.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+
+#include "core/errors.hpp"
+#include "io/file.hpp"
+#include "io/vtk/grid.hpp"
+#include "io/vtk/pieces.hpp"
+
+namespace brunt {
+
+namespace {
+
+constexpr std::size_t kPackedBlock = 1 << 15;  // [byte] VTK's own; a multiple of all numbers
+constexpr std::size_t kOffsetRoom = 32;        // characters of ` offset="..."`
+
+/// One array of the file. Its bytes are made when it is written, and gone again after that.
+struct VtuArray {
+  std::string type;  ///< "Float64", with further attributes behind it
+  std::string name;
+  int components = 1;
+  std::size_t n_values = 0;  ///< of all components
+  std::function<std::string_view(std::string& room)> bytes;
+};
+
+template <class T>
+std::string_view bytes_of_values(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// n numbers of another type, made in the room.
+template <class To, class Value>
+std::string_view made(std::string& room, std::size_t n, const Value& value) {
+  room.resize(n * sizeof(To));
+  for (std::size_t i = 0; i < n; ++i) {
+    const To one = static_cast<To>(value(i));
+    std::memcpy(&room[i * sizeof(To)], &one, sizeof one);
+  }
+  return room;
+}
+
+VtuArray reals(const std::string& name, int components, const std::vector<Real>& values) {
+  return {"Float64", name, components, values.size(),
+          [&values](std::string&) { return bytes_of_values(values); }};
+}
+
+VtuArray array_of(const Field& field) {
+  if (!is_whole_field(field.name)) return reals(field.name, field.components, field.values);
+  return {"Int64\" IdType=\"1", field.name, field.components, field.values.size(),
+          [&field](std::string& room) {
+            return made<std::int64_t>(room, field.values.size(),
+                                      [&](std::size_t i) { return field.values[i]; });
+          }};
+}
+
+/// How many corners each cell has: all that a cell of the view may, but for triangles among quads.
+std::size_t corners_in(const BodyView& view, std::size_t first, std::size_t corners) {
+  const bool may_be_triangle = corners == 4 && view.cell_dimension != 3;
+  const auto* cell = &view.connectivity[first];
+  return may_be_triangle && (cell[3] < 0 || cell[3] == cell[2]) ? 3 : corners;
+}
+
+/// connectivity, offsets and types; particles are one vertex a point.
+std::vector<VtuArray> cell_arrays(const BodyView& view, std::size_t n_points) {
+  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  const std::size_t n = view.corners == 0 ? n_points : view.connectivity.size() / corners;
+  const bool vertices = view.corners == 0;
+  std::size_t n_corners = 0;
+  for (std::size_t c = 0; c < n; ++c) {
+    n_corners += vertices ? 1 : corners_in(view, c * corners, corners);
+  }
+  const bool all_full = !vertices && n_corners == view.connectivity.size();
+  const auto connectivity = [&view, vertices, all_full, n, corners](std::string& room) {
+    if (all_full) return bytes_of_values(view.connectivity);
+    if (vertices) return made<std::int64_t>(room, n, [](std::size_t i) { return i; });
+    room.clear();
+    for (std::size_t c = 0; c < n; ++c) {
+      const auto* cell = reinterpret_cast<const char*>(&view.connectivity[c * corners]);
+      room.append(cell, corners_in(view, c * corners, corners) * sizeof(std::int64_t));
+    }
+    return std::string_view(room);
+  };
+  const auto size = [&view, vertices, corners](std::size_t c) {
+    return vertices ? std::size_t{1} : corners_in(view, c * corners, corners);
+  };
+  return {{"Int64", "connectivity", 1, n_corners, connectivity},
+          {"Int64", "offsets", 1, n,
+           [n, size](std::string& room) {
+             std::size_t end = 0;
+             return made<std::int64_t>(room, n, [&](std::size_t c) { return end += size(c); });
+           }},
+          {"UInt8", "types", 1, n, [n, size, &view](std::string& room) {
+             return made<std::uint8_t>(room, n, [&](std::size_t c) {
+               return vtk_cell_type(static_cast<int>(size(c)), view.cell_dimension);
+             });
+           }}};
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("view: " + what + " has the wrong length");
+}
+
+void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cells) {
+  if (view.position.size() % 3 != 0) refuse("position");
+  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  if (view.connectivity.size() % corners != 0) refuse("connectivity");
+  for (std::size_t c = 0; c < view.connectivity.size(); ++c) {
+    const auto point = view.connectivity[c];
+    const bool left_out = point < 0 && c % corners == 3 && corners == 4 && view.cell_dimension != 3;
+    if (!left_out && (point < 0 || point >= static_cast<std::int64_t>(n_points))) {
+      refuse("connectivity");
+    }
+  }
+  const auto check = [](const std::vector<Field>& fields, std::size_t n) {
+    for (const auto& field : fields) {
+      if (field.values.size() != n * static_cast<std::size_t>(field.components)) {
+        refuse("field " + field.name);
+      }
+    }
+  };
+  check(view.point_fields, n_points), check(view.cell_fields, n_cells);
+  if (!view.point_radius.empty() && view.point_radius.size() != n_points) refuse("radius");
+}
+
+/// A file while it is written: tags first, with room for the places of arrays that are known last.
+class VtuFile {
+ public:
+  explicit VtuFile(const std::filesystem::path& path) : path_(path), file_(path) {}
+
+  void text(const std::string& tags) { file_.append(tags); }
+  void declare(VtuArray array, const std::string& indent, const std::string& more = "") {
+    std::string tag =
+        indent + "<DataArray type=\"" + array.type + "\" Name=\"" + escaped(array.name) + "\"";
+    if (array.components > 1) {
+      tag += " NumberOfComponents=\"" + std::to_string(array.components) + "\"";
+      for (int c = 0; c < array.components && array.name != "Points"; ++c) {
+        tag += " ComponentName" + std::to_string(c) + "=\"" + component_name(array.components, c) +
+               "\"";
+      }
+    }
+    tag += more + " format=\"appended\"";
+    file_.append(tag);
+    places_.push_back(file_.size());
+    file_.append(std::string(kOffsetRoom, ' ') + "/>\n");
+    arrays_.push_back(std::move(array));
+  }
+
+  /// Writes the arrays, and where each of them is.
+  void finish() {
+    file_.append("  <AppendedData encoding=\"raw\">\n   _");
+    const std::size_t start = file_.size();
+    std::string room;
+    for (std::size_t a = 0; a < arrays_.size(); ++a) {
+      std::string offset = " offset=\"" + std::to_string(file_.size() - start) + "\"";
+      file_.overwrite(places_[a], offset);
+      append_packed(arrays_[a].bytes(room));
+    }
+    file_.append("\n  </AppendedData>\n</VTKFile>\n");
+    file_.finish();
+  }
+
+ private:
+  /// Number of blocks, bytes of each and of the last one where that is shorter, packed bytes of
+  /// each; then the blocks.
+  void append_packed(std::string_view bytes) {
+    const std::size_t whole = bytes.size() / kPackedBlock, last = bytes.size() % kPackedBlock;
+    std::vector<std::uint64_t> head{whole + (last > 0 ? 1 : 0), kPackedBlock, last};
+    const std::size_t at = file_.size(), n_blocks = head[0];
+    head.resize(3 + n_blocks);
+    file_.append(bytes_of_values(head));
+    const std::size_t most = lz4_->GetMaximumCompressionSpace(kPackedBlock);
+    packed_.resize(most);
+    for (std::size_t b = 0; b < n_blocks; ++b) {
+      const std::string_view block = bytes.substr(b * kPackedBlock, kPackedBlock);
+      const std::size_t size =
+          lz4_->Compress(reinterpret_cast<const unsigned char*>(block.data()), block.size(),
+                         reinterpret_cast<unsigned char*>(packed_.data()), most);
+      if (size == 0) throw MachineError("cannot write '" + path_.string() + "': no room to pack");
+      head[3 + b] = size;
+      file_.append(std::string_view(packed_).substr(0, size));
+    }
+    file_.overwrite(at, bytes_of_values(head));
+  }
+
+  std::filesystem::path path_;
+  ReplacedFile file_;
+  vtkNew<vtkLZ4DataCompressor> lz4_;
+  std::string packed_;
+  std::vector<VtuArray> arrays_;
+  std::vector<std::size_t> places_;  // in the file, of the room for offsets
+};
+
+}  // namespace
+
+void write_vtu(const std::filesystem::path& path, const BodyView& view) {
+  const std::size_t n_points = view.position.size() / 3;
+  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  const std::size_t n_cells = view.corners == 0 ? n_points : view.connectivity.size() / corners;
+  check_lengths(view, n_points, n_cells);
+  const std::vector<Real> time{view.time};
+  VtuFile file(path);
+  file.text(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+      "compressor=\"vtkLZ4DataCompressor\">\n  <UnstructuredGrid>\n    <FieldData>\n");
+  file.declare(reals("TimeValue", 1, time), "      ", " NumberOfTuples=\"1\"");
+  file.text("    </FieldData>\n    <Piece NumberOfPoints=\"" + std::to_string(n_points) +
+            "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n      <PointData>\n");
+  for (const auto& field : view.point_fields) file.declare(array_of(field), "        ");
+  if (!view.point_radius.empty()) file.declare(reals("radius", 1, view.point_radius), "        ");
+  file.text("      </PointData>\n      <CellData>\n");
+  for (const auto& field : view.cell_fields) file.declare(array_of(field), "        ");
+  file.text("      </CellData>\n      <Points>\n");
+  file.declare(reals("Points", 3, view.position), "        ");
+  file.text("      </Points>\n      <Cells>\n");
+  for (auto& array : cell_arrays(view, n_points)) file.declare(std::move(array), "        ");
+  file.text("      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n");
+  file.finish();
+}
+
+}  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

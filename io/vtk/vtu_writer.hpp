@@ -1,0 +1,15 @@
+#pragma once
+/// The .vtu of a body, written from its view as it stands: VTK's own writer holds the body three
+/// times more before the first byte is in the file.
+#include <filesystem>
+
+#include "core/view.hpp"
+
+namespace brunt {
+
+/// Writes what VTK's writer makes of to_grid(view): raw arrays, packed by LZ4. Throws
+/// std::invalid_argument where a field's length does not fit, before anything is written, and
+/// MachineError.
+void write_vtu(const std::filesystem::path& path, const BodyView& view);
+
+}  // namespace brunt
