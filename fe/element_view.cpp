@@ -156,6 +156,8 @@ BodyView FiniteElements<Dim>::view(Label body) const {
   add_state_field("plastic_volume", &MaterialState::plastic_volume, cells, view);
   add_state_field("opening", &MaterialState::opening, cells, view);
   add_state_field("damage", &MaterialState::damage, cells, view);
+  add_state_field("porosity", &MaterialState::porosity, cells, view);
+  add_state_field("tensile_strength", &MaterialState::tensile_strength, cells, view);
   if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, view);
   Field density{"density", 1, {}}, piece{"piece", 1, {}}, id{"id", 1, {}};
   for (const Cell<Dim>& cell : cells) {

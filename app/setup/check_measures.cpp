@@ -96,6 +96,7 @@ std::string reason_for(const std::string& field) {
     return " (plastic flow of its material keeps the volume)";
   }
   if (field == "damage") return " (its material has no `damage`)";
+  if (field == "porosity" || field == "tensile_strength") return " (its material is no concrete)";
   return "";
 }
 }  // namespace
