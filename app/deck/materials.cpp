@@ -39,9 +39,10 @@ void describe(Schema& s, Thermal& thermal) {
             {"J/kg/K", positive(), between(50, 1e6)}, kOver);
   s.varying({"k", "conductivity; without it heat stays where it is"}, thermal.k,
             {"W/m/K", at_least(0), between(0, 5000)}, kOver);
-  s.real({"expansion",
-          "of lengths, from the temperature at the start: pressure comes from the volume without it"},
-         thermal.expansion, {"1/K", {}, between(-1e-5, 5e-4)});
+  s.real(
+      {"expansion",
+       "of lengths, from the temperature at the start: pressure comes from the volume without it"},
+      thermal.expansion, {"1/K", {}, between(-1e-5, 5e-4)});
   s.real({"taylor_quinney", "share of plastic work that becomes heat"}, thermal.taylor_quinney,
          {"1", between(0, 1)});
   s.later(kLater);
@@ -50,8 +51,9 @@ void describe(Schema& s, Thermal& thermal) {
 void describe(Schema& s, Material& material) {
   s.real({"density", "mass density at rest", Need::required}, material.density,
          {"kg/m^3", positive(), between(1, 3e4)});
-  s.object({"elastic", "E and nu, or K and G; fluids with an eos of their own and concrete need none"},
-           material.elastic);
+  s.object(
+      {"elastic", "E and nu, or K and G; fluids with an eos of their own and concrete need none"},
+      material.elastic);
   s.one_of({"strength", "what limits the stress"}, material.strength);
   s.one_of({"eos", "pressure from volume"}, material.eos);
   s.one_of({"damage", "how it fails"}, material.damage);

@@ -25,9 +25,8 @@
 namespace brunt {
 
 /// The deck's `strength` and `eos`, in the order of the manual; the first is the default.
-using StrengthLaw =
-    std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan, DruckerPrager,
-                 ConcreteCap, Holmquist>;
+using StrengthLaw = std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan,
+                                 DruckerPrager, ConcreteCap, Holmquist>;
 using EosLaw = std::variant<LinearEos, MieGruneisen, Tait, Polynomial, IdealGas, Jwl>;
 
 /// Elastic constants [Pa] that a strength brings with it.

@@ -24,18 +24,18 @@ struct ConcreteCap {
   static constexpr bool kPores = true, kRegularised = true;
   using Point = PorousPoint<kOwn>;
 
-  Real fc = 0;                             ///< [Pa] unconfined compressive strength
-  std::optional<Real> ft;                  ///< [Pa] tensile strength; 3.5 MPa (fc/45.4 MPa)^(2/3)
-  Real K = 16e9, K_solid = 45e9, G = 13e9; ///< [Pa] bulk modulus at phi0, without pores; shear
-  Real phi0 = 0.09;                        ///< [1] porosity at the start
-  std::optional<Real> p_crush;             ///< [Pa] where compaction begins; fc
-  Real p_lock = 1e9;                       ///< [Pa] where no pores are left
-  Real cap_start = 0.7;                    ///< [1] kappa
-  std::optional<Real> a0, a2, b2;          ///< [Pa], [1/Pa], [1/Pa] of the surfaces; scale with fc
-  Real a1 = 0.4463, b1 = 0.4417;           ///< [1]
-  Real dilatancy = 0.5;                    ///< [1] beta_0
-  Real phi_damage = 0.002;                 ///< [1] phi_D
-  Real Gf = 100;                           ///< [J/m^2] energy of fracture
+  Real fc = 0;                              ///< [Pa] unconfined compressive strength
+  std::optional<Real> ft;                   ///< [Pa] tensile strength; 3.5 MPa (fc/45.4 MPa)^(2/3)
+  Real K = 16e9, K_solid = 45e9, G = 13e9;  ///< [Pa] bulk modulus at phi0, without pores; shear
+  Real phi0 = 0.09;                         ///< [1] porosity at the start
+  std::optional<Real> p_crush;              ///< [Pa] where compaction begins; fc
+  Real p_lock = 1e9;                        ///< [Pa] where no pores are left
+  Real cap_start = 0.7;                     ///< [1] kappa
+  std::optional<Real> a0, a2, b2;           ///< [Pa], [1/Pa], [1/Pa] of the surfaces; scale with fc
+  Real a1 = 0.4463, b1 = 0.4417;            ///< [1]
+  Real dilatancy = 0.5;                     ///< [1] beta_0
+  Real phi_damage = 0.002;                  ///< [1] phi_D
+  Real Gf = 100;                            ///< [J/m^2] energy of fracture
 
   void prepare();
   Real bulk_modulus() const { return K; }

@@ -24,16 +24,16 @@ struct Holmquist {
   /// there; the one at p_lock follows then, where the curve of the dense solid reaches p_lock.
   enum class Locking { at_pressure, permanent };
 
-  Real fc = 0;                             ///< [Pa] unconfined compressive strength
-  Real G = 0;                              ///< [Pa] shear modulus
-  Real A = 0, B = 0, N = 1, C = 0;         ///< [1]
-  Real S_max = kInfinity;                  ///< [1] largest strength over fc
-  Real rate_ref = 1;                       ///< [1/s]
-  Real T = 0;                              ///< [Pa] largest tension
-  Real D1 = 0, D2 = 1, ef_min = 0;         ///< [1]
-  Real p_crush = 0, mu_crush = 0;          ///< [Pa], [1] where pores begin to close
-  Real p_lock = 0, mu_lock = 0;            ///< [Pa], [1] where none is left
-  Real K1 = 0, K2 = 0, K3 = 0;             ///< [Pa] of the dense solid
+  Real fc = 0;                      ///< [Pa] unconfined compressive strength
+  Real G = 0;                       ///< [Pa] shear modulus
+  Real A = 0, B = 0, N = 1, C = 0;  ///< [1]
+  Real S_max = kInfinity;           ///< [1] largest strength over fc
+  Real rate_ref = 1;                ///< [1/s]
+  Real T = 0;                       ///< [Pa] largest tension
+  Real D1 = 0, D2 = 1, ef_min = 0;  ///< [1]
+  Real p_crush = 0, mu_crush = 0;   ///< [Pa], [1] where pores begin to close
+  Real p_lock = 0, mu_lock = 0;     ///< [Pa], [1] where none is left
+  Real K1 = 0, K2 = 0, K3 = 0;      ///< [Pa] of the dense solid
   Locking locking = Locking::at_pressure;
 
   void prepare() { mu_full_ = locking == Locking::permanent ? compression_at_lock() : mu_lock; }

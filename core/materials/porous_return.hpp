@@ -12,18 +12,18 @@ namespace brunt {
 /// A point as a law of porous solids sees it. It is isotropic: of the deviator it needs the size.
 template <std::size_t n_own>
 struct PorousPoint {
-  Real ratio = 1;          ///< [1] V/V0 after the step
-  Real rate = 0;           ///< [1/s] equivalent rate of strain, elastic and plastic
-  Real length = 1;         ///< [m] size of the element or particle
-  Real pressure = 0;       ///< [Pa] before the step; after it
-  Real q = 0;              ///< [Pa] equivalent stress of the elastic trial; after the step
-  Real bulk = 0;           ///< [Pa] after the step: tangent modulus of loading or release
-  Real eps_p = 0;          ///< [1] before the step
-  Real increment = 0;      ///< [1] of eps_p, of this step
-  Real plastic_volume = 0; ///< [1] logarithmic volume strain of this step that does not come back
-  Real damage = 0;         ///< [1] share of the strength that is lost, after the step
-  Real porosity = 0;       ///< [1] share of pores, after the step
-  Real tension = 0;        ///< [Pa] the largest that is left, after the step
+  Real ratio = 1;           ///< [1] V/V0 after the step
+  Real rate = 0;            ///< [1/s] equivalent rate of strain, elastic and plastic
+  Real length = 1;          ///< [m] size of the element or particle
+  Real pressure = 0;        ///< [Pa] before the step; after it
+  Real q = 0;               ///< [Pa] equivalent stress of the elastic trial; after the step
+  Real bulk = 0;            ///< [Pa] after the step: tangent modulus of loading or release
+  Real eps_p = 0;           ///< [1] before the step
+  Real increment = 0;       ///< [1] of eps_p, of this step
+  Real plastic_volume = 0;  ///< [1] logarithmic volume strain of this step that does not come back
+  Real damage = 0;          ///< [1] share of the strength that is lost, after the step
+  Real porosity = 0;        ///< [1] share of pores, after the step
+  Real tension = 0;         ///< [Pa] the largest that is left, after the step
   std::array<Real, n_own> own{};  ///< what the law keeps, before the step; after it
 };
 
@@ -103,8 +103,7 @@ void PorousReturn<Law>::update_point(MaterialTile& tile, int i, Real inverse_dt)
   const std::size_t k = tile.first + static_cast<std::size_t>(i);
   Point at = point(state, k);
   at.ratio = tile.ratio[i];
-  const Real third =
-      (tile.strain[xx][i] + tile.strain[yy][i] + tile.strain[zz][i]) * (1.0 / 3.0);
+  const Real third = (tile.strain[xx][i] + tile.strain[yy][i] + tile.strain[zz][i]) * (1.0 / 3.0);
   Real trial[6], old_square = 0, square = 0, strain_square = 0;
   for (std::size_t c = 0; c < 6; ++c) {
     const Real old = state.deviator[c][k], strain = tile.strain[c][i];

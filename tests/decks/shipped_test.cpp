@@ -105,7 +105,9 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"hertz/cylinders", {"parameters.cells=6", "parameters.ratio=20", "time.end=8 us"}},
         Shipped{"rubbing-blocks", {"time.end=9 us"}},
         Shipped{"sliding-blocks", {"parameters.end=3 ms"}},
-        Shipped{"brick-stack", {"time.end=20 ms"}}),
+        Shipped{"concrete-cylinder", {"parameters.size=1 mm", "time.end=50 us"}},
+        Shipped{"concrete-cylinder/particles", {"parameters.size=2 mm", "time.end=50 us"}},
+        Shipped{"spall", {"parameters.size=0.1 mm"}}, Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' || c == '/' ? '_' : c;

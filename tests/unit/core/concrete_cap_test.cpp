@@ -21,17 +21,26 @@ Material concrete(Real fc) {
 /// The table of one strength; stresses in MPa.
 struct CapTable {
   Real fc, unconfined;
-  std::array<Real, 3> triaxial;     // at 5, 20, 100 MPa
-  std::array<Real, 5> hydrostatic;  // at mu of kHydrostaticMu
+  std::array<Real, 3> triaxial;         // at 5, 20, 100 MPa
+  std::array<Real, 5> hydrostatic;      // at mu of kHydrostaticMu
   std::array<Real, 3> along, pressure;  // uniaxial strain of 2, 6, 10 %
   Real tension;
 };
 constexpr std::array kHydrostaticMu{0.0305, 0.0618, 0.0942, 0.1275, 0.1618};
-constexpr std::array kCapTables{
-    CapTable{30, 29.5, {54.3, 98.7, 193.9}, {153, 323, 560, 1156, 2506}, {175.6, 424, 774},
-             {88.5, 283, 618}, 2.65},
-    CapTable{45.4, 44.8, {71.1, 123.7, 251.0}, {164, 332, 566, 1156, 2506}, {205, 473, 838},
-             {97.2, 285, 607}, 3.50}};
+constexpr std::array kCapTables{CapTable{30,
+                                         29.5,
+                                         {54.3, 98.7, 193.9},
+                                         {153, 323, 560, 1156, 2506},
+                                         {175.6, 424, 774},
+                                         {88.5, 283, 618},
+                                         2.65},
+                                CapTable{45.4,
+                                         44.8,
+                                         {71.1, 123.7, 251.0},
+                                         {164, 332, 566, 1156, 2506},
+                                         {205, 473, 838},
+                                         {97.2, 285, 607},
+                                         3.50}};
 constexpr Real kMega = 1e6, kOfTable = 0.02;
 
 TEST(ConcreteCap, HydrostaticCompactionIsThatOfTheTable) {
@@ -130,8 +139,8 @@ TEST(ConcreteCap, CyclesMakeNoEnergy) {
   for (const Real size : {2e-4, 2e-3, 2e-2}) {
     for (int path = 0; path < 8; ++path) {
       ConcretePoint point(material);
-      const std::array<Real, 6> one{path & 1 ? size : -size, 0.3 * size, path & 2 ? size : -size,
-                                    0.5 * size, 0, 0};
+      const std::array<Real, 6> one{
+          path & 1 ? size : -size, 0.3 * size, path & 2 ? size : -size, 0.5 * size, 0, 0};
       const std::array<Real, 6> two{0, path & 4 ? size : -size, 0, 0, size, 0.7 * size};
       const auto go = [&](const std::array<Real, 6>& by, Real sign) {
         std::array<Real, 6> step;
@@ -163,8 +172,12 @@ TEST(ConcreteCap, PathsDoNotDependOnAxes) {
     straight.strain(six(by)), turned.strain(six(turn * by * turn.transpose()));
   }
   Mat3 stress;
-  for (const auto& [i, j, c] : {std::array<std::size_t, 3>{0, 0, xx}, {1, 1, yy}, {2, 2, zz},
-                                {0, 1, xy}, {1, 2, yz}, {0, 2, zx}}) {
+  for (const auto& [i, j, c] : {std::array<std::size_t, 3>{0, 0, xx},
+                                {1, 1, yy},
+                                {2, 2, zz},
+                                {0, 1, xy},
+                                {1, 2, yz},
+                                {0, 2, zx}}) {
     stress(static_cast<int>(i), static_cast<int>(j)) = straight.stress(c);
     stress(static_cast<int>(j), static_cast<int>(i)) = straight.stress(c);
   }

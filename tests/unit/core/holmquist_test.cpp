@@ -82,8 +82,8 @@ TEST(Holmquist, ReleaseLeavesWhatIsCrushed) {
   }
 }
 
-// Where mu_lock is what is left, the dense curve reaches p_lock at 0.1 + 1.1 m, 85 m - 171 m^2 + 208
-// m^3 = 0.8: m = 0.009596; crushing ends there, and release comes back to 0.1 along that curve.
+// Where mu_lock is what is left, the dense curve reaches p_lock at 0.1 + 1.1 m, 85 m - 171 m^2 +
+// 208 m^3 = 0.8: m = 0.009596; crushing ends there, and release comes back to 0.1 along that curve.
 TEST(Holmquist, PermanentLockingIsThatOfTheDenseCurve) {
   Holmquist law = paper();
   law.locking = Holmquist::Locking::permanent;
