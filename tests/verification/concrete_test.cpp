@@ -15,13 +15,17 @@
 namespace brunt::test {
 namespace {
 
-std::string concrete_bar(const std::string& cells, const std::string& element,
-                         const std::string& speed, const std::string& end) {
+struct Grips {
+  const char *below, *above, *end;
+};
+constexpr Grips kPull{"-3 mm/s", "3 mm/s", "30 ms"}, kPress{"0.05 m/s", "-0.05 m/s", "5 ms"};
+
+std::string concrete_bar(const std::string& cells, const std::string& element, const Grips& grips) {
   return R"(
 title: A bar of concrete on its axis
 geometry: axisymmetric
 time: {end: )" +
-         end + R"(}
+         std::string(grips.end) + R"(}
 materials:
   concrete: {density: 2440 kg/m^3, strength: {concrete-cap: {fc: 45.4 MPa}}}
 bodies:
@@ -31,10 +35,10 @@ bodies:
     cells: )" +
          cells + "\n    element: {integration: " + element + R"(}
 boundaries:
-  below: {body: bar, where: {side: min-y}, velocity: [free, -)" +
-         speed + R"(]}
+  below: {body: bar, where: {side: min-y}, velocity: [free, )" +
+         grips.below + R"(]}
   above: {body: bar, where: {side: max-y}, velocity: [free, )" +
-         speed + R"(]}
+         grips.above + R"(]}
 measures:
   damage: {max: {body: bar, field: damage}}
   strength: {min: {body: bar, field: tensile_strength}}
@@ -46,7 +50,7 @@ TEST(Concrete, ACrackTakesItsEnergyWhateverTheElements) {
   const Real area = kPi * 0.04 * 0.04;
   for (const char* const element : {"one-point", "q1p0", "full"}) {
     for (const char* const cells : {"[1, 5]", "[2, 10]", "[4, 20]"}) {
-      const auto run = simulate_text(concrete_bar(cells, element, "3 mm/s", "30 ms"));
+      const auto run = simulate_text(concrete_bar(cells, element, kPull));
       EXPECT_EQ(run.failure, "") << cells;
       EXPECT_GT(run.measures.at("damage"), 0.99) << cells << ' ' << element;
       EXPECT_NEAR(run.last("energy.internal") / area, 100, 5) << cells << ' ' << element;
@@ -56,7 +60,7 @@ TEST(Concrete, ACrackTakesItsEnergyWhateverTheElements) {
 }
 
 TEST(Concrete, ACylinderBearsItsUnconfinedStrength) {
-  const auto run = simulate_text(concrete_bar("[2, 10]", "one-point", "-0.05 m/s", "5 ms"));
+  const auto run = simulate_text(concrete_bar("[2, 10]", "one-point", kPress));
   EXPECT_EQ(run.failure, "");
   Real most = 0;
   for (const Real force : run.column("boundary.above.reaction.y")) most = std::max(most, -force);

@@ -45,6 +45,7 @@ materials:
        p_lock: 8e8, mu_lock: 0.1, locking: at-pressure, K1: 85e9, K2: -171e9, K3: 208e9}}}
   ex: {density: 2700, elastic: {K: 70 GPa, G: 26 GPa}, thermal: {cp: 900, k: 200, expansion: 2e-5}}
   jw: {density: 1630, eos: {jwl: {A: 371e9, B: 3.2e9, R1: 4, R2: 0.9, omega: 0.3, E0: 7e9}}}
+symmetry: {x: -1, y: -1, z: -1}
 bodies:
   a:
     material: jc
