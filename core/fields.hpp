@@ -29,6 +29,8 @@ inline constexpr std::array kFields{
     FieldInfo{"plastic_volume", 1, "1", "volumetric plastic strain, of laws that have any"},
     FieldInfo{"opening", 1, "1", "volumetric strain beyond the tension that a law can bear"},
     FieldInfo{"damage", 1, "1", "share of the stress that is lost, of materials that fail"},
+    FieldInfo{"porosity", 1, "1", "share of pores in the volume, of concrete with a cap"},
+    FieldInfo{"tensile_strength", 1, "Pa", "tension that is left to bear, of concrete"},
     FieldInfo{"density", 1, "kg/m^3", "of the present volume"},
     FieldInfo{"piece", 1, "1", "number of the piece of its body, of bodies of several"},
     FieldInfo{"id", 1, "1", "number of the node, element or particle, the same on any ranks"}};

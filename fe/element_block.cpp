@@ -135,9 +135,9 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   measure_elements(points, thickness, block);
   const auto padded = static_cast<std::size_t>(block.n_padded);
   const bool warms = set.material->yields() || set.material->warms_by_compression();
-  block.state =
-      set.material->initial_state(padded * static_cast<std::size_t>(block.gauss), set.temperature,
-                                  set.adiabatic || (set.conducts && warms));
+  block.state = set.material->initial_state(
+      padded * static_cast<std::size_t>(block.gauss), set.temperature,
+      set.adiabatic || (set.conducts && set.material->keeps_temperature()));
   for (LocalIndex e = 0; e < block.n_padded && !block.state.length.empty(); ++e) {
     for (int g = 0; g < block.gauss; ++g) {
       block.state.length[block.point(e, g)] = block.reference_size[e];

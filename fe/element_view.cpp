@@ -190,6 +190,8 @@ BodyView FiniteElements<Dim>::view(Label body, const WantedFields& wanted) const
   add_state_field("plastic_volume", &MaterialState::plastic_volume, cells, fields);
   add_state_field("opening", &MaterialState::opening, cells, fields);
   add_state_field("damage", &MaterialState::damage, cells, fields);
+  add_state_field("porosity", &MaterialState::porosity, cells, fields);
+  add_state_field("tensile_strength", &MaterialState::tensile_strength, cells, fields);
   if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, fields);
   const std::size_t n = cells.size();
   view.connectivity.reserve(n * static_cast<std::size_t>(view.corners));

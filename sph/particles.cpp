@@ -62,8 +62,9 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
       shown.effusivity = material.effusivity(set.temperature);
     }
     const bool warms = material.yields() || material.warms_by_compression();
-    MaterialState state = material.initial_state(set.particle.size(), set.temperature,
-                                                 set.adiabatic || (set.conducts && warms));
+    MaterialState state =
+        material.initial_state(set.particle.size(), set.temperature,
+                               set.adiabatic || (set.conducts && material.keeps_temperature()));
     for (std::size_t slot = 0; slot < set.particle.size() && !state.length.empty(); ++slot) {
       state.length[slot] = spacing[static_cast<std::size_t>(set.particle[slot])];
     }

@@ -69,6 +69,10 @@ void add_material(FieldList& fields, const MaterialState& state, std::size_t slo
     fields.add("opening", {state.opening[slot]});
   }
   if (!state.damage.empty()) fields.add("damage", {state.damage[slot]});
+  if (!state.porosity.empty()) fields.add("porosity", {state.porosity[slot]});
+  if (!state.tensile_strength.empty()) {
+    fields.add("tensile_strength", {state.tensile_strength[slot]});
+  }
   if (has_temperature) return;
   if (!state.temperature.empty()) fields.add("temperature", {state.temperature[slot]});
 }

@@ -51,6 +51,12 @@ Real smallest_size(const Body& body) {
 
 bool has_mesh_file(const Body& body) { return mesh_reader(body.file) != nullptr; }
 
+bool has_velocity_field(const Body& body) {
+  const auto& given = body.start_velocity;
+  return given && std::any_of(given->begin(), given->end(),
+                              [](const auto& v) { return v && v->is_expression(); });
+}
+
 bool follows_forces(const Body& body) {
   if (!body.rigid) return false;
   if (!body.motion) return !body.material.empty();
@@ -95,6 +101,27 @@ void require_consistent_file(Schema& s, const Body& body) {
             "the elements are those of the file: take it out");
   s.require(!is_mesh || body.grading.empty(), "grading",
             "the elements are those of the file: take it out");
+}
+
+void describe_velocity(Schema& s, Body& body) {
+  static constexpr std::array kOver{Varying::Over::expression};
+  auto& given = body.start_velocity;
+  s.components({"velocity", "velocity at time 0; components may be expressions of x, y, z"}, given,
+               kVelocity, kOver);
+  if (!given) return;
+  const auto none_is = [&](const auto& is) {
+    return std::none_of(given->begin(), given->end(), is);
+  };
+  s.require(none_is([](const auto& v) { return !v.has_value(); }), "velocity",
+            "a component at time 0 cannot be free: write 0, or take it into motion or a boundary");
+  s.require(none_is([](const auto& v) { return v && v->is_expression() && v->depends[0]; }),
+            "velocity", "is that at time 0: t has no place in it");
+  s.require(!body.rigid || !has_velocity_field(body), "velocity",
+            "of a rigid body is one vector, and `spin` besides");
+  body.velocity.clear();
+  for (const auto& v : *given) {
+    body.velocity.push_back(v && v->is_constant() ? v->constant : Real{0});
+  }
 }
 
 /// Keys of a body that contradict each other.
@@ -145,7 +172,7 @@ void describe(Schema& s, Body& body) {
   s.per_axis({"size", "element size or particle spacing; the next whole number of cells",
               is_sph ? Need::required : Need::optional},
              body.size, {"m", positive(), between(1e-7, 0.2)});
-  s.list({"velocity", "velocity at time 0"}, body.velocity, kVelocity, Schema::kVector);
+  describe_velocity(s, body);
   s.object({"spin", "rotation at time 0"}, body.spin);
   s.real({"temperature", "temperature at time 0; default: ambient"}, body.temperature,
          {"K", at_least(0), between(50, 5000)});

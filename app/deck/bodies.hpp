@@ -40,9 +40,11 @@ struct Body {
   std::optional<std::vector<Real>> size;  ///< [m] element size or particle spacing, along each axis
   std::optional<std::vector<int>> cells;  ///< number of cells along each axis; FE only
   std::vector<Grading> grading;           ///< of the elements' sizes, by axis; FE only
-  std::vector<Real> velocity;             ///< [m/s] at time 0; empty: at rest
-  std::optional<Spin> spin;               ///< at time 0
-  std::optional<Real> temperature;        ///< [K] at time 0; none: ambient
+  /// [m/s] at time 0, as read: constants, or expressions of x, y, z; none: at rest
+  std::optional<std::vector<std::optional<Varying>>> start_velocity;
+  std::vector<Real> velocity;       ///< [m/s] its constants; empty: at rest
+  std::optional<Spin> spin;         ///< at time 0
+  std::optional<Real> temperature;  ///< [K] at time 0; none: ambient
   /// Rigid bodies only; none: held, or free where there is a material.
   std::optional<Motion> motion;
   ElementOptions element;            ///< FE that deforms
@@ -55,6 +57,9 @@ Real smallest_size(const Body& body);
 
 /// True where the body is taken from a mesh file; false: from a shape, or from a surface.
 bool has_mesh_file(const Body& body);
+
+/// True where the velocity at time 0 depends on the place.
+bool has_velocity_field(const Body& body);
 
 /// True for a rigid body of which something follows its forces.
 bool follows_forces(const Body& body);

@@ -116,6 +116,15 @@ void describe(Schema& s, Output& output) {
             output.checkpoint_steps, at_least(0));
 }
 
+void describe(Schema& s, Symmetry& planes) {
+  constexpr Quantity kPlane{"m", {}, between(-1e4, 1e4)};
+  s.real({"x", "place of a plane of symmetry across x"}, planes.x, kPlane);
+  s.real({"y", "across y"}, planes.y, kPlane);
+  s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {
+    in3d.real({"z", "across z"}, planes.z, kPlane);
+  });
+}
+
 void describe(Schema& s, Ranks& ranks) {
   s.real_or_word({"balance",
                   "largest over mean work of the ranks beyond which points are partitioned "
@@ -130,7 +139,6 @@ void describe(Schema& s, Ranks& ranks) {
 void describe(Schema& s, Deck& deck) {
   static constexpr const char* kGeometries[] = {"3d", "plane-strain", "axisymmetric"};
   static constexpr const char* kHeats[] = {"auto", "off|false", "adiabatic", "conduct"};
-  static constexpr const char* kLater[] = {"symmetry"};
   s.text({"title", "a line for the log and the report"}, deck.title);
   s.choice({"geometry", "three dimensions, or two in x and y; axisymmetric: x is the radius"},
            deck.geometry, kGeometries);
@@ -150,6 +158,8 @@ void describe(Schema& s, Deck& deck) {
   s.named({"bodies", "bodies by name", Need::required}, deck.bodies);
   s.object({"contact", "all bodies may touch all others"}, deck.contact);
   s.named({"boundaries", "supports and loads by name"}, deck.boundaries, true);
+  s.object({"symmetry", "planes of symmetry: what lies on them at time 0 moves along them"},
+           deck.symmetry);
   s.list({"gravity", "acceleration of all that is free"}, deck.gravity,
          {"m/s^2", {}, between(-1e4, 1e4)}, Schema::kVector);
   s.object({"damping", "mass-proportional, to settle"}, deck.damping);
@@ -163,7 +173,6 @@ void describe(Schema& s, Deck& deck) {
              "elements and particles that a deck may make; more of them are refused before they "
              "fill the memory"},
             deck.max_cells, at_least(1));
-  s.later(kLater);
 }
 
 std::optional<Label> label_of(const Deck& deck, const std::string& body) {

@@ -61,6 +61,13 @@ struct Stop {
   std::optional<Beyond> beyond;
 };
 
+/// Planes that cut bodies of elements in halves, of which one is there: points on them at time 0
+/// move along them.
+struct Symmetry {
+  std::optional<Real> x, y, z;  ///< [m] place of the plane across this axis
+  const std::optional<Real>& across(int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+
 struct Output {
   std::optional<Real> every;        ///< [s] between frames; none: 100 frames
   std::optional<Real> history;      ///< [s] between rows; none: at most 2,000 rows, not too often
@@ -83,6 +90,7 @@ void describe(Schema& s, ContactPair& pair);
 void describe(Schema& s, Contact& contact);
 void describe(Schema& s, AtRest& rest);
 void describe(Schema& s, Beyond& beyond);
+void describe(Schema& s, Symmetry& planes);
 void describe(Schema& s, Stop& stop);
 void describe(Schema& s, Output& output);
 void describe(Schema& s, Ranks& ranks);
@@ -100,6 +108,7 @@ struct Deck {
   std::vector<Named<deck::Body>> bodies;
   deck::Contact contact;
   std::vector<Named<deck::Boundary>> boundaries;
+  std::optional<deck::Symmetry> symmetry;
   std::vector<Real> gravity;  ///< [m/s^2]; empty: none
   std::optional<deck::Damping> damping;
   std::vector<Named<deck::Measure>> measures;

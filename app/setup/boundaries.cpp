@@ -153,6 +153,48 @@ void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, 
     if (!wrong.empty()) problems.push_back(loaded.places.problem(path, wrong));
   });
 }
+/// Holds a body of elements on a plane of symmetry; what is wrong with it, or nothing.
+template <int Dim>
+std::string add_mirror(const LoadedDeck& loaded, Label label, int axis, Scene<Dim>& scene) {
+  const auto& [name, body] = loaded.deck.bodies[label];
+  Solid<Dim>* solid = body.rigid ? nullptr : solid_of(scene, label);
+  if (!solid) return "";
+  const Real at = *loaded.deck.symmetry->across(axis), size = scene.body_size[label];
+  const Choose<Dim> choose{solid->points(), solid->surface(), scene.origin,
+                           label,           0.1 * size,       scene.point_sets};
+  Real least = kInfinity, most = -kInfinity;
+  for (const LocalIndex i : choose(deck::WhereAll{})) {
+    least = std::min(least, choose.place(i)[axis] - at);
+    most = std::max(most, choose.place(i)[axis] - at);
+  }
+  const bool particles = body.method == deck::Method::sph;
+  const Real reach = particles ? size : 0.1 * size;
+  if (least > reach || most < -reach) return "";
+  if (particles) return "'" + name + "' is of particles, which planes of symmetry do not hold";
+  if (least < -reach && most > reach) {
+    return "'" + name + "' lies on both sides of the plane: take the half of it away";
+  }
+  deck::Boundary mirror;
+  mirror.body = name;
+  mirror.where = deck::WherePlane{static_cast<deck::Axis>(axis), at};
+  const std::string letter(1, static_cast<char>('x' + axis));
+  std::get<PrescribedMotion>(mirror.kinds).fix = {letter};
+  std::vector<DeckProblem> problems;
+  add_boundary<Dim>({"symmetry-" + letter + "-" + name, mirror}, loaded, label, scene, problems);
+  return problems.empty() ? "" : problems.front().message;
+}
+
+template <int Dim>
+void add_symmetry(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckProblem>& problems) {
+  for (int axis = 0; loaded.deck.symmetry && axis < Dim; ++axis) {
+    if (!loaded.deck.symmetry->across(axis)) continue;
+    for (Label label = 0; label < loaded.deck.bodies.size(); ++label) {
+      const std::string wrong = add_mirror(loaded, label, axis, scene);
+      const std::string path = "symmetry." + std::string(1, static_cast<char>('x' + axis));
+      if (!wrong.empty()) problems.push_back(loaded.places.problem(path, wrong));
+    }
+  }
+}
 }  // namespace
 
 template <int Dim>
@@ -164,6 +206,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     if (!label) continue;  // reported by the deck's own checks
     add_boundary(boundary, loaded, *label, scene, problems);
   }
+  add_symmetry(loaded, scene, problems);
   if (!deck.gravity.empty()) {
     Vec<Dim> g;
     for (int c = 0; c < Dim; ++c) g[c] = deck.gravity[c];

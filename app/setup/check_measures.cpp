@@ -106,6 +106,7 @@ std::string reason_for(const std::string& field) {
     return " (plastic flow of its material keeps the volume)";
   }
   if (field == "damage") return " (its material has no `damage`)";
+  if (field == "porosity" || field == "tensile_strength") return " (its material is no concrete)";
   return "";
 }
 }  // namespace
@@ -114,7 +115,8 @@ template <int Dim>
 void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
                     std::vector<DeckProblem>& problems) {
   if (loaded.deck.measures.empty()) return;
-  const Names columns = HistoryColumns<Dim>(scene, false).names();  // the hash is not a number
+  Names columns = HistoryColumns<Dim>(scene).names();
+  columns.pop_back();  // the hash is not a number
   const bool wrong_elsewhere = !problems.empty() || !loaded.wrong.empty();
   std::map<std::string, Names> fields;
   const auto check_field = [&](const std::string& path, const auto& kind) {

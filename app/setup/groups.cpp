@@ -7,6 +7,7 @@
 #include "app/setup/bonds.hpp"
 #include "app/setup/heat.hpp"
 #include "app/setup/materials.hpp"
+#include "core/boundaries/function.hpp"
 #include "core/geometry/curve.hpp"
 #include "core/open_surface.hpp"
 #include "fe/finite_elements.hpp"
@@ -26,6 +27,12 @@ Vec<Dim> vector_of(const std::vector<Real>& values) {
 template <int Dim>
 Vec<Dim> start_velocity(const deck::Body& body, const Vec<Dim>& absolute) {
   Vec<Dim> v = vector_of<Dim>(body.velocity);
+  for (int c = 0; deck::has_velocity_field(body) && c < Dim; ++c) {
+    const Varying& given = *(*body.start_velocity)[static_cast<std::size_t>(c)];
+    Vec3 place = Vec3::Zero();
+    place.template head<Dim>() = absolute;
+    v[c] = function_of(given)(0, place);
+  }
   if (body.spin) {
     Vec3 arm = Vec3::Zero();
     arm.template head<Dim>() = absolute - vector_of<Dim>(body.spin->about);

@@ -38,7 +38,8 @@ Flight<Dim> flight_of(const Deck& deck, const Named<deck::Body>& named, const Bo
   flight.box = box;
   const bool prescribed = body.rigid && body.motion;
   const auto& spin = prescribed && body.motion->spin ? body.motion->spin : body.spin;
-  flight.straight = !is_led(deck, named.name) && !(prescribed && spin) && !box.empty();
+  flight.straight = !is_led(deck, named.name) && !(prescribed && spin) && !box.empty() &&
+                    !deck::has_velocity_field(body);
   const auto take = [&](const std::vector<Real>& velocity) {
     for (std::size_t c = 0; c < std::min<std::size_t>(Dim, velocity.size()); ++c) {
       if (!std::isnan(velocity[c])) flight.velocity[static_cast<int>(c)] = velocity[c];

@@ -16,6 +16,10 @@ template <PressureLaw Law>
 std::unique_ptr<Strength> make(const Law& law, const StrengthInputs& inputs) {
   return std::make_unique<PressureReturn<Law>>(law, inputs);
 }
+template <PorousLaw Law>
+std::unique_ptr<Strength> make(const Law& law, const StrengthInputs& inputs) {
+  return std::make_unique<PorousReturn<Law>>(law, inputs);
+}
 std::unique_ptr<Damage> make(const NoDamage&, const DamageInputs&) { return nullptr; }
 template <DamageLaw Law>
 std::unique_ptr<Damage> make(const Law& law, const DamageInputs& inputs) {
@@ -40,6 +44,18 @@ std::unique_ptr<Damage> make_damage(const DamageChoice& law, const DamageInputs&
 
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs) {
   return std::visit([&](const auto& chosen) { return make(chosen, inputs); }, law);
+}
+
+std::optional<OwnConstants> own_constants(const StrengthLaw& law) {
+  return std::visit(
+      [](const auto& chosen) -> std::optional<OwnConstants> {
+        if constexpr (requires { chosen.shear_modulus(); }) {
+          return OwnConstants{chosen.bulk_modulus(), chosen.shear_modulus()};
+        } else {
+          return std::nullopt;
+        }
+      },
+      law);
 }
 
 bool is_fluid(const EosLaw& law) {

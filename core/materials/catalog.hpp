@@ -1,12 +1,15 @@
 #pragma once
 /// The list of models. A new one: its file, its name in a list here, and make in catalog.cpp where
 /// it is not made of a printed formula (docs/adding.md).
+#include <optional>
 #include <variant>
 
+#include "core/materials/concrete_cap.hpp"
 #include "core/materials/damage_laws.hpp"
 #include "core/materials/drucker_prager.hpp"
 #include "core/materials/elastic.hpp"
 #include "core/materials/eos_linear.hpp"
+#include "core/materials/holmquist.hpp"
 #include "core/materials/ideal_gas.hpp"
 #include "core/materials/j2.hpp"
 #include "core/materials/johnson_cook.hpp"
@@ -22,9 +25,16 @@
 namespace brunt {
 
 /// The deck's `strength` and `eos`, in the order of the manual; the first is the default.
-using StrengthLaw =
-    std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan, DruckerPrager>;
+using StrengthLaw = std::variant<NoStrength, J2, JohnsonCook, ZerilliArmstrong, SteinbergGuinan,
+                                 DruckerPrager, ConcreteCap, Holmquist>;
 using EosLaw = std::variant<LinearEos, MieGruneisen, Tait, Polynomial, IdealGas, Jwl>;
+
+/// Elastic constants [Pa] that a strength brings with it.
+struct OwnConstants {
+  Real bulk, shear;
+};
+/// Those of laws that give the pressure too; none: `elastic` says them.
+std::optional<OwnConstants> own_constants(const StrengthLaw& law);
 
 /// True of laws of fluids, which need no elastic constants: `static constexpr bool kFluid = true`.
 bool is_fluid(const EosLaw& law);

@@ -36,6 +36,10 @@ struct MaterialState {
   /// particle [m], which its owner sets. docs/theory/materials.md (M21)
   std::vector<Real> damage_index, damage;
   std::vector<Real> softening_work, softening_limit, softening_energy, length;
+  /// Of laws of porous solids: share of pores, largest tension that is left [Pa], and what else the
+  /// law keeps, [variable][point]
+  std::vector<Real> porosity, tensile_strength;
+  std::vector<std::vector<Real>> own;
   std::size_t size() const { return pressure.size(); }
 };
 
@@ -72,6 +76,11 @@ class Strength {
   /// True where plastic flow changes the volume, which sees_pressure then: `update` moves
   /// plastic_volume and opening, and the pressure by what they do to it at that modulus.
   virtual bool changes_volume() const { return false; }
+  /// True where pressure and deviator come from one law, which sees_pressure then: `update` sets
+  /// pressure and bulk modulus too, and no equation of state is asked.
+  virtual bool gives_pressure() const { return false; }
+  /// Makes the fields of a state that only this law has, at rest. size: points, whole tiles
+  virtual void add_fields(MaterialState&, std::size_t) const {}
   /// Flow stress [Pa] of point k as the last step left it: at its plastic strain, last plastic rate
   /// and temperature; infinite where the material never yields.
   /// fixed_temperature [K] what the law sees where heat is off
@@ -132,6 +141,7 @@ struct Material {
   bool thermal = false;
   SpecificHeat specific_heat;  ///< [J/kg/K] a constant, or a table over temperature
   Varying conductivity;        ///< [W/m/K] a constant, or a table over temperature
+  Real expansion = 0;          ///< [1/K] linear, from the temperature at the start
   std::unique_ptr<Strength> strength;
   std::unique_ptr<EquationOfState> eos;
   std::unique_ptr<Damage> damage;  ///< null: it never fails
@@ -150,11 +160,18 @@ struct Material {
   MaterialState initial_state(std::size_t n, Real temperature, bool adiabatic) const;
   /// True where compression changes the temperature of points that have one.
   bool warms_by_compression() const { return thermal && eos->needs_energy(); }
+  /// True where a point's temperature is part of its state: it changes or moves the stress.
+  bool keeps_temperature() const {
+    return yields() || warms_by_compression() || (thermal && expansion != 0);
+  }
   /// One step of a tile: strength, then equation of state, then cut-off, then what compression and
   /// viscosity do to the temperature. A strength that sees the pressure comes after it.
   void update(MaterialTile& tile, Real dt) const;
 
  private:
+  /// Sets V/V0 of a tile before and after the step to those without thermal expansion, where there
+  /// is any: what pressures come from. docs/theory/materials.md (M44)
+  void cool(MaterialTile& tile) const;
   /// What `update` does but for damage and heat of compression. before  null without damage
   void find_stress(MaterialTile& tile, Real dt, const BeforeDamage* before) const;
   /// The order of a strength that sees the pressure: equation of state without plastic flow,

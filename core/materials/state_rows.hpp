@@ -30,6 +30,9 @@ void visit_material_point(State& state, std::size_t k, FieldUse of_particles, co
   optional(state.softening_limit, kSaved);
   optional(state.softening_energy, kSaved);
   optional(state.length, kSaved);
+  optional(state.porosity, kSaved);
+  optional(state.tensile_strength, kSaved);
+  for (auto& variable : state.own) optional(variable, kState);
 }
 
 /// The optional fields of a state, for the name of a table: states with the same text have rows of
@@ -43,7 +46,8 @@ inline std::string fields_of(const MaterialState& state) {
   if (!state.energy.empty()) text += ".energy";
   if (!state.plastic_volume.empty()) text += ".volume";
   if (!state.damage.empty()) text += ".damage";
-  if (!state.length.empty()) text += ".softening";
+  if (!state.softening_work.empty()) text += ".softening";
+  if (!state.own.empty()) text += ".own" + std::to_string(state.own.size());
   return text;
 }
 

@@ -17,6 +17,17 @@ inline Row copied(const Real* from, int count) {
   return row;
 }
 
+/// V/V0 of a tile before and after a step, while it shows others.
+struct RatioRows {
+  Row old, now;
+  explicit RatioRows(const MaterialTile& tile)
+      : old(copied(tile.ratio_old, tile.count)), now(copied(tile.ratio, tile.count)) {}
+  void show(MaterialTile& tile) const {
+    std::copy_n(old.at, tile.count, tile.ratio_old);
+    std::copy_n(now.at, tile.count, tile.ratio);
+  }
+};
+
 /// Deviators of a tile, [component][point].
 struct alignas(32) DeviatorRows {
   Real at[6][kTile];

@@ -111,7 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"masonry-arch/hexes", {"parameters.end=2 ms"}},
         Shipped{"brick-wall-3d",
                 {"parameters.size=320 mm", "parameters.bar_size=320 mm", "time.end=2 ms"}},
-        Shipped{"brick-stack", {"time.end=20 ms"}}),
+        Shipped{"concrete-cylinder", {"parameters.size=1 mm", "time.end=50 us"}},
+        Shipped{"concrete-cylinder/particles", {"parameters.size=2 mm", "time.end=50 us"}},
+        Shipped{"spall", {"parameters.size=0.1 mm"}}, Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' || c == '/' ? '_' : c;

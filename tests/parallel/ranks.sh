@@ -64,6 +64,8 @@ cases=(
   "decks/failing 17_us"
   "decks/lost 0.14_ms"
   "decks/fails 5_us"
+  "decks/concrete 17_us"
+  "concrete-cylinder 20_us time.end=40_us parameters.size=1_mm"
 )
 # On four ranks and more besides: what the cases above have in other decks.
 more=(

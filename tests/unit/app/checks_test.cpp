@@ -93,7 +93,7 @@ TEST(Drift, ABodyAtRestDoesNotDriftByItsEnergyOfRounding) {
     std::unique_ptr<HistoryColumns<3>> columns;
     Real worst = 0;
     void begin(Scene<3>& scene, Clock& clock) override {
-      columns = std::make_unique<HistoryColumns<3>>(scene, false);
+      columns = std::make_unique<HistoryColumns<3>>(scene);
       columns->collect(scene, clock, true, false);
     }
     void step_done(Scene<3>& scene, Clock& clock) override {

@@ -37,7 +37,15 @@ materials:
        damage: {cockcroft_latham: 1e8, energy: 1}}
   d4: {density: 2500, elastic: {K: 37 GPa, G: 27 GPa}, damage: {principal_stress: 1e8, energy: 1}}
   d5: {density: 2500, elastic: {K: 37 GPa, G: 27 GPa}, damage: {mean_tension: 1e8, energy: 1}}
+  cc: {density: 2440, strength: {concrete-cap: {fc: 30e6, ft: 2e6, Gf: 100, K: 16e9, K_solid: 45e9,
+       G: 13e9, phi0: 0.1, p_crush: 30e6, p_lock: 1e9, cap_start: 0.7, a0: 9e6, a1: 0.4, a2: 1e-9,
+       b1: 0.4, b2: 1e-9, dilatancy: 0.5, phi_damage: 0.002}}}
+  hj: {density: 2440, strength: {hjc: {fc: 48e6, G: 15e9, A: 0.79, B: 1.6, N: 0.61, C: 0.007,
+       rate_ref: 1, S_max: 7, T: 4e6, D1: 0.04, D2: 1, ef_min: 0.01, p_crush: 16e6, mu_crush: 0.001,
+       p_lock: 8e8, mu_lock: 0.1, locking: at-pressure, K1: 85e9, K2: -171e9, K3: 208e9}}}
+  ex: {density: 2700, elastic: {K: 70 GPa, G: 26 GPa}, thermal: {cp: 900, k: 200, expansion: 2e-5}}
   jw: {density: 1630, eos: {jwl: {A: 371e9, B: 3.2e9, R1: 4, R2: 0.9, omega: 0.3, E0: 7e9}}}
+symmetry: {x: -1, y: -1, z: -1}
 bodies:
   a:
     material: jc
