@@ -95,8 +95,9 @@ inline constexpr std::array kHistoryColumns{
     ColumnInfo{"heat.drift", "1", "stored heat less its sources, over the largest heat"},
 
     ColumnInfo{"state_hash", "1",
-               "hash of the whole state, equal where runs are bit for bit: of the first row, of those "
-               "of frames, of that of the end, and with `output: {state_hash: true}` of all; else 0"}};
+               "hash of the whole state, equal where runs are bit for bit: of the first row, of "
+               "those of frames, of that of the end, and with `output: {state_hash: true}` of all; "
+               "else 0"}};
 
 constexpr const ColumnInfo& column_of_pattern(std::string_view pattern) {
   for (const ColumnInfo& info : kHistoryColumns) {
