@@ -26,7 +26,7 @@ struct SharedSpan {
   Real from = kInfinity, to = -kInfinity;  // [m] from `origin`
 
   SharedSpan(const FacePlane<3>& face, const Heights<3>& height, const Vec3& direction,
-       const Vec3& origin) {
+             const Vec3& origin) {
     const auto n = static_cast<std::size_t>(face.n_corners);
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t next = (c + 1) % n;

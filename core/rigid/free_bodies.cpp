@@ -198,7 +198,7 @@ void FreeBodies<Dim>::take_forces(const Vec3& point_force, const Vec3& point_tor
   const Vec3 about =
       in_space<Dim>(Vec<Dim>(body.prescribed.center + time * body.prescribed.velocity));
   const Vec3 given = in_space<Dim>(body.prescribed.velocity) +
-                    body.prescribed.spin * body.prescribed.axis.cross(place - about);
+                     body.prescribed.spin * body.prescribed.axis.cross(place - about);
   for (int c = 0; c < Dim; ++c) {
     if (body.is_free(c)) continue;
     const Real needed = 2 * (given[c] - state.v[c]) / dt;
