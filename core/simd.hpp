@@ -9,6 +9,10 @@
 
 #include "core/types.hpp"
 
+#if defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__)
+#error "fused instructions change bits: see CMakeLists.txt and docs/decisions/122-fused-turns.md"
+#endif
+
 namespace brunt {
 
 inline constexpr int kLanes = 4;

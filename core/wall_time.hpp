@@ -14,10 +14,6 @@ struct WallTime {
     seconds += other.seconds, waiting += other.waiting;
     return *this;
   }
-  WallTime& operator-=(const WallTime& other) {
-    seconds -= other.seconds, waiting -= other.waiting;
-    return *this;
-  }
   /// This rank's own work [s].
   double work() const { return seconds - waiting; }
 };

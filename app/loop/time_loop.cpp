@@ -89,10 +89,11 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     }
     if (scene.contact) {
       {
-        const PhaseTimer timer(phases, Phase::contact);
-        scene.contact->add_forces(dt, clock.time() + dt);
+        const PhaseTimer timer(phases, Phase::search);
+        scene.contact->renew_lists(dt);
       }
-      phases.rebook(Phase::contact, Phase::search, scene.contact->take_list_time());
+      const PhaseTimer timer(phases, Phase::contact);
+      scene.contact->add_forces(dt, clock.time() + dt);
     }
     // Before the internal forces, which take what acts across the axis of an axisymmetric scene.
     {

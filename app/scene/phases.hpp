@@ -28,8 +28,6 @@ struct Phases {
 
   WallTime& of(Phase phase) { return time[static_cast<std::size_t>(phase)]; }
   const WallTime& of(Phase phase) const { return time[static_cast<std::size_t>(phase)]; }
-  /// Books to `to` what was part of `from`.
-  void rebook(Phase from, Phase to, const WallTime& part) { of(from) -= part, of(to) += part; }
 };
 
 /// Adds its life time to a phase.

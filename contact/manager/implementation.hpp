@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "contact/contacts/friction_books.hpp"
 #include "contact/contacts/memory.hpp"
 #include "contact/manager/evaluation.hpp"
@@ -6,11 +8,13 @@
 
 namespace brunt {
 
-/// When contact was last evaluated.
+/// When contact was last evaluated, and for which step lists have been renewed since.
 struct LastEvaluation {
   Real dt = 0;           ///< [s] of the step that led there
   Real ahead = 0;        ///< [s] that the lists had to serve
   bool started = false;  ///< forces have been evaluated
+  /// What the next evaluation looks ahead to, once its lists are there.
+  std::optional<LookAhead> listed;
 };
 
 /// What the manager holds: each changes in verbs of its own.

@@ -86,15 +86,22 @@ void ContactManager<Dim>::rearrange() {
 }
 
 template <int Dim>
-void ContactManager<Dim>::add_forces(Real dt, Real time) {
+void ContactManager<Dim>::renew_lists(Real dt) {
   auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
-  auto& entities = search.entities();
   // Refresh: where everything is, and what contacts carry into this step.
   search.refresh_motion();
-  memory.begin_step(evaluation.records(), entities.nodes, dt);
+  memory.begin_step(evaluation.records(), search.entities().nodes, dt);
   memory.bury(dead_of(setup.surfaces));
   // Search: lists anew where they may miss a contact.
-  const LookAhead ahead = search.renew_if_due(dt, last.started);
+  last.listed = search.renew_if_needed(dt, last.started);
+}
+
+template <int Dim>
+void ContactManager<Dim>::add_forces(Real dt, Real time) {
+  auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
+  if (!last.listed) renew_lists(dt);
+  const LookAhead ahead = *last.listed;
+  auto& entities = search.entities();
   search.refresh_friction();
   // Evaluate what is listed.
   const auto& records = evaluation.records();
@@ -112,12 +119,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
                        entities);
   }
   if (setup.pairs.holds()) book_losses(records, entities);
-  last = {dt, ahead.time, true};
-}
-
-template <int Dim>
-WallTime ContactManager<Dim>::take_list_time() {
-  return implementation_->search.take_list_time();
+  last = {dt, ahead.time, true, std::nullopt};
 }
 
 template <int Dim>

@@ -12,7 +12,6 @@
 #include "core/step_limit.hpp"
 #include "core/surface.hpp"
 #include "core/view.hpp"
-#include "core/wall_time.hpp"
 
 namespace brunt {
 
@@ -94,11 +93,11 @@ class ContactManager {
   /// Before the first step: where bodies press at time 0, accelerations of their points and the
   /// energy of their springs. Collective.
   void start();
-  /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping. Lists that may miss
-  /// a contact there are rebuilt first. time  [s] of x(n+1), for what is told of lost contacts
+  /// Reads x(n+1) and v(n+1/2), and rebuilds lists that may miss a contact there. Collective.
+  void renew_lists(Real dt);
+  /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping. Renews the lists
+  /// first where nobody has for this step. time  [s] of x(n+1), for reports of lost contacts
   void add_forces(Real dt, Real time = 0);
-  /// What add_forces has spent on its lists since the last call: a part of its own wall time.
-  WallTime take_list_time();
   /// Heat of the contacts of this step, after all other heat but that which holds temperatures.
   /// Collective among neighbours.
   void add_heat(Real dt);

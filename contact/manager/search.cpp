@@ -68,10 +68,9 @@ LookAhead ContactSearch<Dim>::look_ahead(Real dt) const {
 }
 
 template <int Dim>
-LookAhead ContactSearch<Dim>::renew_if_due(Real dt, bool inherits) {
+LookAhead ContactSearch<Dim>::renew_if_needed(Real dt, bool inherits) {
   const bool changed = take_changes();
   LookAhead ahead = look_ahead(dt);
-  const WallTimer timer(list_time_, *setup_.ranks.all);
   const bool complete = candidates_.complete(entities_, ahead.time, *setup_.ranks.all);
   const Real speed = candidates_.speed();
   // Without a step nobody knows how points have come to where they are.
@@ -146,11 +145,6 @@ void ContactSearch<Dim>::sum_tractions(const Records<Dim>& records) {
     if (friction != nullptr) sum.add(record, *friction);
   });
   sum.finish();
-}
-
-template <int Dim>
-WallTime ContactSearch<Dim>::take_list_time() {
-  return std::exchange(list_time_, {});
 }
 
 template class ContactSearch<2>;

@@ -2,7 +2,6 @@
 #include "contact/manager/setup.hpp"
 #include "contact/search/candidates.hpp"
 #include "contact/search/near_bodies.hpp"
-#include "core/wall_time.hpp"
 
 namespace brunt {
 
@@ -42,7 +41,7 @@ class ContactSearch {
   LookAhead look_ahead(Real dt) const;
   /// Lists anew at the motion of a step of dt [s] where they may miss a contact, or other bodies
   /// are near. inherits  as of renew. Collective.
-  LookAhead renew_if_due(Real dt, bool inherits);
+  LookAhead renew_if_needed(Real dt, bool inherits);
   /// Tables and lists at the positions of time 0. Collective.
   LookAhead begin();
   /// Tables and lists anew at the present positions. inherits  what is booked stays with the
@@ -53,8 +52,6 @@ class ContactSearch {
   void end_births();
   /// Sums what each face carries, from the records of all ranks. Collective among neighbours.
   void sum_tractions(const Records<Dim>& records);
-  /// What renew_if_due has spent on lists since the last call.
-  WallTime take_list_time();
 
   void save_state(std::vector<StateTable>& tables) const { near_.save_state(tables); }
   void load_state(const StateTables& tables) { near_.load_state(tables); }
@@ -68,7 +65,6 @@ class ContactSearch {
   ContactImports<Dim> imports_;
   NearBodies<Dim> near_;
   Candidates<Dim> candidates_;
-  WallTime list_time_;
 };
 
 }  // namespace brunt

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -132,7 +133,7 @@ Real largest_energy(const Simulation& run) {
 
 /// All that ship, as simulate_shipped takes them: NAME, or FOLDER/NAME where the two differ.
 std::vector<std::string> all_decks() {
-  const std::filesystem::path root = std::string(BRUNT_SOURCE_DIR) + "/decks";
+  const std::filesystem::path root = source_path("decks");
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
     if (entry.path().extension() != ".yaml") continue;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -67,7 +68,7 @@ TEST(CameBack, SidesOfABoltInAHoleDidNot) {
 // the 11 kN that pushed its nose in from row to row, and contact.pairs moves by some 0.01 J.
 TEST(CameBack, LongSidesOfTheBoltOfTheDeckDidNot) {
   const auto run =
-      simulate(load_deck(BRUNT_SOURCE_DIR "/tests/cases/bolt-hole.yaml", {}), {.threads = 1});
+      simulate(load_deck(source_path("tests/cases/bolt-hole.yaml"), {}), {.threads = 1});
   expect_no_lost_contact(run);
   EXPECT_LT(largest_step(run, "contact.hole.force.z", 1.1e-3), 0.05 * 11e3);
   EXPECT_LT(largest_step(run, "energy.contact.pairs", 1.1e-3), 0.015);

@@ -8,6 +8,7 @@
 #include "app/deck/deck.hpp"
 #include "sph/correction.hpp"
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -34,7 +35,7 @@ TEST(ParticleDensity, SmallMotionIsExact) {
 }
 
 TEST(ParticleDensity, LongRodBreaksAPlateOfParticles) {
-  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/tests/cases/rod-sph-plate.yaml";
+  const std::string path = source_path("tests/cases/rod-sph-plate.yaml");
   const auto run = simulate(load_deck(path));
   EXPECT_EQ(run.failure, "");
   const auto& plate = run.bodies.at("plate");

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -43,8 +44,7 @@ Simulation fall(const std::string& name, Real half_angle, Real across = 90, Real
     }
   }
   overrides.push_back("time.end=6 ms");  // they part after 2 ms
-  return simulate(
-      load_deck(std::string(BRUNT_SOURCE_DIR) + "/tests/cases/" + name + ".yaml", overrides));
+  return simulate(load_deck(source_path("tests/cases/" + name + ".yaml"), overrides));
 }
 
 /// deepest  [m] of the point, which starts 1 mm above

@@ -7,15 +7,14 @@
 #include <cmath>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
 
 Simulation simulate_case(const std::string& name, const std::vector<std::string>& overrides = {},
                          const RunVariation& variation = {.threads = 1}) {
-  return simulate(
-      load_deck(std::string(BRUNT_SOURCE_DIR) + "/tests/cases/" + name + ".yaml", overrides),
-      variation);
+  return simulate(load_deck(source_path("tests/cases/" + name + ".yaml"), overrides), variation);
 }
 
 bool holds(const std::string& text, const std::string& part) {

@@ -10,6 +10,7 @@
 #include "app/restart/checkpointing.hpp"
 #include "app/setup/scene_builder.hpp"
 #include "app/watch/monitor.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 
@@ -168,7 +169,7 @@ Simulation simulate_text(const std::string& text, const std::vector<std::string>
 Simulation simulate_shipped(const std::string& name, const std::vector<std::string>& overrides,
                             const RunVariation& variation) {
   const std::string file = name.find('/') == std::string::npos ? name + "/" + name : name;
-  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/decks/" + file + ".yaml";
+  const std::string path = source_path("decks/" + file + ".yaml");
   return simulate(load_deck(path, overrides), variation);
 }
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -36,7 +37,7 @@ struct Meeting {
 };
 
 Meeting meet(const std::string& beside, const Overrides& more = {}) {
-  std::ifstream file(std::string(BRUNT_SOURCE_DIR) + "/tests/cases/bars-offset.yaml");
+  std::ifstream file(source_path("tests/cases/bars-offset.yaml"));
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   Overrides overrides = more;
   overrides.push_back("parameters.beside=" + beside);

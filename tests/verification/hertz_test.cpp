@@ -14,6 +14,7 @@
 
 #include "app/deck/loader.hpp"
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -29,8 +30,7 @@ struct Hertz {
 };
 
 Simulation shipped(const std::string& deck, const std::vector<std::string>& overrides = {}) {
-  return simulate(
-      load_deck(std::string(BRUNT_SOURCE_DIR) + "/decks/hertz/" + deck + ".yaml", overrides));
+  return simulate(load_deck(source_path("decks/hertz/" + deck + ".yaml"), overrides));
 }
 
 /// What an impact shows: largest force, approach of the centres, and how long there is a force.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -25,7 +26,7 @@ const Real kWave = std::sqrt(kModulus / kDensity);
 const Real kImpedance = kDensity * kWave * kHeight;  // [kg/s] at a depth of 1 m
 
 Simulation on_bar(const std::vector<std::string>& overrides) {
-  std::ifstream file(std::string(BRUNT_SOURCE_DIR) + "/tests/cases/mass-on-bar.yaml");
+  std::ifstream file(source_path("tests/cases/mass-on-bar.yaml"));
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return simulate_text(text, overrides);
 }

@@ -16,6 +16,7 @@
 
 #include "app/deck/deck.hpp"
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -26,7 +27,7 @@ struct Pull {
 };
 
 Pull pull(const std::vector<std::string>& overrides) {
-  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/tests/cases/sph-modulus.yaml";
+  const std::string path = source_path("tests/cases/sph-modulus.yaml");
   auto run = simulate(load_deck(path, overrides));
   EXPECT_EQ(run.failure, "");
   const Real area = 8e-3, force = run.measures.at("F");
@@ -48,7 +49,7 @@ TEST(ParticleTension, ModulusIsThatOfTheMaterialPulledAndPushed) {
 // pairs of one spacing carry sum V w 0.3 dp^2 (cubic kernel, 1.2 spacings), about 15 % of it. The
 // bodies that carry more than 1 % so are reported, and only those.
 TEST(ParticleTension, ArtificialStressThatCarriesIsTold) {
-  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/tests/cases/sph-modulus.yaml";
+  const std::string path = source_path("tests/cases/sph-modulus.yaml");
   const std::vector<std::string> deck{"bodies.a.size=1 mm", "bodies.a.smoothing=1.2",
                                       "time.end=60 us"};
   const auto reported = [](const Simulation& run) {

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::test {
 namespace {
@@ -47,9 +48,8 @@ Real temperature_at(const Metal& m, Real eta, Real energy, Real start) {
 }
 
 Simulation run_case(const std::vector<std::string>& overrides = {}) {
-  return simulate(
-      load_deck(std::string(BRUNT_SOURCE_DIR) + "/tests/cases/shock-temperature.yaml", overrides),
-      {.threads = 1});
+  return simulate(load_deck(source_path("tests/cases/shock-temperature.yaml"), overrides),
+                  {.threads = 1});
 }
 
 void expect_hugoniot(const Simulation& run, const Metal& metal, Real u, Real tolerance = 0.03) {
@@ -133,9 +133,8 @@ TEST(ShockTemperature, HeatAddsUpWhereItIsConducted) {
 TEST(ShockTemperature, TheSameBitsThroughARestart) {
   const std::vector<std::string> few{"bodies.a.cells=[40, 2]"};
   const auto simulate_few = [&](std::int64_t split) {
-    return simulate(
-        load_deck(std::string(BRUNT_SOURCE_DIR) + "/tests/cases/shock-temperature.yaml", few),
-        {.threads = 1, .split_at = split});
+    return simulate(load_deck(source_path("tests/cases/shock-temperature.yaml"), few),
+                    {.threads = 1, .split_at = split});
   };
   EXPECT_EQ(simulate_few(0).hashes, simulate_few(30).hashes);
 }

@@ -8,6 +8,7 @@
 
 #include "fe/finite_elements.hpp"
 #include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt {
 namespace {
@@ -68,7 +69,7 @@ void shuffle_storage(Scene<3>& scene, const Partition& partition) {
 
 void expect_same_bits(const std::string& name, const std::vector<std::string>& overrides,
                       const std::string& column) {
-  const std::string path = std::string(BRUNT_SOURCE_DIR) + "/decks/" + name + "/" + name + ".yaml";
+  const std::string path = test::source_path("decks/" + name + "/" + name + ".yaml");
   const LoadedDeck loaded = load_deck(path, overrides);
   const auto plain = test::simulate(loaded);
   Partition partition;

@@ -6,12 +6,13 @@
 
 #include "app/deck/reference.hpp"
 #include "io/deck/key_tree.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt::deck {
 namespace {
 
 TEST(DeckReference, TheManualInDocsIsFresh) {
-  std::ifstream file(BRUNT_SOURCE_DIR "/docs/deck.md");
+  std::ifstream file(test::source_path("docs/deck.md"));
   ASSERT_TRUE(file) << "write it with: brunt schema --markdown > docs/deck.md";
   std::ostringstream text;
   text << file.rdbuf();

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/source_path.hpp"
+
 namespace brunt {
 namespace {
 
@@ -199,7 +201,7 @@ TEST(Deck, EchoReadsBackToTheSame) {
 TEST(Deck, ShippedDecksLoadAndReadBack) {
   int count = 0;
   for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(BRUNT_SOURCE_DIR "/decks")) {
+       std::filesystem::recursive_directory_iterator(test::source_path("decks"))) {
     if (entry.path().extension() != ".yaml") continue;
     const LoadedDeck deck = load_deck(entry.path().string());
     EXPECT_EQ(load_deck_text(deck.resolved, "resolved").resolved, deck.resolved) << entry.path();

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "app/deck/deck.hpp"
+#include "tests/support/source_path.hpp"
 
 namespace brunt {
 namespace {
 
 std::string resolved(const std::vector<std::string>& overrides) {
-  return load_deck(std::string(BRUNT_SOURCE_DIR) + "/decks/bars/bars.yaml", overrides).resolved;
+  return load_deck(test::source_path("decks/bars/bars.yaml"), overrides).resolved;
 }
 
 TEST(DeckDifference, EndStopTitleAndOutputMayDiffer) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace brunt {
@@ -78,6 +79,27 @@ TEST(PlaneTurn, TurnsInTwoDimensions) {
   const Vec<2> from(1, 0), to(std::cos(0.4), std::sin(0.4));
   const PlaneTurn<2> turn(from, to);
   EXPECT_LT((turn(Vec<2>(0, 2)) - Vec<2>(-2 * to[1], 2 * to[0])).norm(), 1e-15);
+}
+
+// Products are rounded before they are added, on any processor. Fused, many a turn differs in its
+// last digit (docs/decisions/122-fused-turns.md).
+TEST(PlaneTurn, RoundsEachProduct) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<Real> normal(0, 1);
+  int fused_differ = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec<2> from = Vec<2>(normal(random), normal(random)).normalized();
+    const Vec<2> to = Vec<2>(normal(random), normal(random)).normalized();
+    const Vec<2> v(normal(random), normal(random));
+    const volatile Real across = from[0] * to[1], back = from[1] * to[0];
+    const Real cosine = PlaneTurn<2>(from, to).cosine(), sine = across - back;
+    const volatile Real ca = cosine * v[0], sb = sine * v[1], sa = sine * v[0], cb = cosine * v[1];
+    const Vec<2> turned = PlaneTurn<2>(from, to)(v);
+    EXPECT_EQ(turned[0], ca - sb);
+    EXPECT_EQ(turned[1], sa + cb);
+    fused_differ += std::fma(cosine, v[0], -sb) != ca - sb ? 1 : 0;
+  }
+  EXPECT_GT(fused_differ, 100);  // it would have been seen
 }
 
 }  // namespace
