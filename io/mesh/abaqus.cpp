@@ -112,6 +112,7 @@ class AbaqusReader {
         read_data(line);
       }
     }
+    finish_element();
     if (mesh_.nodes.empty()) text_.wrong("the file has no *NODE");
     if (mesh_.n_cells() == 0) text_.wrong("the file has no *ELEMENT");
     mesh_.resolve_corners();

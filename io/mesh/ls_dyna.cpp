@@ -49,6 +49,7 @@ class DynaReader {
         read_data(line);
       }
     }
+    finish_element();
     if (mesh_.nodes.empty()) text_.wrong("the file has no *NODE");
     if (mesh_.n_cells() == 0) text_.wrong("the file has no *ELEMENT_SOLID, _SHELL or _BEAM");
     mesh_.resolve_corners();
@@ -61,7 +62,8 @@ class DynaReader {
   enum class Data { none, node, solid, shell, beam, part, set, segment };
 
   void open(std::string keyword) {
-    data_ = Data::none, row_ = 0, element_.clear();
+    finish_element();
+    data_ = Data::none, row_ = 0;
     if (keyword.starts_with("*END")) ended_ = keyword == "*END";
     if (keyword.starts_with("*KEYWORD") && keyword.find("LONG=Y") != std::string::npos) {
       text_.wrong("the long format is not read: write the standard one");
@@ -147,6 +149,12 @@ class DynaReader {
     Vec3 x;
     for (int c = 0; c < 3; ++c) x[c] = card.real(kReal, "a coordinate");
     mesh_.add_node(id, x, text_.line());
+  }
+
+  void finish_element() const {
+    if (!element_.empty()) {
+      text_.wrong("element " + std::to_string(element_[0]) + " has no line of nodes");
+    }
   }
 
   /// A solid stands in one line, or its number and part in one and its nodes in the next.

@@ -105,6 +105,11 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"hertz/cylinders", {"parameters.cells=6", "parameters.ratio=20", "time.end=8 us"}},
         Shipped{"rubbing-blocks", {"time.end=9 us"}},
         Shipped{"sliding-blocks", {"parameters.end=3 ms"}},
+        Shipped{"rocking-block", {"parameters.end=40 ms"}},
+        Shipped{"masonry-arch", {"parameters.end=15 ms"}},
+        Shipped{"masonry-arch/hexes", {"parameters.end=2 ms"}},
+        Shipped{"brick-wall-3d",
+                {"parameters.size=320 mm", "parameters.bar_size=320 mm", "time.end=2 ms"}},
         Shipped{"brick-stack", {"time.end=20 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;

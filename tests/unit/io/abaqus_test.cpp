@@ -64,6 +64,8 @@ TEST(Abaqus, NamesWhatIsWrongWithFileAndLine) {
   expect_refused(read, "c.inp", with(text, "\n77, 1.", "\n77, one"), {"c.inp:12", "one"});
   expect_refused(read, "d.inp", with(text, "\n77, 1.", "\n67, 1."), {"node 67", "another node"});
   expect_refused(read, "e.inp", with(text, ", 67\n", "\n"), {"element 1 has 7 nodes", "type 8"});
+  const std::string cut = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n*ELEMENT, TYPE=T3D2\n1, 1, 2\n2, 1\n";
+  expect_refused(read, "cut.inp", cut, {"element 2 has 1 nodes", "type 2"});  // where the file ends
   expect_refused(read, "f.inp", with(text, "*HEADING", "*INCLUDE, INPUT=b"), {"*INCLUDE", ":1:"});
   expect_refused(read, "g.inp", with(text, "*HEADING", "*PART, NAME=A\n*PART, NAME=B"),
                  {"second *PART", ":2:"});

@@ -90,6 +90,9 @@ TEST(LsDyna, NamesWhatIsWrongWithFileAndLine) {
   expect_refused(read, "f.k", with(text, "*ELEMENT_SOLID", "*ELEMENT_SOLID_ORTHO"),
                  {"*ELEMENT_SOLID_ORTHO is not known", "f.k:17"});
   expect_refused(read, "g.k", kNodes, {"no *ELEMENT_SOLID"});
+  const std::string cut = kNodes + "*ELEMENT_SHELL\n1,1,1,2,3,4\n*ELEMENT_SOLID\n2,1\n";
+  expect_refused(read, "h.k", cut, {"element 2 has no line of nodes"});  // where the file ends
+  expect_refused(read, "i.k", cut + "*PART\nsteel\n1\n", {"element 2 has no line of nodes"});
 }
 
 TEST(LsDyna, ReadsOrRefusesEveryMutation) {
