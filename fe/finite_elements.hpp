@@ -80,7 +80,7 @@ class FiniteElements final : public Solid<Dim> {
   void find_elements_of_facets();
   void start_erosion();
   std::vector<ErodedElement> failed_elements() const;
-  std::vector<GlobalId> let_points_go(const std::vector<ErodedElement>& going, Real dt);
+  std::vector<LocalIndex> let_points_go(const std::vector<ErodedElement>& going, Real dt);
   void find_last_work(const std::vector<Vec<Dim>>& x_before, Real dt,
                       std::vector<ErodedElement>& mine);
   void rebuild(bool with_state);

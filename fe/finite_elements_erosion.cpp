@@ -1,12 +1,11 @@
 /// Elements of a group that go, with what becomes of their nodes and of what they covered.
 #include <algorithm>
-#include <numeric>
 
 #include "core/parallel/packing.hpp"
 #include "fe/conduction.hpp"
-#include "fe/element_values.hpp"
 #include "fe/erosion.hpp"
 #include "fe/finite_elements.hpp"
+#include "fe/last_work.hpp"
 #include "fe/outer_facets.hpp"
 #include "fe/part.hpp"
 
@@ -34,79 +33,6 @@ template <class One>
 void merge_by_id(const std::vector<One>& more, std::vector<One>& all) {
   all.insert(all.end(), more.begin(), more.end());
   std::sort(all.begin(), all.end(), [](const One& a, const One& b) { return a.id < b.id; });
-}
-
-/// The one with an id among those that go, by ascending id; it is there.
-std::vector<ErodedElement>::iterator place_among(std::vector<ErodedElement>& going, GlobalId id) {
-  return std::lower_bound(
-      going.begin(), going.end(), id,
-      [](const ErodedElement& one, GlobalId wanted) { return one.id < wanted; });
-}
-bool is_among(const std::vector<ErodedElement>& going, GlobalId id) {
-  const auto at =
-      std::lower_bound(going.begin(), going.end(), id,
-                       [](const ErodedElement& one, GlobalId wanted) { return one.id < wanted; });
-  return at != going.end() && at->id == id;
-}
-
-/// Those of the elements of a block.
-template <int Dim>
-ElementSet<Dim> set_of(const ElementBlock<Dim>& block, const std::vector<ErodedElement>& going) {
-  ElementSet<Dim> set;
-  set.material = block.material, set.options = block.options;
-  set.temperature = block.temperature, set.adiabatic = block.adiabatic;
-  set.conducts = block.conducts, set.held = block.held, set.rigid = block.rigid;
-  for (LocalIndex e = 0; e < block.n; ++e) {
-    if (!is_among(going, block.id[e])) continue;
-    auto& corners = set.corners.emplace_back();
-    for (const LocalIndex node : block.corners_of(e)) corners[corners.n++] = node;
-    set.id.push_back(block.id[e]);
-    set.body.push_back(block.body[e]), set.piece.push_back(block.piece[e]);
-  }
-  return set;
-}
-
-/// What the old forces of each element of a block without books take in a step [J].
-template <int Dim>
-std::vector<Real> taken_in_step(ElementBlock<Dim>& block, ElementStep<Dim>& step) {
-  const auto corners = static_cast<std::size_t>(block.corners);
-  const auto per_tile = static_cast<std::size_t>(block.elements_per_tile());
-  std::vector<std::uint16_t> place(per_tile * corners);
-  std::iota(place.begin(), place.end(), std::uint16_t{0});
-  std::vector<Real> row(place.size() * kSumRow<Dim>), taken;
-  for (int tile = 0; tile < block.n_tiles(); ++tile) {
-    const std::size_t first = static_cast<std::size_t>(tile) * per_tile;
-    std::fill(row.begin(), row.end(), 0.0);
-    step.sums = {place.data(), first, row.data()};
-    block.formulation->advance(block, tile, step);
-    for (std::size_t e = first; e < first + per_tile; ++e) {
-      Real by_new = 0;
-      for (std::size_t I = 0; I < corners; ++I) {
-        const Real* force = row.data() + ((e - first) * corners + I) * kSumRow<Dim>;
-        const Vec<Dim>& v = step.v[block.corner[e * corners + I]];
-        for (int c = 0; c < Dim; ++c) by_new -= step.dt * force[c] * v[c];
-      }
-      taken.push_back(block.stress_work[e] + block.hourglass_work[e] + block.viscous_work[e] -
-                      0.5 * by_new);
-    }
-  }
-  return taken;
-}
-
-/// Rows of elements that are in both. Padding repeats the last element.
-template <int Dim>
-void copy_state(const ElementBlock<Dim>& from, ElementBlock<Dim>& to) {
-  std::vector<Real> row;
-  for (LocalIndex e = 0; e < to.n_padded; ++e) {
-    const auto begin = from.id.begin(), end = begin + from.n;
-    const auto at = std::lower_bound(begin, end, to.id[e]);
-    if (at == end || *at != to.id[e]) continue;
-    row.clear();
-    visit_element(from, static_cast<std::size_t>(at - begin),
-                  [&](Real value, FieldUse) { row.push_back(value); });
-    const Real* next = row.data();
-    visit_element(to, static_cast<std::size_t>(e), [&](Real& value, FieldUse) { value = *next++; });
-  }
 }
 
 /// Ids of the facets of the first that are not in the second; both ascend.

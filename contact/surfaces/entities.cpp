@@ -255,13 +255,6 @@ void Entities<Dim>::add_particles(const std::vector<ContactParticle>& imported) 
   find_near();
 }
 
-template <int Dim>
-void Entities<Dim>::end_births() {
-  for (auto& face : faces) face.born = false;
-  for (auto& particle : particles) particle.born = false;
-  any_born = false;
-}
-
 namespace {
 template <class Table>
 std::size_t place_of(const Table& table, GlobalId id) {

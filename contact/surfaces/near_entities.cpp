@@ -1,4 +1,4 @@
-/// Which faces and nodes belong to bodies that may touch something.
+/// Which faces and nodes belong to bodies that may touch something, and which are new.
 #include "contact/surfaces/entities.hpp"
 
 namespace brunt {
@@ -27,6 +27,15 @@ void Entities<Dim>::find_near() {
   nodes.choose(of_node);
 }
 
+template <int Dim>
+void Entities<Dim>::end_births() {
+  for (auto& face : faces) face.born = false;
+  for (auto& particle : particles) particle.born = false;
+  any_born = false;
+}
+
+template void Entities<2>::end_births();
+template void Entities<3>::end_births();
 template void Entities<2>::choose(const std::vector<char>&);
 template void Entities<3>::choose(const std::vector<char>&);
 template void Entities<2>::find_near();

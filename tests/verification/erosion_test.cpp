@@ -181,7 +181,7 @@ TEST(Erosion, APressureGoesWithItsFaces) {
 }
 
 TEST(Erosion, AFaceThatIsBornInAnotherBodyMakesNoEnergy) {
-  // The block overlaps the right flank of the column by 0.3 mm, which contact takes no notice of;
+  // The block overlaps the right flank of the column by 0.25 mm, which contact takes no notice of;
   // its lower face lies 0.235 mm below the faces that come up when the top layer goes.
   const auto run = simulate_text(R"(
 title: A layer erodes under a block that reaches below it
@@ -198,7 +198,7 @@ bodies:
     erode: {step: 0.47 us}
   block:
     material: rubber
-    shape: {box: {min: [3.7 mm, 9.2 mm], max: [6.7 mm, 12.2 mm]}}
+    shape: {box: {min: [3.75 mm, 9.2 mm], max: [6.75 mm, 12.2 mm]}}
     cells: [3, 3]
 output: {every: 1 s, history: 0.1 us}
 )");
