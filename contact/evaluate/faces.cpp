@@ -187,6 +187,10 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.pressed = plane.area;
   step.bonded = touch.bonded;
   step.stiffness = candidate.normal.stiffness;
+  if (candidate.laws.holds != nullptr && candidate.laws.holds->joint) {
+    step.stiffness =
+        spring_between(entities.faces[l], entities.faces[u], *candidate.laws.holds).shear;
+  }
   step.damping = candidate.normal.damping;
   step.dt = dt;
   ask_faces(entities, candidate, record, step);
