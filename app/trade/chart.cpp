@@ -49,9 +49,9 @@ LogAxis axis_of(Real low, Real high, Real a, Real b) {
   return {low / kRoom / widened, high * kRoom * widened, a, b};
 }
 
-struct Box {
+struct PixelBox {
   Real x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool overlaps(const Box& other) const {
+  bool overlaps(const PixelBox& other) const {
     return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1;
   }
 };
@@ -59,8 +59,8 @@ struct Box {
 /// Places labels beside their marks, where there is the most room.
 class Labels {
  public:
-  explicit Labels(Box panel) : panel_(panel) {}
-  void avoid(const Box& box) { taken_.push_back(box); }
+  explicit Labels(PixelBox panel) : panel_(panel) {}
+  void avoid(const PixelBox& box) { taken_.push_back(box); }
 
   void place(Drawing& drawing, Real x, Real y, const std::string& label, const Ink& ink) {
     constexpr Real kAway = 10;
@@ -77,8 +77,8 @@ class Labels {
     const Choice* best = nullptr;
     Real least = kInfinity;
     for (const auto& choice : choices) {
-      const Box box{choice.x - choice.anchor * width, choice.y - half,
-                    choice.x + (1 - choice.anchor) * width, choice.y + half};
+      const PixelBox box{choice.x - choice.anchor * width, choice.y - half,
+                         choice.x + (1 - choice.anchor) * width, choice.y + half};
       Real cost = 0;
       for (const auto& other : taken_) cost += box.overlaps(other) ? 1 : 0;
       const bool inside =
@@ -93,11 +93,11 @@ class Labels {
   }
 
  private:
-  Box panel_;
-  std::vector<Box> taken_;
+  PixelBox panel_;
+  std::vector<PixelBox> taken_;
 };
 
-void draw_axes_of(Drawing& drawing, const Box& panel, const LogAxis& x, const LogAxis& y) {
+void draw_axes_of(Drawing& drawing, const PixelBox& panel, const LogAxis& x, const LogAxis& y) {
   for (const Real tick : log_ticks(x.low, x.high)) {
     const Real at = x.at(tick);
     drawing.lines.push_back({at, panel.y0, at, panel.y1, 1, kGrid});
@@ -116,7 +116,7 @@ void draw_axes_of(Drawing& drawing, const Box& panel, const LogAxis& x, const Lo
 
 /// The front as steps: what more processor time buys.
 void draw_front(Drawing& drawing, std::vector<ChartPoint> points, const LogAxis& x,
-                const LogAxis& y, const Box& panel) {
+                const LogAxis& y, const PixelBox& panel) {
   std::erase_if(points, [](const ChartPoint& point) { return !point.on_front; });
   std::sort(points.begin(), points.end(),
             [](const auto& a, const auto& b) { return a.cost < b.cost; });
@@ -142,7 +142,8 @@ std::string error_axis_title(const TradeFront& front) {
 
 void draw_panel(Drawing& drawing, const Trade& trade, const TradeFront& front, Real x0, Real y0) {
   const auto points = points_of(trade, front);
-  const Box panel{x0 + kLeft, y0 + kTop, x0 + kPanelWidth - kRight, y0 + kPanelHeight - kBottom};
+  const PixelBox panel{x0 + kLeft, y0 + kTop, x0 + kPanelWidth - kRight,
+                       y0 + kPanelHeight - kBottom};
   const std::string name = front.measure == "all" ? "all measures, the largest" : front.measure;
   drawing.texts.push_back({panel.x0, panel.y0 - 18, name, kLetter + 2, 0, true, false, kBlack});
   const Real middle = 0.5 * (panel.x0 + panel.x1);

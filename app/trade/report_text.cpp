@@ -38,12 +38,12 @@ std::string lined_up(const Lines& lines) {
   return out;
 }
 
-std::string percent(Real share) {
+std::string share_text(Real share) {
   if (share == 0) return "-";
   return rounded(100 * share, 2) + " %";
 }
 
-std::string signed_percent(Real share) {
+std::string signed_share_text(Real share) {
   if (share == 0) return "-";
   return (share > 0 ? "+" : "") + rounded(100 * share, 2) + " %";
 }
@@ -68,9 +68,9 @@ std::string costs_text(const Trade& trade) {
     if (!row.runs.whole_cost) note += "went on after an interruption: time scaled";
     lines.push_back({row.label, std::to_string(summary.steps), std::to_string(summary.points),
                      rounded(row.work, 3), seconds_text(row.runs),
-                     rounded(row.runs.memory.median / 1e6, 3), percent(row.created),
-                     percent(row.hourglass), signed_percent(row.artificial_stress),
-                     signed_percent(row.contact_pairs), note});
+                     rounded(row.runs.memory.median / 1e6, 3), share_text(row.created),
+                     share_text(row.hourglass), signed_share_text(row.artificial_stress),
+                     signed_share_text(row.contact_pairs), note});
   }
   return lined_up(lines);
 }
