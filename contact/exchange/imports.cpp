@@ -151,6 +151,8 @@ LocalIndex ContactImports<Dim>::node_of(LocalIndex surface, GlobalId id, Real ma
   const LocalIndex here = points.find(id);
   it->second = here >= 0 ? entities.nodes.add(surface, here, points)
                          : entities.nodes.add_remote(surface, id, mass, x, v);
+  // Of a loaded state that of the last evaluation, which a copy of the point does not have.
+  entities.nodes.v[static_cast<std::size_t>(it->second)] = v;
   return it->second;
 }
 
