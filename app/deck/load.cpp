@@ -1,5 +1,6 @@
 /// From files to a Deck: sources, library, overrides, parameters, reader, checks.
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <set>
 #include <tuple>
@@ -101,6 +102,34 @@ void drop_consequences(const std::vector<Parameter>& parameters, std::size_t n_r
   problems = std::move(kept);
 }
 
+/// Names that stand behind a dollar somewhere below a node.
+void collect_names(const Node& node, std::set<std::string>& names) {
+  for (const Node& item : node.items) collect_names(item, names);
+  for (const Entry& entry : node.entries) collect_names(entry.value, names);
+  if (!node.is_scalar()) return;
+  const auto in_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  };
+  for (auto at = node.text.find('$'); at != std::string::npos; at = node.text.find('$', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < node.text.size() && in_name(node.text[end])) ++end;
+    names.insert(node.text.substr(at + 1, end - at - 1));
+  }
+}
+
+/// A parameter that the deck uses where an override stands now may be left without use.
+void forgive_unused(const std::set<std::string>& used_before, std::size_t first,
+                    std::vector<DeckProblem>& problems) {
+  const auto forgiven = [&](const DeckProblem& problem) {
+    constexpr std::string_view kParameters = "parameters.";
+    return problem.path.starts_with(kParameters) && problem.message.starts_with("is not used") &&
+           used_before.contains(problem.path.substr(kParameters.size()));
+  };
+  problems.erase(std::remove_if(problems.begin() + static_cast<std::ptrdiff_t>(first),
+                                problems.end(), forgiven),
+                 problems.end());
+}
+
 }  // namespace
 
 namespace deck {
@@ -111,6 +140,8 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
                             std::vector<DeckProblem>& problems) const {
   LoadedDeck loaded;
   const std::vector<Override> overrides = read_overrides(override_texts, problems);
+  std::set<std::string> used_before;
+  if (!overrides.empty()) collect_names(root, used_before);
   for (const Override& change : overrides) {
     if (sets_library(change)) apply_override(root, change, problems);
   }
@@ -121,6 +152,7 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
   const bool declares = root.find("parameters") != nullptr;
   const std::size_t n_before = problems.size();
   const std::vector<Parameter> parameters = resolve_parameters(root, units_, is_formula, problems);
+  forgive_unused(used_before, n_before, problems);
   const ParameterValues values = values_of(parameters);
   std::size_t n_reported = problems.size();
   ReadReport report;

@@ -47,9 +47,8 @@ std::vector<std::string> command_of(const Task& task, const Variant& variant,
   for (const auto& change : variant.overrides) {
     command.insert(command.end(), {"--set", change});
   }
-  // A run that is killed goes on from where it was half a minute ago; no bit changes.
-  if (!variant.loaded.places.has("output.checkpoint")) {
-    command.insert(command.end(), {"--set", "output.checkpoint=30 s"});
+  if (!options.checkpoint.empty() && !variant.loaded.places.has("output.checkpoint")) {
+    command.insert(command.end(), {"--set", "output.checkpoint=" + options.checkpoint});
   }
   command.insert(command.end(), {"--out", task.folder.string(), "--quiet"});
   command.insert(command.end(), options.flags.begin(), options.flags.end());

@@ -20,7 +20,8 @@ struct StudyOptions {
   bool force = false;              ///< begins runs of another deck anew
   bool resume = true;              ///< goes on with what was interrupted, skips what is done
   std::vector<std::string> flags;  ///< of each run besides
-  bool quiet = false;              ///< no progress
+  std::string checkpoint;  ///< time between checkpoints where the deck has none; empty: as it is
+  bool quiet = false;      ///< no progress
   std::string title = "trade";
 };
 

@@ -83,6 +83,8 @@ int trade_command(const TradeArguments& arguments) {
   options.threads = arguments.threads;
   options.force = arguments.force;
   options.quiet = arguments.quiet;
+  // A run that is killed goes on from where it was half a minute ago; no bit changes.
+  options.checkpoint = "30 s";
   listen_to_signals();
   const StudyResult study = run_study(variants, options);
   if (study.stopped) {

@@ -50,7 +50,7 @@ for run in bar.out.refine/size-*/; do
 done
 
 # Without a parameter it is the cells of bodies; four cells are made finer.
-sed 's/\$cells/4/' bar.yaml >four.yaml
+sed -e 's/\$cells/4/' -e 's/{cells: 16, /{/' bar.yaml >four.yaml
 expect 0 "$brunt" run four.yaml --refine --quiet --out few
 check few
 # By a key, two sizes, more sizes.

@@ -10,7 +10,7 @@ namespace brunt {
 namespace {
 
 constexpr const char* kVariantsDeck = R"yaml(
-parameters: {size: 0.1, cells: 4, spare: 1}
+parameters: {size: 0.1, cells: 4}
 time: {end: 1}
 materials: {m: {density: 1000, elastic: {E: 1e9, nu: 0.3}}}
 bodies:
@@ -102,6 +102,8 @@ TEST_F(Variants, SeriesDifferInTheirSizeAlone) {
 TEST_F(Variants, AnOverrideMayLeaveAParameterUnused) {
   const auto variants = make({"bodies.a.size=0.1,0.2"});
   EXPECT_EQ(variants.size(), 2u);
+  // What the deck itself does not use is missed somewhere, and one of the call is misspelt.
+  EXPECT_THROW(make({"parameters.sise=0.1,0.2"}), DeckError);
 }
 
 }  // namespace
