@@ -11,6 +11,8 @@ import pathlib, re, sys
 KINDS = re.compile(r"(?:struct|class|enum class|enum|union)\s+(?:\[\[.*?\]\]\s*)?(\w+)|using\s+(\w+)\s*=")
 # A function or a variable: the words of its type, then its name.
 NAMED = re.compile(r"[\w:<>,&*\[\] .\"]*?[ &*>\]](\w+)\s*(?=\(|=|\{|\[|;|$)")
+INNER = re.compile(r"^namespace brunt::(testing)\b", re.M)
+OUTER = re.compile(r"(?<![\w:])(testing)::")
 MORE = re.compile(r",\s*(\w+)\s*(?==|\{|,|;)")  # constexpr Real kA = 1, kB = 2;
 
 
@@ -68,7 +70,7 @@ class Sources:
 
 class Batch:
     def __init__(self):
-        self.sources, self.private, self.used, self.headers = [], set(), set(), set()
+        self.sources, self.private, self.used, self.headers, self.spaces = [], set(), set(), set(), set()
 
 
 def batches(root, paths, size):
@@ -76,17 +78,21 @@ def batches(root, paths, size):
     for path in paths:
         text = sources.text_of(path)[0]
         mine, uses, headers = private_names(text), used_names(text), sources.headers(path)
+        # Namespaces that hide another of their name, as brunt::testing does testing.
+        spaces = {s for h in {path} | headers for s in INNER.findall(sources.text_of(h)[0])}
+        outer = {s for s in OUTER.findall(text) if s not in spaces}
         for batch in made:
             if len(batch.sources) == size:
                 continue
             # Headers that come in behind the others are read among their private names.
             late = set().union(*(used_names(sources.text_of(h)[0]) for h in headers - batch.headers)) if batch.private else set()
-            if not (mine & (batch.private | batch.used) or (uses | late) & batch.private):
+            if not (mine & (batch.private | batch.used) or (uses | late) & batch.private or outer & batch.spaces):
                 break
         else:
             batch = Batch()
             made.append(batch)
         batch.sources.append(path)
+        batch.spaces |= spaces
         batch.private |= mine
         batch.used |= uses
         batch.headers |= headers
