@@ -15,8 +15,6 @@ class NeighbourRows {
  public:
   /// list  candidates, ascending within a row
   void assign(NeighbourList list);
-  /// Leaves the list before another is sought, so that both are never there at once.
-  void forget() { list_ = {}; }
   /// Puts the copies of each row among what is owned, by their ids: the row is ascending in both,
   /// one after the other.
   void merge_copies(std::span<const GlobalId> id, LocalIndex n_owned);

@@ -63,7 +63,6 @@ void SphParticles<Dim>::rearrange() {
   const Real skin = skin_ratio_ * longest;
   if (!ranks_->alone()) renew_ghosts(skin);
   label_sums();
-  rows_.forget();
   rows_.assign(
       neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_));
   if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);

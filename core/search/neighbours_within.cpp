@@ -1,5 +1,3 @@
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -173,44 +171,20 @@ void sort_indices(std::vector<LocalIndex>& index, std::vector<LocalIndex>& spare
   }
 }
 
-/// Rows that one thread has found, one after the other. They stand in slabs that go back to the
-/// system as a whole: thousands of small blocks that come and go would stay with the program.
-class FoundRows {
- public:
-  /// slab  entries that a slab has room for, at least
-  explicit FoundRows(std::size_t slab) : slab_(slab) {}
-
-  void add(LocalIndex point, std::span<const LocalIndex> row) {
-    if (slabs_.empty() || slabs_.back().capacity() - slabs_.back().size() < row.size()) {
-      slabs_.emplace_back().reserve(std::max(slab_, row.size()));
-    }
-    auto& slab = slabs_.back();
-    slab.insert(slab.end(), row.begin(), row.end());  // within its capacity: nothing moves
-    rows_.push_back({point, slab.data() + slab.size() - row.size()});
-  }
-  /// Copies every row to its place in a list whose offsets are known.
-  void copy_to(NeighbourList& list) const {
-    for (const auto& [i, row] : rows_) {
-      const auto at = list.offset[i], length = list.offset[i + 1] - at;
-      std::copy_n(row, length, list.neighbour.begin() + at);
-    }
-  }
-
- private:
-  struct Row {
-    LocalIndex point;
-    const LocalIndex* first;
-  };
-  std::size_t slab_;
-  std::vector<std::vector<LocalIndex>> slabs_;
-  std::vector<Row> rows_;
+/// Rows of a run of cells, one after the other, in the order of the cells' points.
+struct RowChunk {
+  std::vector<LocalIndex> points;
+  std::vector<LocalIndex> neighbours;
 };
 
 template <int Dim>
 void append_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candidates,
-                std::span<std::int64_t> count, FoundRows& found) {
+                std::span<std::int64_t> count, RowChunk& chunk) {
   const std::size_t length = select_row(q, i, candidates);
-  found.add(i, {candidates.row.data(), length});
+  const std::size_t before = chunk.neighbours.size();
+  chunk.neighbours.resize(before + length);
+  std::copy_n(candidates.row.data(), length, chunk.neighbours.data() + before);
+  chunk.points.push_back(i);
   count[i] = static_cast<std::int64_t>(length);
 }
 
@@ -219,7 +193,7 @@ template <int Dim>
 void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
                          std::span<const Bounds<Dim>> bounds, LocalIndex cell,
                          Candidates<Dim>& candidates, std::span<std::int64_t> count,
-                         FoundRows& found) {
+                         RowChunk& chunk) {
   const auto members = grid.members(cell);
   if (members.empty() || members.front() >= q.n_rows) return;  // ascending
   candidates.around.clear();
@@ -235,33 +209,39 @@ void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
   sort_indices(candidates.around, candidates.spare);
   candidates.take_around(q);
   for (const LocalIndex i : members) {
-    if (i < q.n_rows) append_row(q, i, candidates, count, found);
+    if (i < q.n_rows) append_row(q, i, candidates, count, chunk);
   }
 }
 
 /// Rows of points that lie in no cell: compared with all.
 template <int Dim>
 void append_oversize_rows(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
-                          std::span<std::int64_t> count, FoundRows& found) {
+                          std::span<std::int64_t> count, RowChunk& chunk) {
   const auto n = static_cast<LocalIndex>(q.x.size());
-  std::vector<LocalIndex> row;
   for (const LocalIndex i : grid.oversize()) {
     if (i >= q.n_rows) continue;
-    row.clear();
+    const std::size_t before = chunk.neighbours.size();
     for (LocalIndex j = 0; j < n; ++j) {
-      if (j != i && are_neighbours(q, i, j)) row.push_back(j);
+      if (j != i && are_neighbours(q, i, j)) chunk.neighbours.push_back(j);
     }
-    found.add(i, row);
-    count[i] = static_cast<std::int64_t>(row.size());
+    chunk.points.push_back(i);
+    count[i] = static_cast<std::int64_t>(chunk.neighbours.size() - before);
   }
 }
 
-/// Puts the rows of all threads into the order of the points; the list's offsets hold the lengths.
-void assemble(std::span<const FoundRows> found, NeighbourList& list) {
+/// Puts the rows of all chunks into the order of the points; the list's offsets hold the lengths.
+void assemble(std::span<const RowChunk> chunks, NeighbourList& list) {
   for (std::size_t i = 1; i < list.offset.size(); ++i) list.offset[i] += list.offset[i - 1];
   list.neighbour.resize(static_cast<std::size_t>(list.offset.back()));
-#pragma omp parallel for schedule(static) if (found.size() > 1)
-  for (std::size_t k = 0; k < found.size(); ++k) found[k].copy_to(list);
+#pragma omp parallel for schedule(static) if (chunks.size() > 4)
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    const LocalIndex* from = chunks[k].neighbours.data();
+    for (const LocalIndex i : chunks[k].points) {
+      const auto length = list.offset[i + 1] - list.offset[i];
+      std::copy(from, from + length, list.neighbour.begin() + list.offset[i]);
+      from += length;
+    }
+  }
 }
 
 template <int Dim>
@@ -276,12 +256,6 @@ NeighbourList all_neighbours(const PointQuery<Dim>& q) {
     list.offset.push_back(static_cast<std::int64_t>(list.neighbour.size()));
   }
   return list;
-}
-
-/// Entries of a slab: more than the allocator keeps for itself (32 MB), where there are many rows.
-std::size_t slab_size(std::size_t n_rows) {
-  constexpr std::size_t kMost = 12U << 20, kOfARow = 128;
-  return std::min(kMost, kOfARow * std::max<std::size_t>(n_rows, 1));
 }
 
 }  // namespace
@@ -305,23 +279,20 @@ NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Rea
   const std::span<std::int64_t> count(list.offset.data() + 1, static_cast<std::size_t>(n_rows));
   constexpr LocalIndex kChunk = 64;
   const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
-  const int threads = n_chunks > 4 ? omp_get_max_threads() : 1;
-  std::vector<FoundRows> found(static_cast<std::size_t>(threads),
-                               FoundRows(slab_size(static_cast<std::size_t>(n_rows))));
-#pragma omp parallel num_threads(threads) if (threads > 1)
+  std::vector<RowChunk> chunks(static_cast<std::size_t>(n_chunks) + 1);
+#pragma omp parallel if (n_chunks > 4)
   {
     Candidates<Dim> candidates;
-    FoundRows& own = found[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(dynamic, 1)
     for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
       const LocalIndex end = std::min(grid.n_cells(), (chunk + 1) * kChunk);
       for (LocalIndex cell = chunk * kChunk; cell < end; ++cell) {
-        append_rows_of_cell<Dim>(q, grid, bounds, cell, candidates, count, own);
+        append_rows_of_cell<Dim>(q, grid, bounds, cell, candidates, count, chunks[chunk]);
       }
     }
   }
-  append_oversize_rows(q, grid, count, found.front());
-  assemble(found, list);
+  append_oversize_rows(q, grid, count, chunks.back());
+  assemble(chunks, list);
   return list;
 }
 
