@@ -25,7 +25,7 @@ struct PairOptions {
   /// What touches at time 0 stays together by springs between places of both sides, until it breaks
   /// where `cohesion` or `tension` say so.
   bool tied = false;
-  std::optional<JointSpring> joint;  ///< by these springs, and so does what meets later
+  std::optional<JointSpring> joint{};  ///< by these springs, and so does what meets later
   InitialOverlap initial_overlap = InitialOverlap::track;
   /// Pressure, in weights of the body that rests, as far as which a soft layer lets it come to
   /// rest.

@@ -16,11 +16,11 @@ ViewAxes looking_from(const Vec3& toward) {
   return axes;
 }
 
-Range clipped(const Range& range, const Range& to, Real beyond) {
+Interval clipped(const Interval& range, const Interval& to, Real beyond) {
   return {std::max(range.low, to.low - beyond), std::min(range.high, to.high + beyond)};
 }
 
-void join(Range& range, const Range& other) {
+void join(Interval& range, const Interval& other) {
   if (other.empty()) return;
   range.take(other.low);
   range.take(other.high);

@@ -22,7 +22,7 @@ bool is_flat(const std::vector<BodyView>& bodies);
 
 /// A rectangle in the plane of the picture [m].
 struct Frame2 {
-  Range right, up;
+  Interval right, up;
   bool empty() const { return right.empty(); }
   Real width() const { return right.high - right.low; }
   Real height() const { return up.high - up.low; }

@@ -48,13 +48,13 @@ std::array<Colour, 256> colour_map(bool diverging) {
   return map;
 }
 
-bool is_diverging(const Range& range) {
+bool is_diverging(const Interval& range) {
   return std::min(-range.low, range.high) > 0.1 * std::max(-range.low, range.high);
 }
 
-Range colour_range(const Range& range, bool from_zero) {
+Interval colour_range(const Interval& range, bool from_zero) {
   if (range.empty()) return {0, 1};
-  Range result = range;
+  Interval result = range;
   if (is_diverging(range)) {
     result.high = std::max(-range.low, range.high);
     result.low = -result.high;

@@ -15,10 +15,10 @@ using Colour = std::array<std::uint8_t, 3>;
 std::array<Colour, 256> colour_map(bool diverging);
 
 /// True where a range holds enough of both signs for the diverging map.
-bool is_diverging(const Range& range);
+bool is_diverging(const Interval& range);
 
 /// What the colours span: zero is in the middle of a diverging map, and with `from_zero` at the end
 /// of another where it is near; never of no width.
-Range colour_range(const Range& range, bool from_zero);
+Interval colour_range(const Interval& range, bool from_zero);
 
 }  // namespace brunt

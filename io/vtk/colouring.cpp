@@ -108,7 +108,7 @@ DisplayUnit display_unit(Real largest, const std::string& unit) {
   return {1, unit};
 }
 
-std::vector<Real> ticks(const Range& range, int count) {
+std::vector<Real> ticks(const Interval& range, int count) {
   const Real width = range.high - range.low;
   if (!(width > 0)) return {range.low};
   const Real rough = width / count;

@@ -20,7 +20,7 @@ struct Colouring {
 Colouring parse_colouring(const std::string& text);
 
 /// Smallest and largest of what is finite: the last frame of a broken run may hold NaN.
-struct Range {
+struct Interval {
   Real low = kInfinity;
   Real high = -kInfinity;
   bool empty() const { return low > high; }
@@ -61,7 +61,7 @@ struct DisplayUnit {
 DisplayUnit display_unit(Real largest, const std::string& unit);
 
 /// About `count` round numbers (1, 2, 2.5 or 5 times a power of ten apart) within the range.
-std::vector<Real> ticks(const Range& range, int count);
+std::vector<Real> ticks(const Interval& range, int count);
 
 }  // namespace brunt
 // Tested by tests/unit/io/render_test.cpp.

@@ -103,7 +103,7 @@ void Overlay::box(Real x0, Real y0, Real x1, Real y1, Colour colour) {
 Margins overlay_margins() { return {40, 200, 90, 80}; }
 
 void draw_scalar_bar(Overlay& overlay, int width, int height, const Colouring& colouring,
-                     const Range& range) {
+                     const Interval& range) {
   const Real x = width - 150, bar = 22, low = 0.16 * height, high = 0.80 * height;
   const auto map = colour_map(is_diverging(range));
   const Real step = (high - low) / static_cast<Real>(map.size());

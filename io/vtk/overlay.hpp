@@ -35,7 +35,7 @@ Margins overlay_margins();
 
 /// The colours with round numbers beside them, at the right edge; title above.
 void draw_scalar_bar(Overlay& overlay, int width, int height, const Colouring& colouring,
-                     const Range& range);
+                     const Interval& range);
 
 /// A bar of a round length at the lower edge.
 void draw_length_bar(Overlay& overlay, int width, Real pixel);

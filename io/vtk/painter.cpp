@@ -34,7 +34,7 @@ constexpr Colour kRigidLine = {120, 126, 134};
 constexpr std::array<Colour, 4> kPlain = {
     {{166, 189, 219}, {204, 187, 160}, {180, 205, 175}, {210, 180, 200}}};
 
-vtkSmartPointer<vtkLookupTable> lookup_table(const Range& range) {
+vtkSmartPointer<vtkLookupTable> lookup_table(const Interval& range) {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   const auto map = colour_map(is_diverging(range));
   table->SetNumberOfTableValues(static_cast<vtkIdType>(map.size()));

@@ -18,7 +18,7 @@ struct PictureStyle {
   int height = 800;  ///< [pixel]
   Camera camera;
   Colouring colouring;
-  Range range;  ///< of the colours, SI; empty: nothing is coloured
+  Interval range;  ///< of the colours, SI; empty: nothing is coloured
   std::string title;
   Real last_time = 0;  ///< [s] of the run: chooses the unit of the time
 };

@@ -56,7 +56,7 @@ std::vector<std::size_t> chosen_frames(const std::string& text, std::size_t coun
 /// What one pass over the frames finds out.
 struct Survey {
   std::vector<Colouring> candidates;
-  std::vector<Range> ranges;     ///< of each candidate
+  std::vector<Interval> ranges;  ///< of each candidate
   std::set<std::string> fields;  ///< that deforming bodies have
 };
 

@@ -53,7 +53,11 @@ TEST(MasonryLong, ABlockFallsOverFromItsSpeedOn) {
                   "parameters.push=" + std::to_string(part * block.overturns_with) + " rad/s"});
       const auto turn = simulate_shipped("rocking-block", set).column("body.block.rotation.z");
       const Real farthest = -*std::min_element(turn.begin(), turn.end());
-      part < 1 ? EXPECT_LT(farthest, block.alpha()) : EXPECT_GT(farthest, 2 * block.alpha());
+      if (part < 1) {
+        EXPECT_LT(farthest, block.alpha());
+      } else {
+        EXPECT_GT(farthest, 2 * block.alpha());
+      }
     }
   }
 }

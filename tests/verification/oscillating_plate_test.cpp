@@ -14,7 +14,7 @@ namespace brunt::test {
 namespace {
 
 Simulation swinging_plate(const std::string& body) {
-  return simulate_text(R"(
+  return simulate_text(R"deck(
 title: A plate that swings
 geometry: plane-strain
 time: {end: 0.3 s}
@@ -27,13 +27,13 @@ bodies:
     velocity:
       - 0
       - "= 0.285 * (cosh(9.3755*x) - cos(9.3755*x) - 0.7341 * (sinh(9.3755*x) - sin(9.3755*x)))"
-    )" + body + R"(
+    )deck" + body + R"deck(
 boundaries:
   held: {body: plate, where: {side: min-x}, fix: [x, y]}
 probes:
   tip: {body: plate, at: [199.9 mm, 0], fields: [displacement.y, velocity.y]}
 output: {every: 1 s, history: 0.5 ms}
-)");
+)deck");
 }
 
 TEST(OscillatingPlate, StartsWithAVelocityOfThePlace) {

@@ -50,7 +50,7 @@ TEST_F(Measures, ReadBodies) {
 }
 
 TEST(MeasureReads, NameTheBodyAndItsField) {
-  const auto reads = [](deck::MeasureKind kind) { return reads_of({std::move(kind), {}, {}}); };
+  const auto reads = [](deck::MeasureKind kind) { return reads_of({std::move(kind), {}, {}, {}}); };
   const auto stress = reads(deck::MaxMeasure{"dust", "stress.xz"});
   EXPECT_EQ(stress->body, "dust");
   EXPECT_EQ(*stress->fields.names, std::vector<std::string>{"stress"});

@@ -193,7 +193,7 @@ TEST(ColourMap, SpansZeroWhereItShould) {
   EXPECT_EQ(colour_range({0.1, 2}, false).low, 0.1);
   EXPECT_EQ(colour_range({1.9, 2}, true).low, 1.9);
   for (const Real value : {5.0, 0.0}) {
-    const Range wide = colour_range({value, value}, true);
+    const Interval wide = colour_range({value, value}, true);
     EXPECT_LT(wide.low, wide.high);
   }
 }
