@@ -83,6 +83,42 @@ void check_damage(const Named<Material>& material, Findings& findings) {
                    "drucker-prager has a tension limit of its own: leave `damage` out, or "
                    "write tensile_cutoff");
   }
+  const auto* ductile = std::get_if<JohnsonCookDamage>(&law);
+  if (ductile && ductile->D1 + ductile->D2 * std::exp(ductile->D3 / 3) <= 0) {
+    findings.wrong(path + ".johnson-cook",
+                   "fails at the first plastic strain of a bar that is pulled: "
+                   "D1 + D2 exp(D3/3) must be above 0");
+  }
+  const auto* spall = std::get_if<MeanTensionDamage>(&law);
+  const auto& cutoff = material.value.tensile_cutoff;
+  if (spall && cutoff && spall->strength > *cutoff) {
+    findings.wrong(path, "is never reached: tensile_cutoff allows no tension beyond " +
+                             short_text(*cutoff / 1e6) + " MPa; leave it out");
+  }
+}
+
+/// An element that fails holds f^2/2E per volume then: in a long one that is more than its crack
+/// may take, and it fails in one step (M22).
+void check_crack(const Deck& deck, const Named<Material>& material, Findings& findings) {
+  const Real K = material.value.bulk_modulus(), G = material.value.shear_modulus();
+  Real energy = 0, held = 0;  // [J/m^2], [J/m^3]
+  if (const auto* law = std::get_if<PrincipalStressDamage>(&material.value.damage)) {
+    energy = law->energy, held = law->strength * law->strength * (3 * K + G) / (18 * K * G);
+  } else if (const auto* spall = std::get_if<MeanTensionDamage>(&material.value.damage)) {
+    energy = spall->energy, held = spall->strength * spall->strength / (2 * K);
+  }
+  if (!(energy > 0) || !(held > 0 && held < kInfinity)) return;
+  for (const auto& [name, body] : deck.bodies) {
+    if (body.rigid || body.material != material.name || !body.size || body.size->empty()) continue;
+    const Real longest = *std::max_element(body.size->begin(), body.size->end());
+    if (longest * held <= energy) continue;
+    findings.warn("materials." + material.name + ".damage.energy",
+                  "a crack through '" + name + "' takes " + short_text(longest * held) +
+                      " J/m^2: an element of " + length_text(longest) +
+                      " holds as much when it fails; that energy takes elements below " +
+                      length_text(energy / held));
+    return;
+  }
 }
 
 /// Laws with an energy expand by what their energy holds, and have no temperature of their own.
@@ -155,6 +191,7 @@ void check_materials(const Deck& deck, Findings& findings) {
     check_heat(deck, material, findings);
     check_equation_of_state(material, findings);
     check_damage(material, findings);
+    check_crack(deck, material, findings);
     check_expansion(material, findings);
     check_sound_speed(material, findings);
     check_start_pressure(deck, material, findings);
