@@ -1,0 +1,200 @@
+// Plane waves through what is tied and through joints.
+//
+// A linear joint of stiffness k passes |T| = 1/sqrt(1 + (Z w/2k)^2) of a harmonic wave (Schoenberg
+// 1980; Pyrak-Nolte, Myer & Cook 1990). Of one cycle of v = V sin wt behind it, a = 2k/Z:
+//   v = a V/(a^2 + w^2) [a sin wt - w cos wt + w exp(-a t)],
+// by d' = 2 v_in - 2 k d/Z of its closure. N equal joints at equal distances, and a joint whose
+// closure is hyperbolic, sigma = k d/(1 - d/V): by characteristics, each joint's equation exactly
+// (values computed for this project, to 1e-4).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/simulate.hpp"
+
+namespace brunt::test {
+namespace {
+
+constexpr Real kDensity = 2650, kSpeed = 5830;  // [kg/m^3], [m/s]
+
+/// A bar across which nothing moves, cut by joints.
+struct JointedBar {
+  std::string geometry = "plane-strain";
+  int cells = 20;         ///< of a wavelength
+  Real frequency = 100;   ///< [Hz]
+  Real amplitude = 0.01;  ///< [m/s]
+  bool half_sine = false;
+  int joints = 1;
+  int apart = 2;          ///< cells between joints
+  int before = 40;        ///< cells before the first: what comes back from there comes too late
+  Real waves = 3;         ///< [1] periods to wait behind the last joint
+  std::string contact{};  ///< what holds at each joint; empty: one bar
+  bool across = false;    ///< a shear wave
+};
+
+std::string number(Real value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
+
+Simulation run_wave(const JointedBar& bar) {
+  // nu = 1/4: G = M/3, and a shear wave is sqrt(1/3) as fast.
+  const Real modulus = kDensity * kSpeed * kSpeed, shear = modulus / 3;
+  const Real c = bar.across ? std::sqrt(shear / kDensity) : kSpeed;
+  const Real period = 1 / bar.frequency, h = c * period / bar.cells;
+  const bool flat = bar.geometry != "3d";
+  const auto box = [&](Real from, Real to) {
+    const std::string b = flat ? "" : ", 0", t = flat ? "" : ", " + number(h);
+    return "{box: {min: [" + number(from * h) + ", 0" + b + "], max: [" + number(to * h) + ", " +
+           number(h) + t + "]}}";
+  };
+  std::string bodies, boundaries;
+  Real from = 0;
+  const int pieces = bar.contact.empty() ? 1 : bar.joints + 1;
+  const int behind = bar.cells;
+  const int whole = bar.before + bar.apart * (bar.joints - 1) + behind;
+  for (int i = 0; i < pieces; ++i) {
+    int n = i == 0 ? bar.before : (i == pieces - 1 ? behind : bar.apart);
+    if (pieces == 1) n = whole;
+    const std::string name = "b" + std::to_string(i);
+    bodies += "  " + name + ": {material: rock, shape: " + box(from, from + n) + ", cells: [" +
+              std::to_string(n) + (flat ? ", 1" : ", 1, 1") +
+              "], element: {bulk_viscosity: {linear: 0, quadratic: 0}}}\n";
+    const std::string fixed = bar.across ? (flat ? "[x]" : "[x, z]") : (flat ? "[y]" : "[y, z]");
+    boundaries +=
+        "  f" + std::to_string(i) + ": {body: " + name + ", where: all, fix: " + fixed + "}\n";
+    from += n;
+  }
+  const Real w = 2 * kPi * bar.frequency, length = (bar.half_sine ? 0.5 : 1.0) * period;
+  const std::string pulse = "\"= t < " + number(length) + " ? " + number(bar.amplitude) + "*sin(" +
+                            number(w) + "*t) : 0\"";
+  const std::string last = "b" + std::to_string(pieces - 1);
+  const Real place = (whole - behind + 1) * h;
+  boundaries += "  drive: {body: b0, where: {side: min-x}, velocity: [" +
+                (bar.across ? "free, " + pulse : pulse + ", free") + (flat ? "" : ", free") +
+                "]}\n  end: {body: " + last + ", where: {side: max-x}, nonreflecting: true}\n";
+  const Real end = place / c + (1 + bar.waves) * period;
+  return simulate_text("title: wave\ngeometry: " + bar.geometry + "\ntime: {end: " + number(end) +
+                       " s}\nmaterials: {rock: {density: 2650 kg/m^3, elastic: {K: " +
+                       number(modulus - 4.0 / 3 * shear) + " Pa, G: " + number(shear) +
+                       " Pa}}}\nbodies:\n" + bodies + "boundaries:\n" + boundaries +
+                       (bar.contact.empty() ? "" : "contact: {default: {" + bar.contact + "}}\n") +
+                       "probes: {p: {body: " + last + ", at: [" + number(place) + ", " +
+                       number(0.5 * h) + (flat ? "" : ", " + number(0.5 * h)) +
+                       "], fields: [velocity." + (bar.across ? "y" : "x") +
+                       "]}}\noutput: {every: 1 s, history: " + number(period / 400) + " s}\n");
+}
+
+Real largest_of(const Simulation& run, const JointedBar& bar) {
+  Real most = 0;
+  for (const Real v : run.column(bar.across ? "probe.p.velocity.y" : "probe.p.velocity.x")) {
+    most = std::max(most, std::fabs(v));
+  }
+  return most / bar.amplitude;
+}
+/// Largest velocity behind the last joint, over that of the pulse.
+Real passed(const JointedBar& bar) {
+  const auto run = run_wave(bar);
+  EXPECT_EQ(run.failure, "");
+  EXPECT_LT(run.worst_drift, 1e-9);
+  return largest_of(run, bar);
+}
+
+std::string stiffness_text(Real normal) { return number(normal) + " Pa/m"; }
+std::string tied_joint(Real ratio, const JointedBar& bar) {  // ratio  K = k/(Z w)
+  const Real c = bar.across ? kSpeed / std::sqrt(3.0) : kSpeed;
+  const Real k = ratio * kDensity * c * 2 * kPi * bar.frequency;
+  return "tied: true, joint: {normal: " + stiffness_text(k) + "}";
+}
+
+// Welded: what a bar without a joint passes, within 0.5 % at 20 elements a wavelength.
+TEST(Joints, WhatIsTiedPassesAWave) {
+  for (const char* geometry : {"plane-strain", "3d"}) {
+    for (const bool across : {false, true}) {
+      JointedBar bar{.geometry = geometry, .waves = 1, .across = across};
+      const Real one = passed(bar);
+      EXPECT_NEAR(one, 1, 0.01);
+      bar.contact = "tied: true";
+      EXPECT_NEAR(passed(bar) / one, 1, 0.005) << geometry << across;
+    }
+  }
+}
+
+// Largest of one cycle behind a joint: 0.7562 for K = 0.5, 0.9014 for K = 1, P and S waves.
+TEST(Joints, OnePassesAsItsClosedFormSays) {
+  for (const bool across : {false, true}) {
+    JointedBar bar{.across = across};
+    for (const auto& [ratio, expected] : {std::pair(0.5, 0.7562), std::pair(1.0, 0.9014)}) {
+      bar.contact = tied_joint(ratio, bar);
+      EXPECT_NEAR(passed(bar), expected, 0.01 * expected) << ratio << across;
+    }
+  }
+}
+
+// Two joints 0.05, 0.1, 0.2 and 0.5 wavelengths apart, one cycle.
+TEST(Joints, TwoPassAsCharacteristicsSay) {
+  const std::pair<int, Real> cases[] = {{1, .7413}, {2, .8253}, {4, .6427}, {10, .5946}};
+  for (const auto& [apart, expected] : cases) {
+    JointedBar bar{.joints = 2, .apart = apart, .before = 60};
+    bar.contact = tied_joint(0.5, bar);
+    EXPECT_NEAR(passed(bar), expected, 0.01 * expected) << apart;
+  }
+}
+
+// Eight, which a joint with hidden damping fails.
+TEST(JointsLong, EightPassAsCharacteristicsSay) {
+  struct Case {
+    Real ratio;
+    int apart;
+    Real expected;
+  };
+  for (const auto& [ratio, apart, expected] : {Case{0.5, 1, .7978},
+                                               {0.5, 2, .8426},
+                                               {0.5, 4, .6374},
+                                               {0.5, 10, .4150},
+                                               {1, 1, .8847},
+                                               {1, 2, .9746},
+                                               {1, 4, .9275},
+                                               {1, 10, .5326}}) {
+    JointedBar bar{.joints = 8, .apart = apart, .before = 160, .waves = 6};
+    bar.contact = tied_joint(ratio, bar);
+    EXPECT_NEAR(passed(bar), expected, 0.01 * expected) << ratio << " " << apart;
+  }
+}
+
+// A dry joint of k 3.5 GPa/m and V 0.57 mm under half a sine, closed all the time; 40 elements a
+// wavelength, since a half sine has shorter waves.
+TEST(Joints, AHyperbolicOnePassesMoreOfStrongPulses) {
+  struct Case {
+    Real frequency, amplitude, expected;
+  };
+  for (const auto& [frequency, amplitude, expected] : {Case{50, 0.001, .8445},
+                                                       {50, 0.01, .8606},
+                                                       {50, 0.1, .9644},
+                                                       {50, 1, 1.0},
+                                                       {200, 0.001, .4595},
+                                                       {200, 0.01, .4700},
+                                                       {200, 0.1, .5898},
+                                                       {200, 1, .9993}}) {
+    JointedBar bar{.cells = 40,
+                   .frequency = frequency,
+                   .amplitude = amplitude,
+                   .half_sine = true,
+                   .before = 60,
+                   .waves = 1};
+    bar.contact = "joint: {normal: 3.5 GPa/m, max_closure: 0.57 mm}";
+    EXPECT_NEAR(passed(bar), expected, 0.01 * expected) << frequency << " " << amplitude;
+  }
+}
+
+// An open joint passes nothing.
+TEST(Joints, AnOpenOnePassesNothing) {
+  JointedBar bar{.amplitude = -0.01, .half_sine = true, .waves = 1};
+  bar.contact = "joint: {normal: 3.5 GPa/m, max_closure: 0.57 mm}";
+  EXPECT_LT(passed(bar), 1e-6);
+}
+
+}  // namespace
+}  // namespace brunt::test
