@@ -119,7 +119,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   start_steps();
   if (points_.conducts) {
     start_conduction();
-  } else if (node_ratio_.empty()) {
+  } else if (node_ratio_.empty() && !erosion_) {
     gather_ = {};  // no sums but of forces
   }
 }

@@ -121,17 +121,6 @@ void check_crack(const Deck& deck, const Named<Material>& material, Findings& fi
   }
 }
 
-/// Laws with an energy expand by what their energy holds, and have no temperature of their own.
-void check_expansion(const Named<Material>& material, Findings& findings) {
-  const auto& thermal = material.value.thermal;
-  if (!thermal || thermal->expansion.value_or(0) == 0) return;
-  if (!make_eos(material.value.eos, {material.value.density, 1})->needs_energy()) return;
-  findings.wrong("materials." + material.name + ".thermal.expansion",
-                 "is not for an equation of state with an energy: that of mie-gruneisen expands by "
-                 "gamma0 cp density/(3 K) per kelvin of plastic work and shocks; take it out, or "
-                 "take eos: linear");
-}
-
 /// Springs of contact are as stiff as the body, and hold no pressure of that size.
 void check_start_pressure(const Deck& deck, const Named<Material>& material, Findings& findings) {
   const std::string path = "materials." + material.name;
@@ -192,7 +181,6 @@ void check_materials(const Deck& deck, Findings& findings) {
     check_equation_of_state(material, findings);
     check_damage(material, findings);
     check_crack(deck, material, findings);
-    check_expansion(material, findings);
     check_sound_speed(material, findings);
     check_start_pressure(deck, material, findings);
   }

@@ -33,16 +33,12 @@ void describe(Schema& s, ElasticConstants& elastic) {
 }
 
 void describe(Schema& s, Thermal& thermal) {
-  static constexpr const char* kLater[] = {"T_melt"};
+  static constexpr const char* kLater[] = {"expansion", "T_melt"};
   static constexpr std::array kOver{Varying::Over::temperature};
   s.varying({"cp", "specific heat; a peak holds latent heat", Need::required}, thermal.cp,
             {"J/kg/K", positive(), between(50, 1e6)}, kOver);
   s.varying({"k", "conductivity; without it heat stays where it is"}, thermal.k,
             {"W/m/K", at_least(0), between(0, 5000)}, kOver);
-  s.real(
-      {"expansion",
-       "of lengths, from the temperature at the start: pressure comes from the volume without it"},
-      thermal.expansion, {"1/K", {}, between(-1e-5, 5e-4)});
   s.real({"taylor_quinney", "share of plastic work that becomes heat"}, thermal.taylor_quinney,
          {"1", between(0, 1)});
   s.later(kLater);

@@ -22,7 +22,6 @@ struct ElasticConstants {
 struct Thermal {
   std::optional<Varying> cp;  ///< [J/kg/K] specific heat, a constant or a table over temperature
   std::optional<Varying> k;   ///< [W/m/K] conductivity, a constant or a table over temperature
-  std::optional<Real> expansion;  ///< [1/K] of lengths
   Real taylor_quinney = 0.9;      ///< share of plastic work that becomes heat
 };
 

@@ -18,7 +18,6 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
     strength.tensile_cutoff = material->tensile_cutoff;
     if (given.thermal) {
       material->specific_heat = SpecificHeat(*given.thermal->cp);
-      material->expansion = given.thermal->expansion.value_or(0);
       if (given.thermal->k) material->conductivity = *given.thermal->k;
       const SpecificHeat& cp = material->specific_heat;
       strength.heat_capacity = given.density * cp.least();

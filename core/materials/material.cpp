@@ -116,41 +116,20 @@ void Material::find_stress(MaterialTile& tile, Real dt, const BeforeDamage* befo
     strength->update(tile, dt);
   }
   if (before != nullptr) damage->scale_heat(tile, *before);
-  if (expansion != 0) {
-    const RatioRows whole(tile);
-    cool(tile);
-    eos->update(tile, work);
-    whole.show(tile);
-  } else {
-    eos->update(tile, work);
-  }
+  eos->update(tile, work);
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
-}
-
-void Material::cool(MaterialTile& tile) const {
-  const std::vector<Real>& temperature = tile.state->temperature;
-  if (expansion == 0 || temperature.empty()) return;
-  for (int i = 0; i < tile.count; ++i) {
-    const Real T = temperature[tile.first + static_cast<std::size_t>(i)];
-    const Real length = 1 + expansion * (T - tile.fixed_temperature);
-    const Real inverse = 1 / (length * length * length);
-    tile.ratio_old[i] *= inverse, tile.ratio[i] *= inverse;
-  }
 }
 
 void Material::find_stress_after_pressure(MaterialTile& tile, Real dt,
                                           const BeforeDamage* before_damage) const {
-  const RatioRows given(tile);
   if (strength->gives_pressure()) {
-    cool(tile);
     strength->update(tile, dt);
-    given.show(tile);
     return;
   }
+  const RatioRows given(tile);
   MaterialState& state = *tile.state;
   const bool energetic = eos->needs_energy(), plastic = strength->changes_volume();
   Real* const pressure = state.pressure.data() + tile.first;
-  cool(tile);
   const Row whole_old = copied(tile.ratio_old, tile.count), whole = copied(tile.ratio, tile.count);
   DeviatorRows before;
   Row work, pressure_old = copied(pressure, tile.count), energy_old, elastic_old;
@@ -175,8 +154,6 @@ void Material::find_stress_after_pressure(MaterialTile& tile, Real dt,
   if (plastic) {
     std::copy_n(elastic_old.at, tile.count, tile.ratio_old);
     divide_by_plastic(tile, whole, tile.ratio);
-  } else {
-    cool(tile);
   }
   // The work on the plastic volume needs the new pressure, which the strength has to first order
   // only: once more.

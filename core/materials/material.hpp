@@ -141,7 +141,6 @@ struct Material {
   bool thermal = false;
   SpecificHeat specific_heat;  ///< [J/kg/K] a constant, or a table over temperature
   Varying conductivity;        ///< [W/m/K] a constant, or a table over temperature
-  Real expansion = 0;          ///< [1/K] linear, from the temperature at the start
   std::unique_ptr<Strength> strength;
   std::unique_ptr<EquationOfState> eos;
   std::unique_ptr<Damage> damage;  ///< null: it never fails
@@ -161,17 +160,12 @@ struct Material {
   /// True where compression changes the temperature of points that have one.
   bool warms_by_compression() const { return thermal && eos->needs_energy(); }
   /// True where a point's temperature is part of its state: it changes or moves the stress.
-  bool keeps_temperature() const {
-    return yields() || warms_by_compression() || (thermal && expansion != 0);
-  }
+  bool keeps_temperature() const { return yields() || warms_by_compression(); }
   /// One step of a tile: strength, then equation of state, then cut-off, then what compression and
   /// viscosity do to the temperature. A strength that sees the pressure comes after it.
   void update(MaterialTile& tile, Real dt) const;
 
  private:
-  /// Sets V/V0 of a tile before and after the step to those without thermal expansion, where there
-  /// is any: what pressures come from. docs/theory/materials.md (M44)
-  void cool(MaterialTile& tile) const;
   /// What `update` does but for damage and heat of compression. before  null without damage
   void find_stress(MaterialTile& tile, Real dt, const BeforeDamage* before) const;
   /// The order of a strength that sees the pressure: equation of state without plastic flow,

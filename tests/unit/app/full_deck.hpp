@@ -43,7 +43,6 @@ materials:
   hj: {density: 2440, strength: {hjc: {fc: 48e6, G: 15e9, A: 0.79, B: 1.6, N: 0.61, C: 0.007,
        rate_ref: 1, S_max: 7, T: 4e6, D1: 0.04, D2: 1, ef_min: 0.01, p_crush: 16e6, mu_crush: 0.001,
        p_lock: 8e8, mu_lock: 0.1, locking: at-pressure, K1: 85e9, K2: -171e9, K3: 208e9}}}
-  ex: {density: 2700, elastic: {K: 70 GPa, G: 26 GPa}, thermal: {cp: 900, k: 200, expansion: 2e-5}}
   jw: {density: 1630, eos: {jwl: {A: 371e9, B: 3.2e9, R1: 4, R2: 0.9, omega: 0.3, E0: 7e9}}}
 symmetry: {x: -1, y: -1, z: -1}
 bodies:

@@ -8,7 +8,7 @@ namespace brunt {
 namespace {
 
 TEST(RowSteps, KeepTheShareOfRows) {
-  for (const Real row : {1.0, 10.0, 300.0}) {
+  for (const Real row : {1.0, 10.0, 150.0}) {
     const RowWork work{row, 100};
     const auto steps = static_cast<Real>(steps_between_rows(work));
     EXPECT_LE(row / (steps * work.step), kShareOfRows);
