@@ -110,8 +110,6 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"rocking-block", {"parameters.end=40 ms"}},
         Shipped{"masonry-arch", {"parameters.end=15 ms"}},
         Shipped{"masonry-arch/hexes", {"parameters.end=2 ms"}},
-        Shipped{"brick-wall-3d",
-                {"parameters.size=320 mm", "parameters.bar_size=320 mm", "time.end=2 ms"}},
         Shipped{"concrete-cylinder", {"parameters.size=1 mm", "time.end=50 us"}},
         Shipped{"concrete-cylinder/particles", {"parameters.size=2 mm", "time.end=50 us"}},
         Shipped{"spall", {"parameters.size=0.1 mm"}}, Shipped{"brick-stack", {"time.end=20 ms"}}),

@@ -26,7 +26,7 @@ NOT_SEEN = {
         element-options-on-particles particle-options-on-elements plane-that-deforms
         measure-temperature-of-a-cold-body measures-wrong only-rigid bonded-elements
         wall-courses-upwards fluid-with-strength fluid-hourglass-stiffness material-without-elastic
-        mesh-beside-size damage""",
+        mesh-beside-size damage erode-what-never-fails""",
     "the geometry decides": """
         axis-out-of-plane axisymmetric-across-the-axis axisymmetric-cylinder-off-the-axis
         axisymmetric-particles axisymmetric-spin boundary-axis-z-in-2d cells-of-three-dimensions
