@@ -35,7 +35,7 @@ range=$("$brunt" plan "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.ya
   sed -n 's/^steps *\([0-9]*\) to \([0-9]*\) up to .*/\1 \2/p')
 read -r least most <<<"$range"
 "$brunt" run "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml" --quiet --out steps
-steps=$(sed -n 's/.*"steps": *\([0-9]*\).*/\1/p' steps/summary.json)
+steps=$(sed -n 's/^  "steps": *\([0-9]*\).*/\1/p' steps/summary.json)
 echo "taylor-bar-axisymmetric: planned $least to $most steps, taken $steps"
 [ "$least" -le "$steps" ] && [ "$steps" -le "$most" ]
 
