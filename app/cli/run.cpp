@@ -337,8 +337,9 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
               deck.time.min_step);
+  const auto columns = HistoryColumns<Dim>(*scene).names();  // collective
   std::optional<HistoryWriter> history;
-  if (root) history.emplace(folder / "history.csv", HistoryColumns<Dim>(*scene).names());
+  if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
                        [&](const RunWarning& warning) { tell(warning, root, *log); });
