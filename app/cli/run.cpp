@@ -303,17 +303,16 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   std::vector<DeckProblem> warnings = loaded.warnings;
   warn_of_scene(loaded, *scene, ranks.is_root(), warnings);
   RunSummary summary;
-  if (ranks.alone()) {
-    summary.planned_memory = memory_of(*scene, memory_inputs(loaded.deck, *scene, program)).total();
-  }
+  const MemoryInputs inputs = memory_inputs(loaded.deck, *scene, program);
+  if (ranks.alone()) summary.planned_memory = memory_of(*scene, inputs).total();
   distribute(*scene, ranks);
   const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
-  Balance<Dim> balance(
-      loaded.deck.ranks, [&] { return build_scene<Dim>(loaded); }, build_time.count());
+  const auto anew = [&] { return build_scene<Dim>(loaded); };
+  Balance<Dim> balance(loaded.deck.ranks, anew, build_time.count());
   const auto folder = output_path(arguments);
   summary.threads = omp_get_max_threads();
-  const bool root = ranks.is_root();
   std::optional<OutputFolder> output;
+  const bool root = ranks.is_root();
   if (root) output.emplace(folder, arguments);
   ranks.barrier();  // the root alone holds the folder
   if (arguments.resume && ranks.any(root && is_finished(folder, loaded.hash))) {
@@ -337,8 +336,8 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
               deck.time.min_step);
-  const auto columns = HistoryColumns<Dim>(*scene).names();  // collective
   std::optional<HistoryWriter> history;
+  const auto columns = HistoryColumns<Dim>(*scene).names();  // collective
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
@@ -347,7 +346,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
   const Ended ended = step_to_end(*scene, clock, monitor, checkpointing, balance);
   log_refused(refused, summary, *log);
-  log_windows(*scene, clock, deck.time.heat_every, *log);
+  log_windows(*scene, clock, loaded.deck.time.heat_every, *log);
   fill_summary(loaded, ended, clock, monitor, summary);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
