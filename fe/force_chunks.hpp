@@ -9,9 +9,10 @@ namespace brunt {
 
 /// Where the corner forces of four elements go: to one row of kSumRow values a node.
 struct CornerSums {
-  const std::uint16_t* place = nullptr;  ///< of corners' rows in `row`, [element - first][corner]
-  std::size_t first = 0;                 ///< element that place begins with
-  Real* row = nullptr;                   ///< [N]
+  /// First value in `row` of each corner's, [element - first][corner].
+  const std::uint16_t* place = nullptr;
+  std::size_t first = 0;  ///< element that place begins with
+  Real* row = nullptr;    ///< [N]
 };
 /// Values of a row: a Pack in 3D, of which the last counts nothing.
 template <int Dim>

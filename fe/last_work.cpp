@@ -1,7 +1,6 @@
 #include "fe/last_work.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "fe/element_values.hpp"
 #include "fe/formulation.hpp"
@@ -42,7 +41,9 @@ std::vector<Real> taken_in_step(ElementBlock<Dim>& block, ElementStep<Dim>& step
   const auto corners = static_cast<std::size_t>(block.corners);
   const auto per_tile = static_cast<std::size_t>(block.elements_per_tile());
   std::vector<std::uint16_t> place(per_tile * corners);
-  std::iota(place.begin(), place.end(), std::uint16_t{0});
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    place[c] = static_cast<std::uint16_t>(c * kSumRow<Dim>);
+  }
   std::vector<Real> row(place.size() * kSumRow<Dim>), taken;
   for (int tile = 0; tile < block.n_tiles(); ++tile) {
     const std::size_t first = static_cast<std::size_t>(tile) * per_tile;

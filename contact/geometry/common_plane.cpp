@@ -160,6 +160,9 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   penetration.slope = top.slope - bottom.slope;
   plane.polygon = needs.whole ? overlap : clip(overlap, penetration);
   const FieldIntegrals sum = integrate(plane.polygon, penetration);
+  // What is left of an overlap where it penetrates may be a line: its area, of either sign, is
+  // round-off.
+  if (!(sum.area > kSliver * smaller)) return false;
   if (!needs.whole && !(sum.total > kTouching * std::sqrt(smaller) * sum.area)) return false;
   plane.deepest = -kInfinity;
   for (int i = 0; i < plane.polygon.size; ++i) {
@@ -278,6 +281,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   if (!needs.whole) {
     if (plane.deepest <= 0) return false;
     leave_out_gap(from, to, depth);
+    if (!(to - from > kSliver * smaller)) return false;
   }
 
   const Real middle = 0.5 * (from + to);

@@ -139,19 +139,22 @@ TEST(element_step, tension_adds_to_the_stiffness_of_cubes) {
   // growing element is pulled more, omega^2 = 8/(2 a^2 rho) (3 (K_t - 2/3 mu + t) + 2 mu - t),
   // where the moduli alone gave a step 1.34 (nu 0.45, a = 1.3) and 2.4 (a = 2) times too long. What
   // is left to time.safety, t up to 2 % of K_t + 4/3 mu, is 2 t of 3 (K_t - 2/3 mu) + 2 mu: at most
-  // 2.7 % of omega^2, at nu 0.2, and half of that of the step.
+  // 2.7 % of omega^2, at nu 0.2, and half of that of the step. Where t is more than 2 mu, what it
+  // takes from omega^2 in excess is not counted (its factor is no bound in other shapes): the step
+  // is short by it, 6 % at nu 0.45, a = 1.3, and 13 % at a = 2.
   for (const Real nu : {0.2, 0.45}) {
     const Material material = unit_material(nu);
     for (const Real a : {1.1, 1.3, 2.0}) {
       const Real J = a * a * a, t = material.bulk * (1 - 1 / J), K = material.bulk / J;
       const Real mu = material.shear, sum = 3 * (K - 2 * mu / 3 + t) + 2 * mu - t;
       const Real expected = 2 / std::sqrt(4 / (a * a) * J * sum);
+      const Real least = std::sqrt(sum / (sum + std::max(t - 2 * mu, 0.0)));
       for (const Variant& variant : variants_of(3)) {
         SCOPED_TRACE(name_of(variant) + " nu " + std::to_string(nu) + " a " + std::to_string(a));
         const Limit limit =
             limit_of<3>(cell_mesh<3>({1, 1, 1}, 0.0, 1), material, variant, Vec3::Constant(a));
         EXPECT_NEAR(limit.truth / expected, 1, 1e-4);
-        EXPECT_GT(limit.bound / expected, 1 - 1e-4);
+        EXPECT_GT(limit.bound / expected, least - 1e-4);
         EXPECT_LT(limit.bound / expected, 1.0136);
       }
     }
