@@ -31,6 +31,7 @@ struct JointedBar {
   Real waves = 3;         ///< [1] periods to wait behind the last joint
   std::string contact{};  ///< what holds at each joint; empty: one bar
   bool across = false;    ///< a shear wave
+  Real safety = 0.9;
 };
 
 std::string number(Real value) {
@@ -77,7 +78,8 @@ Simulation run_wave(const JointedBar& bar) {
                 "]}\n  end: {body: " + last + ", where: {side: max-x}, nonreflecting: true}\n";
   const Real end = place / c + (1 + bar.waves) * period;
   return simulate_text("title: wave\ngeometry: " + bar.geometry + "\ntime: {end: " + number(end) +
-                       " s}\nmaterials: {rock: {density: 2650 kg/m^3, elastic: {K: " +
+                       " s, safety: " + number(bar.safety) +
+                       "}\nmaterials: {rock: {density: 2650 kg/m^3, elastic: {K: " +
                        number(modulus - 4.0 / 3 * shear) + " Pa, G: " + number(shear) +
                        " Pa}}}\nbodies:\n" + bodies + "boundaries:\n" + boundaries +
                        (bar.contact.empty() ? "" : "contact: {default: {" + bar.contact + "}}\n") +
@@ -110,11 +112,18 @@ std::string tied_joint(Real ratio, const JointedBar& bar) {  // ratio  K = k/(Z 
 }
 
 // Welded: what a bar without a joint passes, within 0.5 % at 40 elements a wavelength. (At 20
-// elements a cycle that begins at once overshoots by 2 to 5 % without a joint.)
+// elements a cycle that begins at once overshoots by 2 to 5 % without a joint.) Both in steps of a
+// third: a tie's step is shorter than that of elements, and a bar without one overshoots by 0.7 %
+// in its own longest step, by 0.2 % in these.
 TEST(Joints, WhatIsTiedPassesAWave) {
   for (const char* geometry : {"plane-strain", "3d"}) {
     for (const bool across : {false, true}) {
-      JointedBar bar{.geometry = geometry, .cells = 40, .before = 80, .waves = 1, .across = across};
+      JointedBar bar{.geometry = geometry,
+                     .cells = 40,
+                     .before = 80,
+                     .waves = 1,
+                     .across = across,
+                     .safety = 0.3};
       const Real one = passed(bar);
       EXPECT_NEAR(one, 1, 0.03);
       bar.contact = "tied: true";
