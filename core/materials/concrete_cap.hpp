@@ -56,7 +56,8 @@ struct ConcreteCap {
   Real strength(Real pressure, Real shear, Real tensile) const;
 
  private:
-  static constexpr Real kMostDilated = 0.3;  // [1] that shear makes
+  static constexpr Real kMostDilated = 0.3;      // [1] that shear makes
+  static constexpr Real kLeastStrength = 1e-12;  // [1] of fc, that a stress is divided by
 
   struct Cap;
   Real left_in_tension(const Point& at) const;
@@ -157,7 +158,8 @@ inline Real ConcreteCap::beyond(const Cap& cap, Real gamma, Point& at) const {
   at.q = vmax(0.0, cap.q_trial - 3 * G * gamma * cap.of_shear);
   const Real limit = crush_pressure(pores), start = cap_start * limit;
   const Real along = pores > 0 ? vmax(0.0, at.pressure - start) / (limit - start) : 0.0;
-  const Real across = at.q / strength(at);
+  // A flow that is too large leaves neither stress nor strength.
+  const Real across = at.q / vmax(strength(at), kLeastStrength * fc);
   return along * along + across * across - 1;
 }
 

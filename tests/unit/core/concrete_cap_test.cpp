@@ -187,5 +187,10 @@ TEST(ConcreteCap, PathsDoNotDependOnAxes) {
   }
 }
 
+// A trial far beyond the cap, of which the flow leaves neither stress nor strength, gave 0/0.
+TEST(ConcreteCap, NoStepIsTooLarge) {
+  for (const Real fc : {30e6, 45.4e6}) expect_states_of_random_paths(concrete(fc), false);
+}
+
 }  // namespace
 }  // namespace brunt

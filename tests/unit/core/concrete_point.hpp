@@ -1,6 +1,9 @@
 #pragma once
 /// A material point of concrete on a path of strain, for tests: logarithmic strains, V/V0 by them.
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <random>
 
 #include "core/materials/catalog.hpp"
 #include "one_tile.hpp"
@@ -80,6 +83,36 @@ inline void ConcretePoint::triaxial(Real along, Real lateral_stress) {
     (value < 0 ? at_lo : at_hi) = value;
   }
   diagonal(along, best, best);
+}
+
+/// Paths of random steps, of strains of 1e-6 to 0.05 (what one step of a hit element may bring),
+/// end in a state that is a number, with a stress that its strength bears.
+inline void expect_states_of_random_paths(const Material& material, bool strength_of_rate) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<Real> one(-1, 1), exponent(std::log(1e-6), std::log(0.05));
+  for (int path = 0; path < 2000; ++path) {
+    ConcretePoint point(material);
+    const Real size = std::exp(exponent(random));
+    for (int n = 0; n < 20; ++n) {
+      std::array<Real, 6> by;
+      for (Real& strain : by) strain = size * one(random);
+      const Real mean = (by[xx] + by[yy] + by[zz]) / 3;
+      // Volumes of a third to three times stay those of a solid.
+      if (std::fabs(point.logarithm + 3 * mean) > 1) {
+        for (std::size_t c : {xx, yy, zz}) by[c] -= mean;
+      }
+      point.strain(by);
+      ASSERT_TRUE(std::isfinite(point.pressure()) && std::isfinite(point.q())) << path << ' ' << n;
+      ASSERT_TRUE(std::isfinite(point.points.state.eps_p[1])) << path << ' ' << n;
+      ASSERT_TRUE(std::isfinite(point.points.state.bulk[1])) << path << ' ' << n;
+      for (const auto& own : point.points.state.own) {
+        ASSERT_TRUE(std::isfinite(own[1])) << path << ' ' << n;
+      }
+      if (strength_of_rate) continue;
+      const Real bears = material.strength->flow_stress(point.points.state, 1, 0);
+      ASSERT_LE(point.q(), bears + 1e-9 * (bears + material.shear)) << path << ' ' << n;
+    }
+  }
 }
 
 }  // namespace brunt
