@@ -42,6 +42,7 @@ struct ConcreteCap {
   Real shear_modulus() const { return G; }
   void start(Point& at) const;
   void step(Point& at) const;
+  int parts(const Point& at, Real q_before) const;
   Real strength(const Point& at) const {
     return strength(at.pressure, at.own[kShear], at.own[kTensile]);
   }
@@ -59,6 +60,8 @@ struct ConcreteCap {
   static constexpr Real kMostDilated = 0.3;      // [1] that shear makes
   static constexpr Real kLeastStrength = 1e-12;  // [1] of fc, that a stress is divided by
 
+  static constexpr Real kMostParts = 1000;  // of a step
+
   struct Cap;
   Real left_in_tension(const Point& at) const;
   void open(Point& at, Real opened, Real strain) const;
@@ -66,7 +69,8 @@ struct ConcreteCap {
   void hold_tension(Point& at) const;
   void crush(Point& at) const;
   void shear(Point& at, Real cap) const;
-  Real beyond(const Cap& cap, Real gamma, Point& at) const;
+  Real start_of_cap(const Point& at, Real before, Real after) const;
+  Real beyond(Cap& cap, Real gamma, Point& at) const;
 
   Real ft_ = 0, p_crush_ = 0, a0_ = 0, a2_ = 0, b2_ = 0;
 };
@@ -116,7 +120,20 @@ inline Real ConcreteCap::strength(Real pressure, Real shear, Real tensile) const
 struct ConcreteCap::Cap {
   Real of_pores, of_shear;   // [1] directions of the trial
   Real compaction, q_trial;  // [1], [Pa] before
+  Real least = -1;  // [1] of compaction, at which the pressure is down to p_0; < 0: unknown
 };
+
+/// Porosity at which the pressure is that where the cap begins: it is above it at `before`, below
+/// at `after`.
+inline Real ConcreteCap::start_of_cap(const Point& at, Real before, Real after) const {
+  const Real others = at.own[kDilated] + at.own[kOpened];
+  for (int n = 0; n < 60; ++n) {
+    const Real pores = 0.5 * (before + after);
+    const bool above = pressure(at.ratio, pores, others) > cap_start * crush_pressure(pores);
+    (above ? before : after) = pores;
+  }
+  return before;
+}
 
 inline Real ConcreteCap::left_in_tension(const Point& at) const {
   return ft_ * (1 - vmax(at.own[kShear], at.own[kTensile]));
@@ -151,10 +168,17 @@ inline void ConcreteCap::hold_tension(Point& at) const {
 }
 
 /// ((p - p_0)/(p_c - p_0))^2 + (q/Y)^2 - 1 after so much flow, which falls with it.
-inline Real ConcreteCap::beyond(const Cap& cap, Real gamma, Point& at) const {
+/// No pores are crushed below p_0.
+inline Real ConcreteCap::beyond(Cap& cap, Real gamma, Point& at) const {
   Real& pores = at.own[kCompaction];
+  const Real others = at.own[kDilated] + at.own[kOpened];
   pores = vmax(0.0, cap.compaction - (1 - cap.compaction) * gamma * cap.of_pores);
-  at.pressure = pressure(at.ratio, pores, at.own[kDilated] + at.own[kOpened]);
+  at.pressure = pressure(at.ratio, pores, others);
+  if (at.pressure < cap_start * crush_pressure(pores)) {
+    if (cap.least < 0) cap.least = start_of_cap(at, cap.compaction, pores);
+    pores = cap.least;
+    at.pressure = pressure(at.ratio, pores, others);
+  }
   at.q = vmax(0.0, cap.q_trial - 3 * G * gamma * cap.of_shear);
   const Real limit = crush_pressure(pores), start = cap_start * limit;
   const Real along = pores > 0 ? vmax(0.0, at.pressure - start) / (limit - start) : 0.0;
@@ -168,8 +192,8 @@ inline Real ConcreteCap::beyond(const Cap& cap, Real gamma, Point& at) const {
 inline void ConcreteCap::crush(Point& at) const {
   const Real limit = crush_pressure(at.own[kCompaction]), start = cap_start * limit;
   const Real width = limit - start, yield = strength(at);
-  const Cap cap{2 * (at.pressure - start) / (width * width), 2 * at.q / (yield * yield),
-                at.own[kCompaction], at.q};
+  Cap cap{2 * (at.pressure - start) / (width * width), 2 * at.q / (yield * yield),
+          at.own[kCompaction], at.q};
   Real lo = 0, at_lo = beyond(cap, 0, at);
   if (!(at_lo > 0)) return;
   Real hi = 1e-6 / vmax(cap.of_pores, cap.of_shear), at_hi = beyond(cap, hi, at);
@@ -190,6 +214,18 @@ inline void ConcreteCap::crush(Point& at) const {
   }
   at.increment = gamma * cap.of_shear;
   beyond(cap, gamma, at);
+}
+
+/// Beyond the cap the flow keeps the direction of its trial, which is far off where a step crosses
+/// more than a part of the cap. Sixteenths of its width, or of the strength, leave 5 % of a stress.
+inline int ConcreteCap::parts(const Point& at, Real q_before) const {
+  const auto& own = at.own;
+  const Real p = pressure(at.ratio, own[kCompaction], own[kDilated] + own[kOpened]);
+  const Real limit = crush_pressure(own[kCompaction]), start = cap_start * limit;
+  if (!(own[kCompaction] > 0) || !(p > start)) return 1;
+  const Real along = (p - vmax(at.pressure, start)) / (limit - start);
+  const Real across = vabs(at.q - q_before) / strength(start, own[kShear], own[kTensile]);
+  return static_cast<int>(vmin(vmax(16 * vmax(along, across), 0.0), kMostParts - 1)) + 1;
 }
 
 /// Return to the shear surface; what yields dilates, and what dilates softens.

@@ -41,6 +41,7 @@ struct Holmquist {
   Real shear_modulus() const { return G; }
   void start(Point& at) const { at.bulk = bulk_modulus(), at.tension = T; }
   void step(Point& at) const;
+  int parts(const Point&, Real) const { return 1; }
   Real strength(const Point& at) const { return strength(at.pressure, at.own[kDamage], at.rate); }
 
   /// Strength [Pa]: fc [A (1 - D) + B (p/fc)^N] (1 + C ln(rate/rate_ref)), at most S_max fc; in

@@ -3,9 +3,11 @@
 /// depend on each other, so that one law gives them all. docs/theory/materials.md section 8.
 #include <array>
 #include <concepts>
+#include <utility>
 
 #include "core/materials/elastic.hpp"
 #include "core/materials/plastic_heat.hpp"
+#include "core/simd_math.hpp"
 
 namespace brunt {
 
@@ -36,6 +38,9 @@ concept PorousLaw = requires(Law law, const Law& made, PorousPoint<Law::kOwn>& a
   made.step(at);
   /// The same at rest, at time 0.
   made.start(at);
+  /// Parts that a step is taken in, so that each is small against what the law curves over; of the
+  /// trial as a whole (pressure and own those before the step), and the equivalent stress before.
+  { made.parts(std::as_const(at), Real{}) } -> std::same_as<int>;
   /// Equivalent stress [Pa] at which it yields at the pressure and the state of a point.
   { made.strength(at) } -> std::same_as<Real>;
   /// Elastic constants [Pa] at the start.
@@ -92,10 +97,31 @@ class PorousReturn final : public Strength {
     return at;
   }
   void update_point(MaterialTile& tile, int i, Real inverse_dt) const;
+  Real step_part(Point& at, const Real (&trial)[6], Real (&s)[6]) const;
 
   Law law_;
   StrengthInputs inputs_;
 };
+
+/// Size of a deviator, components as SymmetricIndex: the equivalent stress of stresses.
+inline Real equivalent_of(const Real (&s)[6]) {
+  Real square = 0;
+  for (std::size_t c = 0; c < 6; ++c) square += (c < 3 ? 1.0 : 2.0) * (s[c] * s[c]);
+  return std::sqrt(1.5 * square);
+}
+
+/// One part of the step of a point: deviator s [Pa] before and after it; returns the plastic work
+/// [J/m^3], of the stresses of the new surface at the most.
+template <PorousLaw Law>
+Real PorousReturn<Law>::step_part(Point& at, const Real (&trial)[6], Real (&s)[6]) const {
+  const Real q_old = equivalent_of(s), q_trial = equivalent_of(trial), p_old = at.pressure;
+  at.q = q_trial, at.increment = at.plastic_volume = 0;
+  law_.step(at);
+  const Real scale = at.q < q_trial ? at.q / q_trial : 1.0;
+  for (std::size_t c = 0; c < 6; ++c) s[c] = scale * trial[c];
+  return 0.5 * (vmin(q_old, at.q) + at.q) * at.increment -
+         0.5 * (p_old + at.pressure) * at.plastic_volume;
+}
 
 template <PorousLaw Law>
 void PorousReturn<Law>::update_point(MaterialTile& tile, int i, Real inverse_dt) const {
@@ -104,35 +130,42 @@ void PorousReturn<Law>::update_point(MaterialTile& tile, int i, Real inverse_dt)
   Point at = point(state, k);
   at.ratio = tile.ratio[i];
   const Real third = (tile.strain[xx][i] + tile.strain[yy][i] + tile.strain[zz][i]) * (1.0 / 3.0);
-  Real trial[6], old_square = 0, square = 0, strain_square = 0;
+  Real s[6], trial[6], strain_square = 0;
+  const auto set_trial = [&](Real part) {
+    for (std::size_t c = 0; c < 6; ++c) {
+      const Real mean = c < 3 ? third : 0.0;
+      trial[c] = trial_stress(s[c], part * tile.strain[c][i], part * mean, inputs_.shear);
+    }
+  };
   for (std::size_t c = 0; c < 6; ++c) {
-    const Real old = state.deviator[c][k], strain = tile.strain[c][i];
-    const Real mean = c < 3 ? third : 0.0, weight = c < 3 ? 1.0 : 2.0;
-    trial[c] = trial_stress(old, strain, mean, inputs_.shear);
-    old_square += weight * (old * old);
-    square += weight * (trial[c] * trial[c]);
-    strain_square += weight * ((strain - mean) * (strain - mean));
+    const Real strain = tile.strain[c][i] - (c < 3 ? third : 0.0);
+    strain_square += (c < 3 ? 1.0 : 2.0) * (strain * strain);
+    s[c] = state.deviator[c][k];
   }
+  set_trial(1);
   at.rate = std::sqrt(strain_square * (2.0 / 3.0)) * inverse_dt;
-  const Real q_old = std::sqrt(1.5 * old_square), q_trial = std::sqrt(1.5 * square);
-  const Real p_old = at.pressure;
-  at.q = q_trial;
-  law_.step(at);
-  const Real scale = at.q < q_trial ? at.q / q_trial : 1.0;
-  for (std::size_t c = 0; c < 6; ++c) state.deviator[c][k] = scale * trial[c];
+  at.q = equivalent_of(trial);
+  const int n = law_.parts(at, equivalent_of(s));
+  Real work = 0, increment = 0;
+  for (int part = 1; part <= n; ++part) {
+    if (n > 1) {
+      set_trial(1.0 / n);
+      const Real left = static_cast<Real>(n - part) / n;
+      at.ratio = tile.ratio[i] * vexp(left * vlog(tile.ratio_old[i] / tile.ratio[i]));
+    }
+    work += step_part(at, trial, s);
+    increment += at.increment;
+  }
+  for (std::size_t c = 0; c < 6; ++c) state.deviator[c][k] = s[c];
   state.pressure[k] = at.pressure;
   state.bulk[k] = at.bulk;
-  state.eps_p[k] = at.eps_p + at.increment;
-  state.strain_rate[k] = at.increment * inverse_dt;
+  state.eps_p[k] = at.eps_p + increment;
+  state.strain_rate[k] = increment * inverse_dt;
   state.damage[k] = at.damage;
   state.tensile_strength[k] = at.tension;
   if (Law::kPores) state.porosity[k] = at.porosity;
-  for (std::size_t n = 0; n < Law::kOwn; ++n) state.own[n][k] = at.own[n];
-  if (state.heat.empty()) return;
-  // What yields does so at the stress of the new surface at the most.
-  const Real work = 0.5 * (vmin(q_old, at.q) + at.q) * at.increment -
-                    0.5 * (p_old + at.pressure) * at.plastic_volume;
-  add_plastic_heat<Real>(inputs_, tile, i, work);
+  for (std::size_t o = 0; o < Law::kOwn; ++o) state.own[o][k] = at.own[o];
+  if (!state.heat.empty()) add_plastic_heat<Real>(inputs_, tile, i, work);
 }
 
 }  // namespace brunt

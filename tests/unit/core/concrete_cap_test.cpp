@@ -129,7 +129,7 @@ TEST(ConcreteCap, CracksClose) {
   EXPECT_NEAR(point.pressure(), 0, 1e-3 * 16e9);
   EXPECT_NEAR(point.points.state.porosity[1], 0.09, 1e-3);
   while (point.logarithm > -1e-3) point.diagonal(-1e-5, -1e-5, -1e-5);
-  EXPECT_NEAR(point.pressure() / (16e9 * 1e-3), 1, 0.03);
+  EXPECT_NEAR(point.pressure() / (16e9 * 1e-3), 1, 0.05);
 }
 
 // Closed cycles of strain, small and large, in compression, shear and tension, take energy and
@@ -189,7 +189,28 @@ TEST(ConcreteCap, PathsDoNotDependOnAxes) {
 
 // A trial far beyond the cap, of which the flow leaves neither stress nor strength, gave 0/0.
 TEST(ConcreteCap, NoStepIsTooLarge) {
-  for (const Real fc : {30e6, 45.4e6}) expect_states_of_random_paths(concrete(fc), false);
+  for (const Real fc : {30e6, 45.4e6}) expect_states_of_random_paths(concrete(fc));
+}
+
+// A step beyond the cap is taken in parts: pressure and equivalent stress are those of 400 small
+// steps within 5 %. In the direction of the whole trial 0.3 % left -4 GPa.
+TEST(ConcreteCap, ALargeStepEndsWhereSmallOnesDo) {
+  for (const Real fc : {30e6, 45.4e6}) {
+    const Material material = concrete(fc);
+    for (const Real size : {5e-4, 1e-3, 2e-3, 3e-3, 5e-3, 1e-2, 2e-2, 5e-2}) {
+      for (const Real side : {0.0, 0.2, 0.8, 1.0}) {
+        ConcretePoint large(material), small(material);
+        large.diagonal(-size, -side * size, -side * size);
+        for (int n = 0; n < 400; ++n) {
+          small.diagonal(-size / 400, -side * size / 400, -side * size / 400);
+        }
+        EXPECT_NEAR(large.pressure() / small.pressure(), 1, 0.05)
+            << fc << ' ' << size << ' ' << side;
+        EXPECT_NEAR(large.q(), small.q(), 0.05 * (small.q() + fc))
+            << fc << ' ' << size << ' ' << side;
+      }
+    }
+  }
 }
 
 }  // namespace
