@@ -11,11 +11,12 @@ template <int Dim>
 std::vector<Brick<Dim>> bricks_of(const BrickWall& wall) {
   const auto& n = *wall.bricks;
   const Vec<Dim> size = to_vector<Dim>(wall.brick), origin = to_vector<Dim>(wall.origin);
-  // Courses run along the axis nearest to `course`.
+  // Courses run along the axis nearest to `course`, and are stacked along the last other one.
   std::size_t along = 0;
-  for (std::size_t c = 1; c + 1 < Dim; ++c) {
+  for (std::size_t c = 1; c < Dim; ++c) {
     if (std::fabs(wall.course[c]) > std::fabs(wall.course[along])) along = c;
   }
+  const std::size_t up = along == Dim - 1 ? Dim - 2 : Dim - 1, deep = 3 - along - up;
   std::vector<Brick<Dim>> bricks;
   const auto add = [&](std::array<int, Dim> cell, Real start, Real length) {
     Brick<Dim> brick;
@@ -28,16 +29,16 @@ std::vector<Brick<Dim>> bricks_of(const BrickWall& wall) {
     }
     bricks.push_back(brick);
   };
-  const int across = Dim == 3 ? n[1 - along] : 1;
+  const int across = Dim == 3 ? n[deep] : 1;
   const Real full = size[static_cast<int>(along)];
-  for (int course = 0; course < n[Dim - 1]; ++course) {
+  for (int course = 0; course < n[up]; ++course) {
     const bool shifted = wall.bond == Bond::running && course % 2 == 1;
     for (int j = 0; j < across; ++j) {
       for (int i = 0; i < n[along] + (shifted ? 1 : 0); ++i) {
         std::array<int, Dim> cell{};
         cell[along] = i;
-        if constexpr (Dim == 3) cell[1 - along] = j;
-        cell[Dim - 1] = course;
+        if constexpr (Dim == 3) cell[deep] = j;
+        cell[up] = course;
         if (!shifted) {
           add(cell, i * (full + wall.gap), full);
         } else {

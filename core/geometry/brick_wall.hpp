@@ -10,8 +10,9 @@ struct Brick {
   std::string name;
 };
 
-/// All bricks of a wall. Courses are stacked along the last axis; running bond shifts every second
-/// course by half a brick and closes its ends with half bricks.
+/// All bricks of a wall. Courses are stacked along the last axis, or the last but one where they
+/// run along the last; running bond shifts every second course by half a brick and closes its ends
+/// with half bricks.
 template <int Dim>
 std::vector<Brick<Dim>> bricks_of(const BrickWall& wall);
 

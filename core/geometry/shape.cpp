@@ -92,13 +92,10 @@ void describe(Schema& s, BrickWall& shape) {
          Schema::kVector);
   s.list({"origin", "lowest corner of the wall; default: the origin"}, shape.origin, kPlace,
          Schema::kVector);
-  s.direction({"course", "direction of the courses"}, shape.course);
+  s.direction({"course", "direction of the courses; they are stacked along the last other axis"},
+              shape.course);
   s.choice({"bond", "running: every second course is shifted by half a brick"}, shape.bond, kBonds);
   s.real({"gap", "between neighbouring bricks"}, shape.gap, {"m", at_least(0), between(0, 1)});
-  const auto last = s.geometry() == Geometry::three_d ? 2u : 1u;
-  s.require(shape.course.size() <= last || std::fabs(shape.course[last]) < 0.5, "course",
-            last == 2 ? "courses are stacked along z: they run along x or y"
-                      : "courses are stacked along y: they run along x");
   s.require(std::all_of(shape.brick.begin(), shape.brick.end(),
                         [&](Real edge) { return edge > shape.gap; }),
             "gap", "must be smaller than each edge of a brick");

@@ -59,7 +59,7 @@ struct Plane {
 
 enum class Bond : int { running, stack };
 
-/// Courses run along `course` and are stacked along the last axis; every brick is a piece.
+/// Courses run along `course` and are stacked along the last other axis; every brick is a piece.
 struct BrickWall {
   static constexpr const char* deck_name = "brick-wall";
   static constexpr const char* deck_help = "bricks in courses, each a piece of its own in contact";

@@ -192,6 +192,28 @@ TEST(Shapes, RunningBondClosesItsEnds) {
   EXPECT_EQ(high, Vec<2>(8, 3));
 }
 
+// Courses along the last axis are stacked along the one before: the same wall, turned.
+TEST(Shapes, CoursesMayStandUpright) {
+  BrickWall flat, upright;
+  flat.bricks = std::vector<int>{4, 3}, flat.brick = {2, 1};
+  upright.bricks = std::vector<int>{3, 4}, upright.brick = {1, 2}, upright.course = {0, 1, 0};
+  const auto lying = mesh_shape<2>({flat, {}, {}}, sized(0.5), Geometry::plane_strain);
+  const auto standing = mesh_shape<2>({upright, {}, {}}, sized(0.5), Geometry::plane_strain);
+  const auto places = [](const Mesh<2>& mesh, bool turned) {
+    std::vector<std::pair<Real, Real>> all;
+    for (const auto& x : mesh.nodes) all.emplace_back(x[turned ? 1 : 0], x[turned ? 0 : 1]);
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  EXPECT_EQ(places(standing, true), places(lying, false));
+  upright.bricks = std::vector<int>{3, 2, 4}, upright.brick = {1, 5, 2}, upright.course = {0, 0, 1};
+  const auto solid = mesh_shape<3>({upright, {}, {}}, sized(1), Geometry::three_d);
+  EXPECT_EQ(solid.piece_names.size(), 3u * (4u + 5u));
+  Vec3 high = Vec3::Zero();
+  for (const auto& x : solid.nodes) high = high.cwiseMax(x);
+  EXPECT_EQ(high, Vec3(3, 10, 8));
+}
+
 TEST(Shapes, FillingsAreCentredAndInside) {
   const auto box = fill_shape<3>({Box{{0, 0, 0}, {1, 2, 3}}, {}, {}}, {0.5}, LatticeKind::cubic);
   EXPECT_EQ(box.points.size(), 2u * 4u * 6u);
