@@ -271,8 +271,6 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   Real from = std::max(std::min(below.s0, below.s1), std::min(above.s0, above.s1));
   Real to = std::min(std::max(below.s0, below.s1), std::max(above.s0, above.s1));
   const Real smaller = std::min(lower.area, upper.area);
-  if (!(to - from > kSliver * smaller)) return false;
-
   const auto penetration = [&](Real s) {
     return below.height(s) - above.height(s) + needs.opening;
   };
@@ -281,8 +279,8 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   if (!needs.whole) {
     if (plane.deepest <= 0) return false;
     leave_out_gap(from, to, depth);
-    if (!(to - from > kSliver * smaller)) return false;
   }
+  if (!(to - from > kSliver * smaller)) return false;
 
   const Real middle = 0.5 * (from + to);
   const auto breadth = [&](Real s) { return section.breadth(plane.origin[0] + s * t[0]); };
