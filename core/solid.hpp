@@ -13,6 +13,12 @@
 
 namespace brunt {
 
+/// What mass scaling added to a body.
+struct AddedMass {
+  Real added = 0, material = 0;     ///< [kg]
+  std::size_t n_scaled = 0, n = 0;  ///< elements
+};
+
 /// A group of material points with its blocks of elements or particles: what FE, SPH and rigid
 /// surfaces have in common. Virtual calls are per group per step, never per point.
 template <int Dim>
@@ -61,6 +67,8 @@ class Solid {
   virtual const GhostPlan& ghosts() const = 0;
   /// Brings to the copies what update_state published. Collective.
   virtual void refresh_state() {}
+  /// What mass scaling added to the elements of a body that this rank counts.
+  virtual AddedMass added_mass(Label) const { return {}; }
   /// Elements and particles that this rank counts.
   virtual std::size_t n_elements() const = 0;
   virtual std::size_t n_particles() const = 0;

@@ -186,6 +186,9 @@ std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim
     std::fill_n(share, n, 0.0);
     block.formulation->add_corner_volumes(corner_positions(block, e, points), thickness,
                                           block.material->density, share);
+    if (block.mass_scale.empty()) continue;
+    const Real scale = block.mass_scale[static_cast<std::size_t>(e)];
+    for (std::size_t I = 0; I < n; ++I) share[I] *= scale;
   }
   return mass;
 }

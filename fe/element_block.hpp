@@ -88,7 +88,8 @@ struct ElementBlock {
   std::vector<Real> reference_volume;  ///< [m^3] of each material point at time 0
   std::vector<Real> element_volume;    ///< [m^3] of each element at time 0
   std::vector<Real> reference_size;    ///< [m] volume^(1/3), area^(1/2) in 2D, at time 0
-  std::vector<Real> mass;              ///< [kg] of each element
+  std::vector<Real> mass;              ///< [kg] of each element, with what scaling added
+  std::vector<Real> mass_scale;        ///< [1] mass over that of the material; empty: 1
   /// Where pressure is of volumes about nodes: their mean ratio to time 0 at n, of each element.
   std::vector<Real> volume_ratio;
   /// Viscous control: [N] generalised forces Q at n, kHourglassValues x n_padded.
@@ -108,6 +109,10 @@ struct ElementBlock {
   /// [J] plastic and compression heat that nodes have been given; empty where neither arises
   std::vector<Real> heat_given;
 
+  /// [kg] without what scaling added.
+  Real material_mass(std::size_t e) const {
+    return mass_scale.empty() ? mass[e] : mass[e] / mass_scale[e];
+  }
   int elements_per_tile() const { return kTile / gauss; }
   int n_tiles() const { return n_padded / elements_per_tile(); }
   std::size_t point(LocalIndex e, int g) const {

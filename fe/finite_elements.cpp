@@ -10,6 +10,7 @@
 #include "fe/element_values.hpp"
 #include "fe/erosion.hpp"
 #include "fe/fetch_tile.hpp"
+#include "fe/mass_scaling.hpp"
 #include "fe/outer_facets.hpp"
 
 namespace brunt {
@@ -83,6 +84,15 @@ void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) 
   gather_ = make_corner_gather(blocks_, points_.n_owned);
   force_chunks_ = ForceChunks<Dim>(blocks_, points_.n_owned, points_.size());
   start_volumes();
+  const std::vector<Vec<Dim>> at_rest(points_.x.size(), Vec<Dim>::Zero());
+  ElementStep<Dim> step = element_step(1.0);
+  step.v = at_rest.data();
+  for (auto& block : blocks_) scale_masses(block, step);
+}
+
+template <int Dim>
+AddedMass FiniteElements<Dim>::added_mass(Label body) const {
+  return brunt::added_mass(blocks_, body);
 }
 
 template <int Dim>

@@ -52,6 +52,7 @@ class FiniteElements final : public Solid<Dim> {
   using Solid<Dim>::view;
   BodyView view(Label body, const WantedFields& wanted) const override;
   std::size_t n_elements() const override;
+  AddedMass added_mass(Label body) const override;
   std::size_t n_particles() const override { return 0; }
   const GhostPlan& ghosts() const override { return ghosts_; }
   /// Every element's material points, shared by those of its nodes that are owned here.

@@ -18,7 +18,8 @@ void FiniteElements<Dim>::set_capacities() {
   for (const auto& block : blocks_) {
     const auto n = static_cast<std::size_t>(block.corners);
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
-      const Real capacity = block.mass[e] * block.material->specific_heat.at(block.temperature);
+      const Real capacity =
+          block.material_mass(e) * block.material->specific_heat.at(block.temperature);
       for (std::size_t I = e * n; I < (e + 1) * n; ++I) {
         at_start[block.corner[I]] = block.temperature;
         share[block.first_corner + I] = capacity * block.heat_share[I];
@@ -50,7 +51,7 @@ void FiniteElements<Dim>::vary_capacities() {
       if (block.material != material) continue;
       const auto n = static_cast<std::size_t>(block.corners);
       for (std::size_t I = 0; I < static_cast<std::size_t>(block.n) * n; ++I) {
-        share[block.first_corner + I] = block.mass[I / n] * block.heat_share[I];
+        share[block.first_corner + I] = block.material_mass(I / n) * block.heat_share[I];
       }
     }
     gather_.template add<1>(share.data(), mass.emplace_back(points_.x.size(), Vec<1>::Zero()));

@@ -62,6 +62,7 @@ struct ElementOptions {
   Hourglass hourglass;
   BulkViscosity bulk_viscosity;
   std::optional<Erosion> erosion;  ///< none: a failed element stays
+  Real least_step = 0;             ///< [s] elements get mass up to this stable step; 0: none does
 };
 
 inline void describe(Schema&, AutomaticHourglass&) {}

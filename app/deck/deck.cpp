@@ -9,8 +9,15 @@ namespace brunt {
 
 namespace deck {
 
+void describe(Schema& s, MassScaling& scaling) {
+  s.real({"step", "that elements are to allow, `safety` included", Need::required}, scaling.step,
+         {"s", positive()});
+  s.real({"max_added_mass", "part of a body's own mass beyond which the deck is refused"},
+         scaling.max_added_mass, {"1", positive(), between(0, 0.5)});
+}
+
 void describe(Schema& s, Time& time) {
-  static constexpr const char* kLater[] = {"mass_scaling", "process_speed"};
+  static constexpr const char* kLater[] = {"process_speed"};
   s.real({"end", "time at which the run ends", Need::required}, time.end,
          {"s", positive(), between(1e-9, 1e3)});
   s.real({"safety", "fraction of the stable step that is used"}, time.safety,
@@ -20,6 +27,9 @@ void describe(Schema& s, Time& time) {
           "a shorter step stops the run; default: a thousandth of the first that elements or "
           "particles bound"},
          time.min_step, {"s", positive()});
+  s.object({"mass_scaling",
+            "elements whose step would be shorter get mass for it, once, at time 0; none without"},
+           time.mass_scaling);
   s.integer({"check_step",
              "measures at step 0 and at every N-th how much longer than its own step limit "
              "the stable step of each body is; below 1 it warns; costs some 600 steps each time; "

@@ -19,15 +19,22 @@ namespace brunt {
 
 namespace deck {
 
+/// Elements whose stable step would be shorter get mass for it at time 0.
+struct MassScaling {
+  Real step = 0;               ///< [s] that they are to allow, `safety` included
+  Real max_added_mass = 0.05;  ///< [1] of a body's mass
+};
+
 struct Time {
   Real end = 0;                  ///< [s]
   Real safety = 0.9;             ///< fraction of the stable step
   std::optional<Real> max_step;  ///< [s]
   std::optional<Real> min_step;  ///< [s] a smaller step stops the run
-  int check_step = 0;            ///< steps between two checks of the step limits; 0: never
-  int heat_every = 1;            ///< steps between two evaluations of conduction
-  Real max_drift = 0.05;         ///< energy drift over the largest energy at which the run stops
-  Real max_created = 0.05;       ///< energy that nobody put in, over the largest, at which it stops
+  std::optional<MassScaling> mass_scaling;
+  int check_step = 0;         ///< steps between two checks of the step limits; 0: never
+  int heat_every = 1;         ///< steps between two evaluations of conduction
+  Real max_drift = 0.05;      ///< energy drift over the largest energy at which the run stops
+  Real max_created = 0.05;    ///< energy that nobody put in, over the largest, at which it stops
   std::optional<Real> until;  ///< [s] stops, with a checkpoint, at the first step that gets there
 };
 

@@ -187,6 +187,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   add_boundaries(loaded, *scene, problems);
   check_constraints(loaded, *scene, problems);
   check_overlaps(loaded, *scene, problems);
+  check_added_mass(loaded, *scene, problems);
   add_contact(deck, *scene);
   add_watches(loaded, *scene, problems);
   check_measures(loaded, *scene, problems);

@@ -1,5 +1,7 @@
 #pragma once
 /// What only the built scene shows: meshes, chosen points, columns, bodies inside each other.
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/deck/deck.hpp"
@@ -23,6 +25,16 @@ void check_overlaps(const LoadedDeck& loaded, Scene<Dim>& scene,
 template <int Dim>
 void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
                    std::vector<DeckProblem>& warnings);
+
+/// Bodies that mass scaling makes heavier than the deck allows.
+template <int Dim>
+void check_added_mass(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                      std::vector<DeckProblem>& problems);
+
+/// What mass scaling adds to which body, or that it adds nothing: a key and a text each.
+template <int Dim>
+std::vector<std::pair<std::string, std::string>> added_mass_texts(const LoadedDeck& loaded,
+                                                                  const Scene<Dim>& scene);
 
 /// Measures of columns that history.csv does not have, and of fields that a body does not have.
 template <int Dim>
