@@ -56,7 +56,8 @@ struct ConcreteCap {
   Real strength(Real pressure, Real shear, Real tensile) const;
 
  private:
-  static constexpr Real kMostDilated = 0.3;  // [1] that shear makes
+  static constexpr Real kMostDilated = 0.3;     // [1] that shear makes
+  static constexpr Real kLeastStrength = 1e-9;  // of fc: less is divided by as if it were so much
 
   struct Cap;
   Real left_in_tension(const Point& at) const;
@@ -66,6 +67,8 @@ struct ConcreteCap {
   void crush(Point& at) const;
   void shear(Point& at, Real cap) const;
   Real beyond(const Cap& cap, Real gamma, Point& at) const;
+  Real over_start(const Cap& cap, Real gamma, Point& at) const;
+  void crush_to_start(const Cap& cap, Point& at) const;
 
   Real ft_ = 0, p_crush_ = 0, a0_ = 0, a2_ = 0, b2_ = 0;
 };
@@ -157,8 +160,31 @@ inline Real ConcreteCap::beyond(const Cap& cap, Real gamma, Point& at) const {
   at.q = vmax(0.0, cap.q_trial - 3 * G * gamma * cap.of_shear);
   const Real limit = crush_pressure(pores), start = cap_start * limit;
   const Real along = pores > 0 ? vmax(0.0, at.pressure - start) / (limit - start) : 0.0;
-  const Real across = at.q / strength(at);
+  // Where tension leaves no strength, no stress is little enough.
+  const Real across = at.q > 0 ? at.q / vmax(strength(at), kLeastStrength * fc) : 0.0;
   return along * along + across * across - 1;
+}
+
+/// How far the pressure [Pa] is over where the cap begins, after so much flow.
+inline Real ConcreteCap::over_start(const Cap& cap, Real gamma, Point& at) const {
+  beyond(cap, gamma, at);
+  return at.pressure - cap_start * crush_pressure(at.own[kCompaction]);
+}
+
+/// The flow that ends on the shear surface, where the cap begins: from there on no pores are
+/// crushed, whatever shear is left, or its return would pull the point apart.
+inline void ConcreteCap::crush_to_start(const Cap& cap, Point& at) const {
+  Real lo = 0, hi = 1e-6 / cap.of_pores;
+  for (int n = 0; n < 200 && over_start(cap, hi, at) > 0 && at.own[kCompaction] > 0; ++n) {
+    lo = hi, hi *= 2;
+  }
+  for (int n = 0; n < 200 && hi - lo > 1e-13 * hi; ++n) {
+    const Real middle = 0.5 * (lo + hi);
+    (over_start(cap, middle, at) > 0 ? lo : hi) = middle;
+  }
+  over_start(cap, lo, at);
+  at.q = vmin(cap.q_trial, strength(at));
+  at.increment = (cap.q_trial - at.q) / (3 * G);
 }
 
 /// Return to the cap, in the directions of the trial, by secants between brackets of the
@@ -188,6 +214,7 @@ inline void ConcreteCap::crush(Point& at) const {
   }
   at.increment = gamma * cap.of_shear;
   beyond(cap, gamma, at);
+  if (at.pressure < cap_start * crush_pressure(at.own[kCompaction])) crush_to_start(cap, at);
 }
 
 /// Return to the shear surface; what yields dilates, and what dilates softens.
