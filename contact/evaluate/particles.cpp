@@ -87,6 +87,33 @@ void limit_by_speed(const Entities<Dim>& entities, std::size_t f, const Present<
   step_limit.take({step, "contact speed", now.particle.body, now.particle.id});
 }
 
+/// Faces that hold a particle behind some, and those before which it is as far as others hold it:
+/// beside the edge of a wedge that is thin for it, it is behind the far side, and outside.
+/// first, last  of the candidates of its row;  near  out, of room for all;  returns how many
+template <int Dim>
+std::size_t find_around(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t first,
+                        std::size_t last, const Present<Dim>& now, const EvaluationStep& step,
+                        LocalIndex* near) {
+  const Real farthest = kDepthRadii * now.particle.radius;
+  std::size_t n = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const std::size_t f = rows.clearances.entity(i);
+    const auto& plane = entities.planes[f];
+    const auto& box = entities.boxes[f];
+    const Real before = plane.normal.dot(now.x - plane.center);
+    const bool open = entities.any_open && entities.faces[f].open;
+    const bool holds =
+        open ? reach_of_open<Dim>(plane, box, now, before,
+                                  side_of(step.touches, now.particle, entities.faces[f]))
+                   .any
+             : plane.area > 0 && std::fabs(before) <= farthest + plane.warp &&
+                   now.about.in(box, farthest);
+    near[n] = static_cast<LocalIndex>(f);
+    n += holds ? 1 : 0;
+  }
+  return n;
+}
+
 /// Faces that may hold the particle of a row. Where it is before all of them, those farther from it
 /// than what still touches are left out: none is a contact, nor nearer than one. Behind some, they
 /// tell where the surface is nearest.
@@ -105,7 +132,7 @@ std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const Parti
   const Real least = 0.5 * std::min(now.particle.radius, entities.shallowest);
   const bool step_limits = !(least > rows.fastest * step.longest * kSurelyMore);
   bool before_all = true;
-  std::size_t n = 0, n_touching = 0;
+  std::size_t n_touching = 0;
   for (std::size_t i = 0; i < listed; ++i) {
     const LocalIndex face = near[i];
     const auto f = static_cast<std::size_t>(face);
@@ -119,13 +146,12 @@ std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const Parti
                                   side_of(step.touches, now.particle, entities.faces[f]))
              : reach_of<Dim>(plane, box, now, before);
     before_all &= !reach.any | reach.before;
-    near[n] = touching[n_touching] = face;
-    n += reach.any;
+    touching[n_touching] = face;
     const bool touches = !(now.about.squared_distance(box) > farthest * farthest);
     n_touching += reach.any & touches;
   }
   if (before_all) return {touching, n_touching};
-  return {near, n};
+  return {near, find_around(entities, rows, first, last, now, step, near)};
 }
 
 /// Adds what of a face is nearest to the particle to part.hits.

@@ -33,9 +33,18 @@ struct FacingRamp {
   FacingRamp(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper)
       : none(0.18 * kBoxSharpness * std::min(lower.sharpness, upper.sharpness)),
         whole(0.34 * kBoxSharpness * std::min(lower.sharpness, upper.sharpness)) {}
-  Real at(Real facing) const { return std::min((facing - none) / (whole - none), 1.0); }
+  /// Smooth at both ends: corners that dig in turn faces to and fro across them, and a force that
+  /// jumps there makes energy.
+  Real at(Real facing) const {
+    const Real s = part(facing);
+    return s * s * (3 - 2 * s);
+  }
   /// Derivative of ln at(facing).
-  Real growth(Real facing) const { return facing < whole ? 1 / (facing - none) : 0.0; }
+  Real growth(Real facing) const {
+    const Real s = part(facing);
+    return s < 1 ? 6 * (1 - s) / (s * (3 - 2 * s) * (whole - none)) : 0.0;
+  }
+  Real part(Real facing) const { return std::min((facing - none) / (whole - none), 1.0); }
 };
 
 /// One common plane between two faces (Vorobiev, simple common plane; docs/theory/contact.md (C4)

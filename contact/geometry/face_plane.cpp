@@ -10,6 +10,8 @@ namespace brunt {
 namespace {
 /// A corner counts as convex if its parallelogram has at least this part of the face's area.
 constexpr Real kConvexLimit = 0.02;
+/// A diagonal is the shorter one where its square is less than this part of the other's.
+constexpr Real kShorter = 0.5;
 
 void finish(FacePlane<2>& face) {
   const Vec<2> edge = face.corner[1] - face.corner[0];
@@ -107,8 +109,10 @@ SplitFace split(const FacePlane<3>& face) {
   };
   const bool first_fits = twice(0, 1, 2) >= 0 && twice(0, 2, 3) >= 0;
   const bool second_fits = twice(1, 2, 3) >= 0 && twice(1, 3, 0) >= 0;
-  const bool first_shorter = (x[2] - x[0]).squaredNorm() <= (x[3] - x[1]).squaredNorm();
-  const bool first = first_fits == second_fits ? first_shorter : first_fits;
+  // Of diagonals nearly alike, as those of a square are, always the same: under pressure its
+  // surface would jump with every rounding.
+  const bool second_shorter = (x[3] - x[1]).squaredNorm() < kShorter * (x[2] - x[0]).squaredNorm();
+  const bool first = first_fits == second_fits ? !second_shorter : first_fits;
   SplitFace halves;
   halves.corners = first ? std::array<std::array<int, 3>, 2>{{{0, 1, 2}, {0, 2, 3}}}
                          : std::array<std::array<int, 3>, 2>{{{1, 2, 3}, {1, 3, 0}}};

@@ -34,7 +34,7 @@ template <int Dim>
 SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach);
 
 /// A quad as two triangles, along the diagonal that leaves both with the quad's orientation, else
-/// along the shorter one; a tie goes to corners 0 and 2. corners[i][c] is the quad's corner.
+/// along that of corners 1 and 3 if it is much shorter. corners[i][c] is the quad's corner.
 struct SplitFace {
   std::array<FacePlane<3>, 2> part;
   std::array<std::array<int, 3>, 2> corners;

@@ -157,8 +157,10 @@ SearchBox<Dim> Candidates<Dim>::box_of_face(const Entities<Dim>& entities, std::
   const auto& plane = entities.planes[face];
   const Real depth = entities.faces[face].rigid() ? entities.deepest : entities.faces[face].depth;
   const Real gap = entities.gap(entities.faces[face].body);
+  // All that an evaluation may look at (Entities::reaches), and what bounds the step by its speed.
+  const Real reach = std::max(kReachPerDepth * depth, 0.5 * (depth + face_reach_));
   return finite_box<Dim>(
-      box_of(plane, 0.5 * (depth + gap + face_reach_) + kReachPerWarp * plane.warp + 0.5 * skin_));
+      box_of(plane, reach + 0.5 * gap + kReachPerWarp * plane.warp + 0.5 * skin_));
 }
 
 template <int Dim>

@@ -47,7 +47,8 @@ enum class Kind { fe, sph, free_rigid, floor };
 
 class Writer {
  public:
-  explicit Writer(std::uint64_t seed) : dice_(seed), seed_(seed) {}
+  Writer(std::uint64_t seed, bool newer)
+      : dice_(seed), more_(seed + 0x5eed), newer_(newer), seed_(seed) {}
 
   std::string deck() {
     dimensions_ = dice_.chance(0.5) ? 3 : 2;
@@ -64,6 +65,7 @@ class Writer {
     deck += "time: {end: " + text(end) + ", min_step: " + text(step / 40) + "}\n";
     deck += "heat: " + dice_.word({"auto", "auto", "off"}) + "\n";
     deck += "materials:\n" + materials_ + "bodies:\n" + bodies + contact() + boundaries();
+    if (!particles_ && draws(0.2)) deck += symmetry();
     if (dice_.chance(0.2)) {
       deck += std::string("gravity: ") + (dimensions_ == 3 ? "[0, 0, -9.81]" : "[0, -9.81]") + "\n";
     }
@@ -79,6 +81,7 @@ class Writer {
     const Real E = solid.modulus * dice_.between(0.7, 1.3), nu = solid.poisson;
     const Real yield = solid.yield * dice_.log_between(0.5, 2);
     const Real bulk = E / (3 * (1 - 2 * nu));
+    if (draws(0.3)) return other_material(name, density, E, yield);
     std::string line = "  " + name + ": {density: " + text(density) + ", elastic: {E: " + text(E) +
                        ", nu: " + text(nu) + "}";
     const bool thermal = dice_.chance(0.5);
@@ -98,6 +101,8 @@ class Writer {
                 ", n: " + text(dice_.between(0.1, 0.8)) + ", C: 0.02, m: 1" +
                 (thermal ? ", T_melt: 1200" : "") + "}}";
     }
+    yields_ = line.find("strength") != std::string::npos;
+    if (yields_ && draws(0.4)) line += ", damage: " + damage(yield);
     if (dice_.chance(0.3)) {
       line += ", eos: {mie-gruneisen: {c0: " + text(std::sqrt(bulk / density)) +
               ", s: " + text(dice_.between(1, 1.6)) + ", gamma0: " + text(dice_.between(1, 2.2)) +
@@ -112,6 +117,88 @@ class Writer {
     materials_ += line + "}\n";
     const Real shear = E / (2 * (1 + nu));
     return std::sqrt((bulk + 4.0 / 3 * shear) / density);
+  }
+
+  /// True by chance, where newer features are drawn.
+  bool draws(Real probability) { return newer_ && more_.chance(probability); }
+
+  std::string damage(Real yield) {
+    failing_ = true;
+    const std::string energy =
+        more_.chance(0.5) ? ", energy: " + text(more_.log_between(10, 1e5)) : "";
+    switch (more_.one_of(5)) {
+      case 0:
+        return "{strain: " + text(more_.log_between(0.01, 1)) + energy + "}";
+      case 1:
+        return "{cockcroft_latham: " + text(yield * more_.log_between(0.01, 1)) + energy + "}";
+      case 2:
+        return "{principal_stress: " + text(yield * more_.log_between(0.1, 2)) + energy + "}";
+      case 3:
+        return "{mean_tension: " + text(yield * more_.log_between(0.1, 2)) + energy + "}";
+      default:
+        return "{johnson-cook: {D1: " + text(more_.between(0.01, 0.3)) +
+               ", D2: " + text(more_.between(0, 2)) + ", D3: -1.5, D4: 0.01" + energy + "}}";
+    }
+  }
+
+  /// Liquids, gases, explosives and concrete; returns the speed of sound [m/s].
+  Real other_material(const std::string& name, Real density, Real E, Real yield) {
+    const Real c = std::sqrt(E / density);
+    const std::size_t choice = more_.one_of(6);
+    if (choice == 3) density = 1630;  // of the explosive
+    const std::string begin = "  " + name + ": {density: " + text(density);
+    std::string rest;
+    Real sound = c;
+    switch (choice) {
+      case 0:
+        rest =
+            ", eos: {tait: {c0: " + text(c) + (more_.chance(0.5) ? ", pressure: 1e5" : "") + "}}";
+        break;
+      case 1:
+        rest = ", elastic: {E: " + text(E) + ", nu: 0.3}, eos: {polynomial: {C1: " + text(E) +
+               ", C2: " + text(E) + ", C3: " + text(0.5 * E) +
+               ", C4: " + text(more_.between(0, 2)) + ", C5: " + text(more_.between(0, 1)) +
+               "}}, strength: {j2: {yield: " + text(yield) + "}}";
+        sound = 1.3 * c;
+        break;
+      case 2:
+        rest =
+            ", eos: {ideal-gas: {gamma: 1.4, pressure: " + text(more_.log_between(1e5, 1e9)) + "}}";
+        sound = std::sqrt(1.4e9 / density);
+        break;
+      case 3:
+        rest = ", eos: {jwl: {A: 371.2e9, B: 3.231e9, R1: 4.15, R2: 0.95, omega: 0.3, E0: 7e9}}";
+        sound = 4e3;
+        break;
+      case 4: {
+        const Real fc = more_.log_between(10e6, 100e6);
+        rest = ", strength: {concrete-cap: {fc: " + text(fc) +
+               ", Gf: " + text(more_.log_between(30, 300)) + "}}";
+        sound = std::sqrt(34e9 / density);
+        break;
+      }
+      default:
+        rest =
+            ", strength: {hjc: {fc: 48e6, G: 14.86e9, A: 0.79, B: 1.6, N: 0.61, C: 0.007, "
+            "T: 4e6, D1: 0.04, ef_min: 0.01, p_crush: 16e6, mu_crush: 0.001, p_lock: 800e6, "
+            "mu_lock: 0.1, K1: 85e9, K2: -171e9, K3: 208e9}}";
+        sound = std::sqrt(100e9 / density);
+    }
+    materials_ += begin + rest + "}\n";
+    return sound;
+  }
+
+  std::string erosion() {
+    std::string how;
+    if (failing_ && more_.chance(0.7)) how += ", damage: true";
+    if (yields_ && more_.chance(0.4)) how += ", strain: " + text(more_.log_between(0.1, 2));
+    if (how.empty() || more_.chance(0.3)) how += ", inverted: true";
+    if (more_.chance(0.3)) how += ", to: nothing";
+    return ", erode: {" + how.substr(2) + "}";
+  }
+
+  std::string symmetry() {
+    return std::string("symmetry: {") + (dimensions_ == 3 ? "z" : "y") + ": 0}\n";
   }
 
   std::string vector(Real across, Real along) {
@@ -197,11 +284,18 @@ class Writer {
     const Real aside = axisymmetric_ || dice_.chance(0.5) ? 0 : width * dice_.between(-0.5, 0.5);
     const std::string drawn = shape(kind, width, top_ + gap, aside, height);
     top_ += gap + height;
+    failing_ = yields_ = false;
+    particles_ = particles_ || kind == Kind::sph;
     const Real c = material("m" + std::to_string(b));
     std::string line = "  " + name + ": {material: m" + std::to_string(b) + ", shape: " + drawn;
     if (kind == Kind::free_rigid) line += ", rigid: true";
     if (kind == Kind::sph) line += ", method: sph" + particle_options();
-    if (kind == Kind::fe) line += element_options();
+    if (kind == Kind::fe && dimensions_ == 3 && draws(0.15)) {
+      line += ", element: {type: tet4}";
+    } else if (kind == Kind::fe) {
+      line += element_options();
+    }
+    if (kind == Kind::fe && draws(failing_ ? 0.7 : 0.3)) line += erosion();
     line += ", size: " + text(size);
     if (b > 0) {
       const Real speed = dice_.log_between(1, 500);
@@ -244,13 +338,23 @@ class Writer {
     }
     if (dice_.chance(0.1)) options += ", cohesion: 1e6, tension: 1e6";
     if (dice_.chance(0.1)) options += ", initial_overlap: press";
+    if (draws(0.1)) {
+      options += ", tied: true";
+    } else if (draws(0.1)) {
+      options += ", joint: {normal: " + text(more_.log_between(1e10, 1e13)) +
+                 (more_.chance(0.5) ? ", max_closure: 1e-4" : "") + "}";
+    }
     return options.empty() ? "" : "contact: {default: {" + options.substr(2) + "}}\n";
   }
 
   std::string boundaries() {
-    if (first_.empty() || !dice_.chance(0.35)) return "";
     const std::string axis = dimensions_ == 3 ? "z" : "y";
     std::string all;
+    if (!first_.empty() && draws(0.2)) {
+      all += "  press: {body: " + first_ + ", where: {side: max-" + axis +
+             "}, pressure: " + text(more_.log_between(1e5, 1e8)) + "}\n";
+    }
+    if (first_.empty() || !dice_.chance(0.35)) return all.empty() ? "" : "boundaries:\n" + all;
     if (first_ == "b0") {
       all += "  foot: {body: b0, where: {side: min-" + axis + "}, fix: [" + axis + "]}\n";
     } else {
@@ -260,7 +364,8 @@ class Writer {
     return "boundaries:\n" + all;
   }
 
-  Dice dice_;
+  Dice dice_, more_;
+  bool newer_, failing_ = false, yields_ = false, particles_ = false;
   std::uint64_t seed_;
   int dimensions_ = 3;
   bool axisymmetric_ = false;
@@ -270,6 +375,6 @@ class Writer {
 };
 }  // namespace
 
-std::string random_deck(std::uint64_t seed) { return Writer(seed).deck(); }
+std::string random_deck(std::uint64_t seed, bool newer) { return Writer(seed, newer).deck(); }
 
 }  // namespace brunt::test

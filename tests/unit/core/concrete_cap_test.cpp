@@ -154,6 +154,28 @@ TEST(ConcreteCap, CyclesMakeNoEnergy) {
   }
 }
 
+// Much shear at little pressure: the return to the cap would close pores until tension were left
+// and no strength, by which nothing can be divided. No pores are crushed below where the cap
+// begins.
+TEST(ConcreteCap, ShearBeyondTheCapCrushesNoPoresBelowItsStart) {
+  ConcreteCap law;
+  law.fc = 23.1e6;
+  law.prepare();
+  for (const Real q : {1e7, 5e7, 2e8, 1e9, 5e9}) {
+    for (const Real ratio : {0.9985, 0.998, 0.99, 0.95, 0.9}) {
+      ConcreteCap::Point at;
+      law.start(at);
+      at.ratio = ratio, at.q = q;
+      law.step(at);
+      const Real start = law.cap_start * law.crush_pressure(at.own[ConcreteCap::kCompaction]);
+      ASSERT_TRUE(std::isfinite(at.pressure)) << q << ' ' << ratio;
+      EXPECT_GE(at.pressure, start * (1 - 1e-9)) << q << ' ' << ratio;
+      EXPECT_LE(at.q, std::min(q, law.strength(at)) * (1 + 1e-9)) << q << ' ' << ratio;
+      EXPECT_NEAR(at.increment, (q - at.q) / (3 * law.G), 1e-9) << q << ' ' << ratio;
+    }
+  }
+}
+
 // The same path in axes that are turned: the same stress, turned.
 TEST(ConcreteCap, PathsDoNotDependOnAxes) {
   const Material material = concrete(30e6);
