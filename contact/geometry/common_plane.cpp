@@ -283,7 +283,6 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
     leave_out_gap(from, to, depth);
     if (!(to - from > kSliver * smaller)) return false;
   }
-
   const Real middle = 0.5 * (from + to);
   const auto breadth = [&](Real s) { return section.breadth(plane.origin[0] + s * t[0]); };
   const auto [area, first, total, moment] = integrate(from, to, depth, breadth);
