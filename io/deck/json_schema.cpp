@@ -210,6 +210,11 @@ class SchemaWriter {
       case Type::map:
         if (is_bare(key)) return schema_of(key.children.front());
         if (!key.list_allowed) return map_schema(key.children);
+        if (!key.words.empty()) {
+          const Json one = any_of({Json{{"enum", key.words}}, map_schema(key.children)});
+          return any_of({Json{{"enum", key.words}}, map_schema(key.children),
+                         Json{{"type", "array"}, {"minItems", 1}, {"items", one}}});
+        }
         return any_of(
             {map_schema(key.children),
              Json{{"type", "array"}, {"minItems", 1}, {"items", map_schema(key.children)}}});
