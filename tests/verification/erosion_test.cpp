@@ -126,8 +126,8 @@ output: {every: 1 s, history: 0.5 us}
 
 TEST(Erosion, ABallThroughAPlateKeepsMomentumAndEnergy) {
   for (const bool stays : {true, false}) {
-    const auto run = simulate_text(
-        ball_through_plate(std::string("{when: {strain: 0.6}, to: ") + (stays ? "points}" : "nothing}")));
+    const auto run = simulate_text(ball_through_plate(std::string("{when: {strain: 0.6}, to: ") +
+                                                      (stays ? "points}" : "nothing}")));
     EXPECT_EQ(run.failure, "");
     EXPECT_GT(run.last("body.plate.eroded"), 5);
     EXPECT_LT(run.last("body.ball.position.z"), -5e-3);  // it is through
