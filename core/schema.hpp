@@ -180,6 +180,12 @@ class Schema {
           describe(s, value ? *value : blank);
         });
   }
+  /// A map whose flags may stand as words, by themselves or in a list with maps of other keys:
+  /// when: damage, or when: [damage, strain: 1.5].
+  template <class T>
+  void any_of(const Key& key, T& value) {
+    visit_any_of(key, [&](Schema& s) { describe(s, value); });
+  }
   /// Entries begin as copies of `initial`.
   template <class T>
   void named(const Key& key, std::vector<Named<T>>& entries, bool list_allowed = false,
@@ -260,6 +266,7 @@ class Schema {
                                  std::function<void()> add,
                                  std::function<void(std::size_t, Schema&)> members,
                                  Members blank) = 0;
+  virtual void visit_any_of(const Key& key, Members members) = 0;
   virtual void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                             std::function<std::size_t()> index,
                             std::function<void(std::size_t)> choose, Members members,

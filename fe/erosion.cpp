@@ -66,13 +66,13 @@ void take_free_points(const ElementBlock<Dim>& block, const std::vector<Real>& v
 template <int Dim>
 bool has_failed(const ElementBlock<Dim>& block, LocalIndex e) {
   constexpr Real kNothingLeft = 1 - 1e-9;  // of the stress
-  const Erosion& erosion = *block.options.erosion;
+  const ErodeWhen& when = block.options.erosion->when;
   const MaterialState& state = block.state;
-  if (erosion.damage && !state.damage.empty() && mean_over(block, e, state.damage) >= kNothingLeft)
+  if (when.damage && !state.damage.empty() && mean_over(block, e, state.damage) >= kNothingLeft)
     return true;
-  if (erosion.strain && !state.eps_p.empty() && mean_over(block, e, state.eps_p) >= *erosion.strain)
+  if (when.strain && !state.eps_p.empty() && mean_over(block, e, state.eps_p) >= *when.strain)
     return true;
-  return erosion.step && !(block.stable_step[e] >= *erosion.step);
+  return when.step && !(block.stable_step[e] >= *when.step);
 }
 
 template <int Dim>

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/conversion.hpp"
 #include "core/parallel/partition.hpp"
 #include "core/solid.hpp"
 #include "fe/corner_gather.hpp"
@@ -14,7 +15,7 @@ struct ErosionState;
 /// A group of finite elements: hexahedra in 3D, quadrilaterals in plane strain and axisymmetry.
 /// Nodes are material points; elements stand in blocks of one formulation and one law.
 template <int Dim>
-class FiniteElements final : public Solid<Dim> {
+class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
  public:
   /// points  nodes with x, v, id and labels at time 0, x the radius in axisymmetry; their masses
   ///         and x_start are set here
@@ -46,6 +47,9 @@ class FiniteElements final : public Solid<Dim> {
   StepLimit stable_step() const override;
   void rearrange() override {}
   void erode(Real dt) override;
+  Points<Dim>& carrying_points() override { return points_; }
+  const std::vector<ConvertedShare>& converted() const override { return converted_; }
+  bool any_converted() const override { return any_converted_; }
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
   std::string advice(GlobalId entity) const override;
@@ -84,6 +88,7 @@ class FiniteElements final : public Solid<Dim> {
   std::vector<LocalIndex> let_points_go(const std::vector<ErodedElement>& going, Real dt);
   void find_last_work(const std::vector<Vec<Dim>>& x_before, Real dt,
                       std::vector<ErodedElement>& mine);
+  void convert(const std::vector<ErodedElement>& going, const std::vector<Vec<Dim>>& x_before);
   void rebuild(bool with_state);
   void free_points(bool time_goes_on);
   void clear_born();
@@ -112,6 +117,8 @@ class FiniteElements final : public Solid<Dim> {
   /// Block and element behind each facet; empty until contact asks for their materials.
   std::vector<std::pair<std::size_t, LocalIndex>> element_of_facet_;
   std::unique_ptr<ErosionState<Dim>> erosion_;  ///< null: nothing of it erodes
+  std::vector<ConvertedShare> converted_;       ///< of this step
+  bool any_converted_ = false;                  ///< in this step, on any rank
   GhostPlan ghosts_;
   const Communicator* ranks_ = nullptr;  ///< null: this rank has the whole
 };

@@ -61,7 +61,7 @@ void FiniteElements<Dim>::start_erosion() {
   erosion_ = erosion_at_start(blocks_, points_, surface_);
   if (!erosion_) return;
   for (const auto& [body, to] : erosion_->to) {
-    if (to == ErodeTo::points) surface_.may_free.push_back(body);
+    if (to != ErodeTo::nothing) surface_.may_free.push_back(body);
   }
 }
 
@@ -69,6 +69,8 @@ template <int Dim>
 void FiniteElements<Dim>::erode(Real dt) {
   if (!erosion_) return;
   clear_born();
+  converted_.clear();
+  any_converted_ = false;
   auto mine = failed_elements();
   if (ranks_ != nullptr && !ranks_->any(!mine.empty())) return;
   const auto going = of_every_rank(mine, ranks_);
@@ -78,6 +80,7 @@ void FiniteElements<Dim>::erode(Real dt) {
   surface_.gone = let_points_go(going, dt);
   find_last_work(x_before, dt, mine);
   merge_by_id(of_every_rank(mine, ranks_), erosion_->eroded);
+  convert(going, x_before);
   rebuild(true);
   free_points(true);
 }
@@ -100,7 +103,7 @@ std::vector<ErodedElement> FiniteElements<Dim>::failed_elements() const {
   std::vector<ErodedElement> failed;
   for (const auto& block : blocks_) {
     if (!block.options.erosion) continue;
-    const bool by_shape = block.options.erosion->inverted;
+    const bool by_shape = block.options.erosion->when.inverted;
     for (LocalIndex e = 0; e < block.n; ++e) {
       if (!block.owned[e]) continue;
       const bool goes =
@@ -300,6 +303,8 @@ template <int Dim>
 void FiniteElements<Dim>::load_eroded(const StateTables& tables) {
   const bool was_whole = erosion_->eroded.empty();
   erosion_->eroded.clear(), erosion_->gone.clear();
+  converted_.clear();
+  any_converted_ = false;
   clear_born();
   if (tables.has(kEroded)) {
     const auto& rows = tables.rows(kEroded);

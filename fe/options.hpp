@@ -42,15 +42,21 @@ struct BulkViscosity {
   Real quadratic = 1.44;
 };
 
-/// What becomes of nodes about which no element is left.
-enum class ErodeTo : int { points, nothing };
+/// What becomes of nodes about which no element is left; sph: and of what the elements were.
+enum class ErodeTo : int { points, nothing, sph };
 
-/// The key `erode` of a deforming FE body: an element goes where one of these holds.
-struct Erosion {
+/// An element goes where one of these holds.
+struct ErodeWhen {
   bool damage = false;         ///< its material has failed: it carries nothing any more
   std::optional<Real> strain;  ///< [1] its equivalent plastic strain is at least that
   std::optional<Real> step;    ///< [s] its stable step is below that
   bool inverted = false;       ///< it, or a part of it, has no volume
+  bool operator==(const ErodeWhen&) const = default;
+};
+
+/// The key `erode` of a deforming FE body.
+struct Erosion {
+  ErodeWhen when;
   ErodeTo to = ErodeTo::points;
   bool operator==(const Erosion&) const = default;
 };
@@ -82,21 +88,27 @@ inline void describe(Schema& s, BulkViscosity& viscosity) {
   s.real({"quadratic", "quadratic coefficient, in compression only"}, viscosity.quadratic,
          {"1", at_least(0), between(0, 10)});
 }
-inline void describe(Schema& s, Erosion& erosion) {
-  static constexpr const char* kTo[] = {"points", "nothing"};
-  s.flag({"damage", "where the material has failed and carries nothing any more"}, erosion.damage);
-  s.real({"strain", "from this equivalent plastic strain on"}, erosion.strain,
+inline void describe(Schema& s, ErodeWhen& when) {
+  s.flag({"damage", "where the material has failed and carries nothing any more"}, when.damage);
+  s.real({"strain", "from this equivalent plastic strain on"}, when.strain,
          {"1", positive(), between(0.05, 10)});
-  s.real({"step", "where its stable step is shorter"}, erosion.step,
+  s.real({"step", "where its stable step is shorter"}, when.step,
          {"s", positive(), between(1e-12, 1e-5)});
   s.flag({"inverted", "where it, or a part of it, has no volume any more; else the run ends"},
-         erosion.inverted);
+         when.inverted);
+  s.require(when.damage || when.strain || when.step || when.inverted, "",
+            "needs one of damage, strain, step or inverted: what makes elements go");
+}
+inline void describe(Schema& s, Erosion& erosion) {
+  static constexpr const char* kTo[] = {"points", "nothing", "sph"};
+  s.any_of({"when", "what makes elements go: [damage, strain: 1.5, step: 1 ns, inverted]",
+            Need::required},
+           erosion.when);
   s.choice({"to",
             "what becomes of nodes that no element holds any more: points with their mass that "
-            "still touch other bodies, or nothing"},
+            "still touch other bodies, or nothing; sph: those points, which carry on as particles "
+            "what the elements were"},
            erosion.to, kTo);
-  s.require(erosion.damage || erosion.strain || erosion.step || erosion.inverted, "",
-            "needs one of damage: true, strain, step or inverted: true: what makes elements go");
 }
 inline void describe(Schema& s, ElementOptions& element) {
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& solid) {

@@ -98,7 +98,7 @@ void SphParticles<Dim>::refresh_motion() {
     }
     record[Record::kInverse] = 1.0 / smoothing_length_[i];
     record[Record::kVolume] = state_[i].volume / depth_;
-    stress_[i].data[StressRecord<Dim>::kDensity] = points_.mass[i] / state_[i].volume;
+    stress_[i].data[StressRecord<Dim>::kDensity] = weighed_mass(i) / state_[i].volume;
   });
 }
 
@@ -178,7 +178,9 @@ void SphParticles<Dim>::update_state(Real dt) {
   if (surface_.needs_spin) publish_spins();
   for (auto& block : blocks_) {
     const std::size_t n_tiles = block.state.size() / kTile;
-    for_each(n_tiles, [&](std::size_t tile) { update_tile(block, tile * kTile, dt); });
+    for_each(n_tiles, [&](std::size_t tile) {
+      if (!rides() || !tile_sleeps(block, tile * kTile)) update_tile(block, tile * kTile, dt);
+    });
   }
   if (surface_.needs_material) publish_materials();
 }
@@ -214,6 +216,7 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
       });
     });
   }
+  if (rides()) give_forces_to_nodes();
 }
 
 template class SphParticles<2>;

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/conversion.hpp"
 #include "core/materials/material.hpp"
 #include "core/search/search.hpp"
 #include "core/solid.hpp"
@@ -82,6 +83,14 @@ class SphParticles final : public Solid<Dim> {
   SphParticles(const SphParticles&) = delete;
   SphParticles& operator=(const SphParticles&) = delete;
 
+  /// From here on each particle rides on a node of another group, on all ranks, by the ids of the
+  /// nodes, in the order of the particles: it sleeps until the node takes over what an element was,
+  /// and then has the place, velocity and temperature of the node, which takes its forces and heat.
+  /// Particles of no mass sleep.
+  void ride_on(ParticleCarrier<Dim>& carrier, std::vector<GlobalId> node);
+  const ParticleCarrier<Dim>* carrier() const { return carrier_; }
+  /// The nodes of riders, by particle; empty where they ride on none.
+  std::span<const GlobalId> nodes() const { return node_id_; }
   std::unique_ptr<Solid<Dim>> part(const Partition& partition,
                                    const Communicator& ranks) const override {
     return std::make_unique<SphParticles>(*this, partition, ranks);
@@ -120,6 +129,15 @@ class SphParticles final : public Solid<Dim> {
 
  private:
   struct TileStress;
+  bool rides() const { return carrier_ != nullptr; }
+  bool sleeps(std::size_t i) const { return state_[i].start_volume == 0; }
+  bool tile_sleeps(const ParticleBlock& block, std::size_t first) const;
+  Real weighed_mass(std::size_t i) const;
+  bool take_over();
+  void take_share(std::size_t i, const ConvertedShare& share);
+  void follow_nodes();
+  void give_forces_to_nodes();
+  void give_heat_to_nodes();
   std::size_t n_owned() const { return points_.owned(); }
   void hold(std::size_t n);
   void label_sums();
@@ -166,6 +184,11 @@ class SphParticles final : public Solid<Dim> {
   std::vector<HeatRecord<Dim>> heat_;  // empty: heat is not conducted
   bool held_ = false;                  // nothing of it ever moves: only its heat is computed
   bool settled_ = false;               // rows, weights and corrections of what is held are there
+
+  ParticleCarrier<Dim>* carrier_ = nullptr;  // null: they ride on no nodes
+  std::vector<GlobalId> node_id_;            // of each owned particle that rides
+  std::vector<LocalIndex> node_;             // its place among the points of the carrier
+  std::vector<std::uint32_t> slot_;          // of each owned particle that rides, in its block
 
   const Communicator* ranks_ = &lone_rank();
   GhostPlan ghosts_;         // copies within reach; made anew with the lists

@@ -17,6 +17,7 @@ void SphParticles<Dim>::set_capacities() {
       points_.temperature[i] = points_.start_temperature[i] = block.set.temperature;
       points_.capacity[i] =
           points_.mass[i] * block.set.material->specific_heat.at(block.set.temperature);
+      if (points_.mass[i] == 0) points_.capacity[i] = 1;  // its node takes the heat
     }
   }
   vary_capacities();
@@ -27,7 +28,8 @@ void SphParticles<Dim>::vary_capacities() {
   std::vector<const Material*> varying;
   for (const auto& block : blocks_) {
     const Material* one = block.set.material;
-    if (!one->specific_heat.varies()) continue;
+    if (!one->specific_heat.varies() || block.set.particle.empty()) continue;
+    if (points_.mass[block.set.particle.front()] == 0) continue;
     if (std::find(varying.begin(), varying.end(), one) == varying.end()) varying.push_back(one);
   }
   if (varying.empty()) return;
@@ -137,6 +139,7 @@ void SphParticles<Dim>::add_conduction(Real dt, std::int64_t step) {
     points_.add_kept_conduction();
   }
   give_mechanical_heat(1.0 / dt);
+  if (rides()) give_heat_to_nodes();
 }
 
 template void SphParticles<2>::set_capacities();

@@ -38,7 +38,10 @@ bool SphParticles<Dim>::lists_hold() const {
 /// particles.
 template <int Dim>
 void SphParticles<Dim>::renew_lists() {
-  if (!held_ && !lists_hold()) rearrange();
+  if (held_) return;
+  const bool woken = rides() && take_over();
+  if (rides()) follow_nodes();
+  if (woken || !lists_hold()) rearrange();
 }
 
 template <int Dim>
@@ -49,9 +52,12 @@ void SphParticles<Dim>::set_skin(Real skin) {
 
 template <int Dim>
 void SphParticles<Dim>::label_sums() {
+  constexpr Label kAsleep = Label{1} << 31;  // each in a sum of its own
   sum_ = points_.body;
-  if (sum_of_piece_.empty()) return;
-  for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] = sum_of_piece_[points_.piece[i]];
+  for (std::size_t i = 0; i < sum_.size(); ++i) {
+    if (!sum_of_piece_.empty()) sum_[i] = sum_of_piece_[points_.piece[i]];
+    if (i < n_owned() && sleeps(i)) sum_[i] = kAsleep + static_cast<Label>(i);
+  }
 }
 
 template <int Dim>
@@ -124,7 +130,8 @@ StepLimit SphParticles<Dim>::stable_step() const {
     const Real viscous =
         options.viscosity.alpha * state.sound_speed + options.viscosity.beta * state.mu;
     const Real speed = state.sound_speed + state.speed + 1.2 * viscous;
-    const Real acceleration = std::sqrt(dot<Dim>(points_.a[i], points_.a[i]));
+    const Vec<Dim>& a = rides() ? carrier_->carrying_points().a[node_[i]] : points_.a[i];
+    const Real acceleration = std::sqrt(dot<Dim>(a, a));
     const Material& material = *blocks_[block_of_[i]].set.material;
     const Real thin =
         2 * kThinFactor / std::sqrt(state.spread.stiffness(shear_share(material, state)));
@@ -134,6 +141,7 @@ StepLimit SphParticles<Dim>::stable_step() const {
   return over_chunks(
       n_owned(), StepLimit{},
       [&](StepLimit& own, std::size_t i) {
+        if (sleeps(i)) return;
         const Real step = bound(i);  // a step that is not a number collapses the run at once
         own.take({step > 0 ? step : 0.0, "particle", points_.body[i], points_.id[i]});
       },

@@ -26,9 +26,12 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
       sum_of_piece_(whole.sum_of_piece_),
       held_(whole.held_),
       ranks_(&ranks),
-      sums_(whole.sum_),
       skin_ratio_(whole.skin_ratio_),
       search_(whole.search_) {
+  for (std::size_t i = 0; i < whole.points_.x.size(); ++i) {
+    const Label body = whole.points_.body[i];
+    sums_.push_back(sum_of_piece_.empty() ? body : sum_of_piece_[whole.points_.piece[i]]);
+  }
   std::sort(sums_.begin(), sums_.end());
   sums_.erase(std::unique(sums_.begin(), sums_.end()), sums_.end());
   std::vector<LocalIndex> kept, place(whole.points_.x.size(), -1);
@@ -54,6 +57,9 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
     }
   }
   take_sets(std::move(sets), spacing);
+  for (std::size_t k = 0; k < kept.size() && whole.rides(); ++k) {
+    node_id_.push_back(whole.node_id_[kept[k]]);  // until it is told of the part of its carrier
+  }
   rearrange();
   seed_step_limits();
   if (points_.conducts) start_conduction();
@@ -90,19 +96,23 @@ template <int Dim>
 void SphParticles<Dim>::renew_ghosts(Real skin) {
   const std::size_t n = n_owned();
   std::vector<SearchBox<Dim>> boxes;
+  std::vector<std::size_t> awake;
   for (std::size_t i = 0; i < n; ++i) {
+    if (sleeps(i)) continue;
+    awake.push_back(i);
     boxes.push_back(SearchBox<Dim>::about(points_.x[i], smoothing_length_[i] + 0.5 * skin));
   }
   auto send = who_wants<Dim>(*ranks_, boxes, boxes);
   std::vector<Bytes> to;
-  for (const auto& list : send) {
+  for (auto& list : send) {
     std::vector<Visitor<Dim>> visitors;
-    for (const LocalIndex i : list) {
-      const auto k = static_cast<std::size_t>(i);
+    for (LocalIndex& place : list) {
+      const std::size_t k = awake[place];
+      place = static_cast<LocalIndex>(k);
       Visitor<Dim> one{points_.id[k],
                        points_.body[k],
                        points_.piece[k],
-                       points_.mass[k],
+                       weighed_mass(k),
                        smoothing_length_[k],
                        state_[k].volume,
                        {},
@@ -182,6 +192,7 @@ bool SphParticles<Dim>::sums_hold(bool mine_hold) const {
   std::vector<Real> extremes(sums_.size() * width + 1, -kInfinity);
   if (!mine_hold) extremes.back() = 1;
   for (std::size_t i = 0; i < n_owned(); ++i) {
+    if (sleeps(i)) continue;
     const auto sum = std::lower_bound(sums_.begin(), sums_.end(), sum_[i]);
     Real* own = extremes.data() + static_cast<std::size_t>(sum - sums_.begin()) * width;
     for (int c = 0; c < Dim; ++c) {
@@ -206,6 +217,7 @@ template <int Dim>
 std::vector<Real> SphParticles<Dim>::point_work() const {
   std::vector<Real> work(n_owned());
   for (std::size_t i = 0; i < work.size(); ++i) {
+    if (sleeps(i)) continue;
     work[i] = 1.0 + rows_.count(static_cast<LocalIndex>(i));
   }
   return work;

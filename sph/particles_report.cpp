@@ -119,6 +119,7 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
   for (std::size_t slot = first; slot < last; ++slot) {
     const auto i = static_cast<std::size_t>(block.set.particle[slot]);
     const auto& state = state_[i];
+    if (sleeps(i)) continue;
     const Real plastic_heat = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
     const Real warmth = compression.empty() ? 0.0 : compression[slot] * state.start_volume;
     sums.add({state.stress_work - plastic_heat, plastic_heat, warmth, state.stress_work,
@@ -193,7 +194,7 @@ BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
   for (const auto& block : blocks_) {
     for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
       const auto i = static_cast<std::size_t>(block.set.particle[slot]);
-      if (points_.body[i] != body) continue;
+      if (points_.body[i] != body || sleeps(i)) continue;
       for (int d = 0; d < 3; ++d) view.position.push_back(d < Dim ? points_.x[i][d] : 0.0);
       fields.add<Dim>("displacement", points_.x[i] - points_.x_start[i]);
       fields.add<Dim>("velocity", points_.v[i]);
@@ -205,7 +206,7 @@ BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
       fields.add("id", {static_cast<Real>(points_.id[i])});
       fields.add("piece", {static_cast<Real>(points_.piece[i])});
       view.point_mass.push_back(points_.mass[i]);
-      view.point_radius.push_back(surface_.particles[i].radius);
+      view.point_radius.push_back(0.5 * state_[i].spacing);
     }
   }
   view.point_fields = fields.take();

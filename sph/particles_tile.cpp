@@ -103,7 +103,8 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     }
     for (int c = 0; c < kSymmetric<Dim>; ++c) stress.correction[c][slot] = state.correction[c];
     tile.ratio_old[slot] = state.ratio;
-    tile.viscous_work[slot] = k < n ? dt * state.viscous_power / state.start_volume : 0.0;
+    const bool works = k < n && state.start_volume > 0;
+    tile.viscous_work[slot] = works ? dt * state.viscous_power / state.start_volume : 0.0;
   }
   for (int i = 0; i < kTile; i += kLanes) {
     const std::size_t at = first + static_cast<std::size_t>(i);

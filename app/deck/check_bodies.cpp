@@ -215,18 +215,23 @@ void check_erosion(const Deck& deck, const std::string& path, const Body& body,
   const auto material =
       std::find_if(deck.materials.begin(), deck.materials.end(),
                    [&](const auto& candidate) { return candidate.name == body.material; });
+  if (erosion && erosion->to == ErodeTo::sph && deck.geometry == Geometry::axisymmetric) {
+    findings.wrong(path + ".erode.to",
+                   "there are no particles in axisymmetry: write points or "
+                   "nothing instead");
+  }
   if (!erosion || material == deck.materials.end()) return;
   if (!findings.sound("materials." + material->name)) return;
-  if (erosion->damage && std::holds_alternative<NoDamage>(material->value.damage)) {
-    findings.wrong(path + ".erode.damage",
+  if (erosion->when.damage && std::holds_alternative<NoDamage>(material->value.damage)) {
+    findings.wrong(path + ".erode.when.damage",
                    "'" + material->name +
                        "' has no `damage`: add a law of failure to it, or write "
                        "strain or step instead");
   }
-  if (erosion->strain && std::holds_alternative<NoStrength>(material->value.strength)) {
-    findings.wrong(path + ".erode.strain", "is a plastic strain, and '" + material->name +
-                                               "' has no `strength`: add one, "
-                                               "or write step or inverted: true instead");
+  if (erosion->when.strain && std::holds_alternative<NoStrength>(material->value.strength)) {
+    findings.wrong(path + ".erode.when.strain", "is a plastic strain, and '" + material->name +
+                                                    "' has no `strength`: add one, "
+                                                    "or write step or inverted instead");
   }
 }
 

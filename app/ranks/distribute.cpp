@@ -2,7 +2,46 @@
 
 #include <utility>
 
+#include "sph/particles.hpp"
+
 namespace brunt {
+namespace {
+
+/// The particles of a group that ride on nodes; null where they are none.
+template <int Dim>
+SphParticles<Dim>* riders_of(const std::unique_ptr<Solid<Dim>>& solid) {
+  auto* const particles = dynamic_cast<SphParticles<Dim>*>(solid.get());
+  return particles != nullptr && particles->carrier() != nullptr ? particles : nullptr;
+}
+
+/// Riders go where their nodes go.
+template <int Dim>
+void join_riders(const Scene<Dim>& scene, Partition& partition) {
+  for (const auto& solid : scene.solids) {
+    const auto* const riders = riders_of(solid);
+    if (riders == nullptr) continue;
+    const auto nodes = riders->nodes();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      partition.owner[riders->points().id[i]] = partition.owner[nodes[i]];
+    }
+  }
+}
+
+/// Tells the parts of riders of the part of their carrier.
+template <int Dim>
+void mount_riders(const std::vector<std::unique_ptr<Solid<Dim>>>& whole, Scene<Dim>& scene) {
+  for (std::size_t s = 0; s < whole.size(); ++s) {
+    const auto* const riders = riders_of(whole[s]);
+    for (std::size_t c = 0; riders != nullptr && c < whole.size(); ++c) {
+      if (dynamic_cast<const ParticleCarrier<Dim>*>(whole[c].get()) != riders->carrier()) continue;
+      auto& part = dynamic_cast<SphParticles<Dim>&>(*scene.solids[s]);
+      part.ride_on(dynamic_cast<ParticleCarrier<Dim>&>(*scene.solids[c]),
+                   {part.nodes().begin(), part.nodes().end()});
+    }
+  }
+}
+
+}  // namespace
 
 template <int Dim>
 WeighedPoints<Dim> weighed_points(const Scene<Dim>& scene) {
@@ -13,7 +52,8 @@ WeighedPoints<Dim> weighed_points(const Scene<Dim>& scene) {
     const auto& points = solid->points();
     // A particle costs as much as some five hexes; points of rigid surfaces next to nothing, and a
     // wall that is wider than what hits it would turn the cuts along it.
-    const Real cost = solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.0);
+    const bool rides = riders_of(solid) != nullptr;
+    const Real cost = rides ? 0.0 : solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.0);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       all.x[points.id[i]] = points.x[i];
       all.weight[points.id[i]] = cost;
@@ -28,7 +68,9 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks,
   scene.ranks = &ranks;
   scene.phases.ranks = &ranks;
   if (ranks.alone()) return;
-  scene.partition = std::move(partition);
+  Partition joined = *partition;
+  join_riders(scene, joined);
+  scene.partition = std::make_unique<const Partition>(std::move(joined));
   std::vector<std::unique_ptr<Solid<Dim>>> whole;
   for (auto& solid : scene.solids) {
     auto part = solid->part(*scene.partition, ranks);
@@ -38,9 +80,12 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks,
     if (scene.rigid) scene.rigid->follow(solid->points(), part->points());
     whole.push_back(std::exchange(solid, std::move(part)));
   }
+  mount_riders(whole, scene);
   if (!scene.contact) return;
   std::vector<Surface<Dim>*> surfaces;
-  for (auto& solid : scene.solids) surfaces.push_back(&solid->surface());
+  for (auto& solid : scene.solids) {
+    if (riders_of(solid) == nullptr) surfaces.push_back(&solid->surface());
+  }
   scene.contact = std::make_unique<ContactManager<Dim>>(*scene.contact, std::move(surfaces),
                                                         *scene.partition, ranks);
 }

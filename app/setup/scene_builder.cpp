@@ -9,6 +9,7 @@
 #include "app/setup/boundaries.hpp"
 #include "app/setup/groups.hpp"
 #include "app/setup/materials.hpp"
+#include "app/setup/riders.hpp"
 #include "app/setup/rigid.hpp"
 #include "app/setup/scene_checks.hpp"
 #include "app/setup/sound_part.hpp"
@@ -195,6 +196,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     sort_problems(problems);
     throw DeckError(problems);
   }
+  add_riders(loaded, *scene, next);
   return scene;
 }
 

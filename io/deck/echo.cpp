@@ -166,6 +166,9 @@ void Echo::visit_one_or_more(const Key& key, std::function<std::size_t()> size,
   if (size() > 1) put(key.name, std::move(list));
 }
 
+/// As one map, which reads back as a list would.
+void Echo::visit_any_of(const Key& key, Members members) { put(key.name, members_of(members)); }
+
 void Echo::visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                         std::function<std::size_t()> index, std::function<void(std::size_t)>,
                         Members members, std::function<void(std::size_t, Schema&)>) {

@@ -59,6 +59,7 @@ class Echo final : public Schema {
   void visit_one_or_more(const Key& key, std::function<std::size_t()> size,
                          std::function<void()> add,
                          std::function<void(std::size_t, Schema&)> members, Members blank) override;
+  void visit_any_of(const Key& key, Members members) override;
   void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                     std::function<std::size_t()> index, std::function<void(std::size_t)> choose,
                     Members members, std::function<void(std::size_t, Schema&)> blank) override;

@@ -203,16 +203,23 @@ class SchemaWriter {
     }
   }
 
+  /// A map; where the key takes them a list of maps, and words for flags.
+  Json map_or_list_schema(const KeyInfo& key) {
+    if (is_bare(key)) return schema_of(key.children.front());
+    const Json map = map_schema(key.children);
+    if (!key.list_allowed) return map;
+    const Json word{{"enum", key.words}};
+    const Json item = key.words.empty() ? map : any_of({word, map});
+    const Json list{{"type", "array"}, {"minItems", 1}, {"items", item}};
+    return key.words.empty() ? any_of({map, list}) : any_of({word, map, list});
+  }
+
   Json value_schema(const KeyInfo& key) {
     using Type = KeyInfo::Type;
     const Json parameter = reference("parameter");
     switch (key.type) {
       case Type::map:
-        if (is_bare(key)) return schema_of(key.children.front());
-        if (!key.list_allowed) return map_schema(key.children);
-        return any_of(
-            {map_schema(key.children),
-             Json{{"type", "array"}, {"minItems", 1}, {"items", map_schema(key.children)}}});
+        return map_or_list_schema(key);
       case Type::named: {
         const Json entry = map_schema(key.children);
         Json schema{{"type", "object"},

@@ -136,6 +136,14 @@ class KeyWalker final : public Schema {
     info.list_allowed = true;
     info.children = children_of(blank);
   }
+  void visit_any_of(const Key& key, Members members) override {
+    KeyInfo& info = add(key, KeyInfo::Type::map);
+    info.list_allowed = true;
+    info.children = children_of(members);
+    for (const KeyInfo& child : info.children) {
+      if (child.type == KeyInfo::Type::flag) info.words.push_back(child.name);
+    }
+  }
   void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                     std::function<std::size_t()> index, std::function<void(std::size_t)>, Members,
                     std::function<void(std::size_t, Schema&)> blank) override {
@@ -224,6 +232,7 @@ std::string type_text(const KeyInfo& key) {
       key.unit.empty() || key.unit == "1" || key.unit == "any" ? "" : " [" + key.unit + "]";
   switch (key.type) {
     case Type::map:
+      if (!key.words.empty()) return word_text(key.words) + ", map, or list of them";
       return key.list_allowed ? "map, or list of maps" : "map";
     case Type::named:
       return key.list_allowed ? "map of named entries, or list" : "map of named entries";

@@ -43,7 +43,7 @@ struct KeyInfo {
   bool list_allowed = false;       ///< map, named entries: a list may stand in its place
   bool in_line = false;            ///< one_of: stands among the keys of its map
   bool bare = false;               ///< the value of an alternative, not a key of its own
-  std::vector<std::string> words;  ///< of choices, with synonyms as "a|b"
+  std::vector<std::string> words;  ///< of choices, with synonyms as "a|b"; of maps their flags
   std::string fallback;            ///< default as text in SI; "" where there is none
   /// Where a key is needed by another of its map, for schemas: "method: sph", "!file"; "" by
   /// `required` alone.

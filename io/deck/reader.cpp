@@ -269,6 +269,32 @@ void Reader::visit_one_or_more(const Key& key, std::function<std::size_t()> size
   }
 }
 
+void Reader::visit_any_of(const Key& key, Members members) {
+  const Node* node = find(key);
+  if (!node) return;
+  const std::string path = path_of(key.name);
+  Node all = map_node();
+  all.place = node->place;
+  const auto add = [&](const std::string& name, const SourcePlace& place, const Node& value) {
+    if (all.find_entry(name)) return problem_at(place, path, "'" + name + "' is there twice");
+    all.entries.push_back({name, place, value});
+  };
+  const auto take = [&](const Node& item) {
+    if (item.is_scalar()) return add(item.text, item.place, item);
+    for (const Entry& entry : item.entries) add(entry.key, entry.place, entry.value);
+    if (!item.is_map()) problem(item, path, "expects a word or a map, got " + what_stands(item));
+  };
+  if (node->is_list()) {
+    for (const Node& item : node->items) take(item);
+  } else {
+    take(*node);
+  }
+  open_scope(&all, path);
+  scope().words_are_flags = true;
+  members(*this);
+  close_scope();
+}
+
 void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                           std::function<std::size_t()>, std::function<void(std::size_t)> choose,
                           Members members, std::function<void(std::size_t, Schema&)>) {

@@ -73,6 +73,7 @@ class Reader final : public Schema {
   void visit_one_or_more(const Key& key, std::function<std::size_t()> size,
                          std::function<void()> add,
                          std::function<void(std::size_t, Schema&)> members, Members blank) override;
+  void visit_any_of(const Key& key, Members members) override;
   void visit_one_of(const Key& key, std::span<const Alternative> alternatives,
                     std::function<std::size_t()> index, std::function<void(std::size_t)> choose,
                     Members members, std::function<void(std::size_t, Schema&)> blank) override;
@@ -88,9 +89,10 @@ class Reader final : public Schema {
     std::vector<std::string> known;  ///< keys of the schema so far
     std::vector<Key> missing;        ///< required and not there
     std::size_t problems_before = 0;
-    std::string choice_missing;  ///< what to tell where no alternative stands
-    bool unsettled = false;      ///< which alternative is meant is not known, nor what it asks
-    bool value_taken = false;    ///< a bare value was read
+    std::string choice_missing;    ///< what to tell where no alternative stands
+    bool unsettled = false;        ///< which alternative is meant is not known, nor what it asks
+    bool value_taken = false;      ///< a bare value was read
+    bool words_are_flags = false;  ///< the name of a flag is its value too: [damage]
   };
 
   int dimensions() const { return geometry_ == Geometry::three_d ? 3 : 2; }

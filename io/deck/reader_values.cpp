@@ -198,6 +198,10 @@ void Reader::integer(const Key& key, int& value, const Range& range) {
 void Reader::flag(const Key& key, bool& value) {
   const Node* node = find(key);
   if (!node) return;
+  if (scope().words_are_flags && node->is_scalar() && node->text == key.name) {
+    value = true;
+    return;
+  }
   if (!node->is_scalar() || (node->text != "true" && node->text != "false")) {
     problem(*node, path_of(key.name), "expects true or false, got " + what_stands(*node));
     return;

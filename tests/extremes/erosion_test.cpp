@@ -48,7 +48,7 @@ TEST(ErosionExtremes, AllElementsOfABodyGo) {
     for (const char* const heat : {"", "heat: conduct\n"}) {
       for (const bool stays : {true, false}) {
         const std::string erode =
-            std::string("{step: 1 s, to: ") + (stays ? "points}" : "nothing}");
+            std::string("{when: {step: 1 s}, to: ") + (stays ? "points}" : "nothing}");
         const auto run = simulate_text(flying_block(one, erode, heat));
         EXPECT_EQ(run.failure, "") << one.geometry << one.element;
         EXPECT_EQ(run.last("body.block.internal"), 0);
@@ -78,7 +78,7 @@ bodies:
     shape: {box: {min: [-1 mm, -1 mm, 1 mm], max: [1 mm, 1 mm, 3 mm]}}
     cells: [2, 2, 2]
     velocity: [0, 0, -100 m/s]
-    erode: {step: 1 s}
+    erode: {when: {step: 1 s}}
   wall: {rigid: true, shape: {plane: {origin: [0, 0, 0], normal: z, extent: 20 mm}}}
 contact: {default: {damping: 0}}
 output: {every: 1 s, history: 1 us}

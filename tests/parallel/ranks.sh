@@ -61,6 +61,7 @@ cases=(
   "decks/flight 0.2_ms"
   "decks/thin 4_us"
   "decks/erosion 9_us"
+  "decks/conversion 7_us"
   "decks/failing 17_us"
   "decks/lost 0.14_ms"
   "decks/fails 5_us"

@@ -18,7 +18,7 @@ RUNS = [
                     "--set", "sections={foot: {body: work, plane: {axis: y, at: 0.45 mm}}}"]),
     ("hot-block", ["--ranks", "2", "--oversubscribe"]),
     ("concrete-cylinder", ["--set", "materials.concrete.strength={concrete-cap: {fc: 30 MPa}}",
-                           "--set", "bodies.cylinder.erode={strain: 2}"]),
+                           "--set", "bodies.cylinder.erode={when: {strain: 2}}"]),
 ]
 
 

@@ -29,7 +29,7 @@ NOT_SEEN = {
         mesh-beside-size damage erode-what-never-fails""",
     "the geometry decides": """
         axis-out-of-plane axisymmetric-across-the-axis axisymmetric-cylinder-off-the-axis
-        axisymmetric-particles axisymmetric-spin boundary-axis-z-in-2d cells-of-three-dimensions
+        axisymmetric-particles erode-to-particles-axisymmetric axisymmetric-spin boundary-axis-z-in-2d cells-of-three-dimensions
         cells-of-two-dimensions flat-shape-in-3d polygon-flat-in-3d solid-shape-in-plane-strain
         velocity-of-two-components""",
     "a name": """

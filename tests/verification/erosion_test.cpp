@@ -64,7 +64,7 @@ Motion motion_of(const BodyView& view) {
 TEST(Erosion, ASpinningBarPartsAndItsHalvesFlyOn) {
   for (const char* const element :
        {"{integration: one-point}", "{integration: q1p0}", "{integration: full}"}) {
-    const auto run = simulate_text(spinning_bar("{damage: true}", element));
+    const auto run = simulate_text(spinning_bar("{when: damage}", element));
     EXPECT_EQ(run.failure, "") << element;
     EXPECT_GT(run.last("body.bar.eroded"), 0) << element;
     EXPECT_NEAR(run.last("body.bar.mass") / run.first("body.bar.mass"), 1, 1e-14);
@@ -87,7 +87,7 @@ TEST(Erosion, ASpinningBarPartsAndItsHalvesFlyOn) {
 }
 
 TEST(Erosion, SaysTheSameInTwoPartsAndRearrangedAtEachStep) {
-  const std::string deck = spinning_bar("{damage: true}", "{integration: one-point}");
+  const std::string deck = spinning_bar("{when: damage}", "{integration: one-point}");
   const auto whole = simulate_text(deck);
   for (const std::int64_t at : {5, 150, 300}) {
     EXPECT_EQ(simulate_text(deck, {}, {.split_at = at}).hashes, whole.hashes) << at;
@@ -126,8 +126,8 @@ output: {every: 1 s, history: 0.5 us}
 
 TEST(Erosion, ABallThroughAPlateKeepsMomentumAndEnergy) {
   for (const bool stays : {true, false}) {
-    const auto run = simulate_text(
-        ball_through_plate(std::string("{strain: 0.6, to: ") + (stays ? "points}" : "nothing}")));
+    const auto run = simulate_text(ball_through_plate(std::string("{when: {strain: 0.6}, to: ") +
+                                                      (stays ? "points}" : "nothing}")));
     EXPECT_EQ(run.failure, "");
     EXPECT_GT(run.last("body.plate.eroded"), 5);
     EXPECT_LT(run.last("body.ball.position.z"), -5e-3);  // it is through
@@ -164,7 +164,7 @@ bodies:
     shape: {box: {min: [0, 0], max: [4 mm, 10 mm]}}
     cells: [4, 8]
     grading: {axis: y, ratio: 4, toward: max}
-    erode: {step: 0.47 us, to: nothing}
+    erode: {when: {step: 0.47 us}, to: nothing}
 boundaries:
   push: {body: column, where: {side: max-y}, pressure: 1 MPa}
 output: {every: 1 s, history: 1 us}
@@ -195,7 +195,7 @@ bodies:
     shape: {box: {min: [0, 0], max: [4 mm, 10 mm]}}
     cells: [4, 8]
     grading: {axis: y, ratio: 4, toward: max}
-    erode: {step: 0.47 us}
+    erode: {when: {step: 0.47 us}}
   block:
     material: rubber
     shape: {box: {min: [3.75 mm, 9.2 mm], max: [6.75 mm, 12.2 mm]}}

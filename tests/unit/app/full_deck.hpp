@@ -105,7 +105,7 @@ bodies:
     material: d2
     shape: {box: {min: [40, 0, 0], max: [41, 1, 1]}}
     size: 0.5
-    erode: {damage: true, strain: 1.5, step: 1 ns, inverted: true, to: nothing}
+    erode: {when: [damage, strain: 1.5, step: 1 ns, inverted], to: nothing}
 contact:
   default:
     friction: {static: 0.3, kinetic: 0.2, decay: 2 s/m}

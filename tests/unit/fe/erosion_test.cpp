@@ -81,7 +81,7 @@ template <int Dim>
 void expect_the_ledger_closes(const Variant& variant, ErodeTo to) {
   const Material material = copper();
   Erosion erosion;
-  erosion.strain = 50, erosion.to = to;
+  erosion.when.strain = 50, erosion.to = to;
   const auto body = eroding_body<Dim>(material, variant, erosion);
   for (int n = 0; n < 10; ++n) step_eroding(*body, kErodingStep);
   const Real before = energy_of(*body, kErodingStep);
@@ -125,7 +125,7 @@ template <int Dim>
 void expect_the_surface_of_what_is_left() {
   const Material material = copper();
   Erosion erosion;
-  erosion.strain = 50;
+  erosion.when.strain = 50;
   const auto body =
       eroding_body<Dim>(material, {Dim == 2 ? Geometry::plane_strain : Geometry::three_d}, erosion);
   const auto before = body->surface().facets;
@@ -173,7 +173,7 @@ TEST(Erosion, AnElementThatIsTurnedInsideOutGoesBeforeItPushes) {
   const Material material = copper();
   for (const auto& variant : variants_of(3)) {
     Erosion erosion;
-    erosion.inverted = true;
+    erosion.when.inverted = true;
     ElementOptions options;
     options.erosion = erosion;
     const auto body = make_body<3>(box_mesh<3>({2, 1, 1}, Vec3::Zero(), Vec3(2, 1, 1)), material,
@@ -194,7 +194,7 @@ TEST(Erosion, AnElementThatIsTurnedInsideOutGoesBeforeItPushes) {
 TEST(Erosion, AStateWithoutSomeElementsLoadsIntoAWholeGroupAndBack) {
   const Material material = copper();
   Erosion erosion;
-  erosion.strain = 50, erosion.to = ErodeTo::nothing;
+  erosion.when.strain = 50, erosion.to = ErodeTo::nothing;
   const auto body = eroding_body<3>(material, {}, erosion);
   for (int n = 0; n < 5; ++n) step_eroding(*body, kErodingStep);
   std::vector<StateTable> whole, left;
