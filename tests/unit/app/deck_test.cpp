@@ -309,8 +309,8 @@ TEST(Deck, ZeroIsNoImplausibleValue) {
 }
 
 TEST(Deck, KeysThatComeLaterSaySo) {
-  expect_problem(problems_of(kTaylor, {"time.mass_scaling=true"}),
-                 "--set #1: time.mass_scaling: is not in this version of brunt yet");
+  expect_problem(problems_of(kTaylor, {"time.process_speed=true"}),
+                 "--set #1: time.process_speed: is not in this version of brunt yet");
 }
 
 TEST(Deck, TwoDimensionsHaveTwoComponents) {
