@@ -7,6 +7,7 @@ namespace brunt {
 
 namespace {
 constexpr const char* kPath = "time.mass_scaling";
+constexpr Real kMuchMass = 0.01;  // of a body's own
 
 template <int Dim>
 AddedMass added_to(const Scene<Dim>& scene, Label body) {
@@ -27,12 +28,13 @@ std::string text_of(const std::string& body, const AddedMass& mass) {
 }  // namespace
 
 template <int Dim>
-void check_added_mass(const LoadedDeck& loaded, const Scene<Dim>& scene,
+void check_added_mass(const LoadedDeck& loaded, Scene<Dim>& scene,
                       std::vector<DeckProblem>& problems) {
   const auto& scaling = loaded.deck.time.mass_scaling;
   if (!scaling) return;
   for (Label b = 0; b < scene.body_names.size(); ++b) {
     const AddedMass mass = added_to(scene, b);
+    if (mass.added > 0) scene.notes.push_back("mass scaling " + text_of(scene.body_names[b], mass));
     if (!(mass.added > scaling->max_added_mass * mass.material)) continue;
     problems.push_back(loaded.places.problem(
         kPath, text_of(scene.body_names[b], mass) + ", more than max_added_mass = " +
@@ -42,29 +44,28 @@ void check_added_mass(const LoadedDeck& loaded, const Scene<Dim>& scene,
 }
 
 template <int Dim>
-std::vector<std::pair<std::string, std::string>> added_mass_texts(const LoadedDeck& loaded,
-                                                                  const Scene<Dim>& scene) {
-  std::vector<std::pair<std::string, std::string>> texts;
+std::vector<std::string> added_mass_warnings(const LoadedDeck& loaded, const Scene<Dim>& scene) {
+  std::vector<std::string> texts;
   const auto& scaling = loaded.deck.time.mass_scaling;
   if (!scaling) return texts;
+  bool any = false;
   for (Label b = 0; b < scene.body_names.size(); ++b) {
     const AddedMass mass = added_to(scene, b);
-    if (!(mass.added > 0)) continue;
-    texts.emplace_back(kPath, text_of(scene.body_names[b], mass) +
-                                  ": what moves them is slower by that, and they weigh more");
+    any = any || mass.added > 0;
+    if (!(mass.added > kMuchMass * mass.material)) continue;
+    texts.push_back(text_of(scene.body_names[b], mass) +
+                    ": what moves them is slower by that, and they weigh more");
   }
-  if (texts.empty()) {
-    texts.emplace_back(kPath, "changes nothing: all elements allow a step of " +
-                                  deck::time_text(scaling->step) + " as they are");
+  if (!any) {
+    texts.push_back("changes nothing: all elements allow a step of " +
+                    deck::time_text(scaling->step) + " as they are");
   }
   return texts;
 }
 
-template void check_added_mass<2>(const LoadedDeck&, const Scene<2>&, std::vector<DeckProblem>&);
-template void check_added_mass<3>(const LoadedDeck&, const Scene<3>&, std::vector<DeckProblem>&);
-template std::vector<std::pair<std::string, std::string>> added_mass_texts<2>(const LoadedDeck&,
-                                                                              const Scene<2>&);
-template std::vector<std::pair<std::string, std::string>> added_mass_texts<3>(const LoadedDeck&,
-                                                                              const Scene<3>&);
+template void check_added_mass<2>(const LoadedDeck&, Scene<2>&, std::vector<DeckProblem>&);
+template void check_added_mass<3>(const LoadedDeck&, Scene<3>&, std::vector<DeckProblem>&);
+template std::vector<std::string> added_mass_warnings<2>(const LoadedDeck&, const Scene<2>&);
+template std::vector<std::string> added_mass_warnings<3>(const LoadedDeck&, const Scene<3>&);
 
 }  // namespace brunt

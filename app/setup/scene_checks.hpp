@@ -1,7 +1,6 @@
 #pragma once
 /// What only the built scene shows: meshes, chosen points, columns, bodies inside each other.
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/deck/deck.hpp"
@@ -26,15 +25,14 @@ template <int Dim>
 void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print,
                    std::vector<DeckProblem>& warnings);
 
-/// Bodies that mass scaling makes heavier than the deck allows.
+/// Bodies that mass scaling makes heavier than the deck allows; notes how much it adds to each.
 template <int Dim>
-void check_added_mass(const LoadedDeck& loaded, const Scene<Dim>& scene,
+void check_added_mass(const LoadedDeck& loaded, Scene<Dim>& scene,
                       std::vector<DeckProblem>& problems);
 
-/// What mass scaling adds to which body, or that it adds nothing: a key and a text each.
+/// Bodies that it makes heavier by more than 1 %; or that it adds nothing at all.
 template <int Dim>
-std::vector<std::pair<std::string, std::string>> added_mass_texts(const LoadedDeck& loaded,
-                                                                  const Scene<Dim>& scene);
+std::vector<std::string> added_mass_warnings(const LoadedDeck& loaded, const Scene<Dim>& scene);
 
 /// Measures of columns that history.csv does not have, and of fields that a body does not have.
 template <int Dim>

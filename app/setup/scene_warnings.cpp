@@ -94,8 +94,8 @@ void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print
   warn_of_missed_aims(loaded, scene, warn);
   warn_of_contact(loaded, scene, warn);
   warn_of_places(loaded, scene, warnings, warn);
-  for (const auto& [path, text] : added_mass_texts(loaded, scene)) {
-    warnings.push_back(loaded.places.problem(path, text));
+  for (const auto& text : added_mass_warnings(loaded, scene)) {
+    warnings.push_back(loaded.places.problem("time.mass_scaling", text));
     if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
   }
   if (loaded.deck.time.heat_every > 1 && !scene.conducts()) {

@@ -25,10 +25,10 @@ NOT_SEEN = {
         boundary-does-nothing grading-of-a-wall grading-of-particles particles-of-three-spacings
         element-options-on-particles particle-options-on-elements plane-that-deforms
         measure-temperature-of-a-cold-body measures-wrong only-rigid bonded-elements
-        wall-courses-upwards fluid-with-strength fluid-hourglass-stiffness material-without-elastic
-        mesh-beside-size damage erode-what-never-fails""",
+        fluid-with-strength fluid-hourglass-stiffness material-without-elastic
+        mesh-beside-size damage""",
     "the geometry decides": """
-        axis-out-of-plane axisymmetric-across-the-axis axisymmetric-cylinder-off-the-axis
+        too-much-added-mass axis-out-of-plane axisymmetric-across-the-axis axisymmetric-cylinder-off-the-axis
         axisymmetric-particles erode-to-particles-axisymmetric axisymmetric-spin boundary-axis-z-in-2d cells-of-three-dimensions
         cells-of-two-dimensions flat-shape-in-3d polygon-flat-in-3d solid-shape-in-plane-strain
         velocity-of-two-components""",

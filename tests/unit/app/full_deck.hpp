@@ -5,7 +5,8 @@ namespace brunt::deck {
 
 inline const char* const kFull = R"yaml(
 title: all keys in 3D
-time: {end: 1 ms, max_step: 1 us, min_step: 1 ps, mass_scaling: {step: 1 ns, max_added_mass: 5 %}, heat_every: 4, until: 0.5 ms}
+time: {end: 1 ms, max_step: 1 us, min_step: 1 ps, heat_every: 4, until: 0.5 ms,
+  mass_scaling: {step: 1 ns, max_added_mass: 5 %}}
 materials:
   jc:
     density: 8960
