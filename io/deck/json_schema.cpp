@@ -206,7 +206,7 @@ class SchemaWriter {
   /// A map; where the key takes them a list of maps, and words for flags.
   Json map_or_list_schema(const KeyInfo& key) {
     if (is_bare(key)) return schema_of(key.children.front());
-    const Json map = map_schema(key.children);
+    Json map = map_schema(key.children);
     if (!key.list_allowed) return map;
     const Json word{{"enum", key.words}};
     const Json item = key.words.empty() ? map : any_of({word, map});
