@@ -60,12 +60,12 @@ cases=(
   "decks/fast 30_us"
   "decks/flight 0.2_ms"
   "decks/thin 4_us"
-  "decks/erosion 9_us"
+  "decks/erosion 8_us"
   "decks/conversion 7_us"
   "decks/failing 17_us"
   "decks/lost 0.14_ms"
   "decks/fails 5_us"
-  "decks/concrete 17_us"
+  "decks/concrete 12_us"
   "concrete-cylinder 20_us time.end=40_us parameters.size=1_mm"
 )
 # On four ranks and more besides: what the cases above have in other decks.
