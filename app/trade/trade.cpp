@@ -27,7 +27,7 @@ std::optional<Against> against_of(const std::string& word) {
 }
 
 /// A picture that cannot be drawn is a warning: the drawing is there as SVG.
-void write_png(const fs::path& path, const Drawing& drawing) {
+void write_png(const fs::path& path, [[maybe_unused]] const Drawing& drawing) {
 #ifdef BRUNT_VTK
   try {
     write_file_atomically(path, to_png(drawing));
