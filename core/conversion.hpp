@@ -1,6 +1,6 @@
 #pragma once
 /// What elements that become particles hand over: plain data between groups that do not know each
-/// other. docs/theory/elements.md, section 10.
+/// other. docs/theory/elements.md, section 9.
 #include <vector>
 
 #include "core/points.hpp"

@@ -67,6 +67,8 @@ class Solid {
   virtual const GhostPlan& ghosts() const = 0;
   /// Brings to the copies what update_state published. Collective.
   virtual void refresh_state() {}
+  /// True where its points are those of another group, which carries, moves and loads them.
+  virtual bool rides() const { return false; }
   /// What mass scaling added to the elements of a body that this rank counts.
   virtual AddedMass added_mass(Label) const { return {}; }
   /// Elements and particles that this rank counts.

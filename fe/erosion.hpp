@@ -1,5 +1,5 @@
 #pragma once
-/// Elements that go while a run is under way: docs/theory/elements.md, section 10.
+/// Elements that go while a run is under way: docs/theory/elements.md, section 9.
 #include <map>
 #include <memory>
 

@@ -1,4 +1,4 @@
-/// What nodes take over of elements that become particles. docs/theory/elements.md, section 10.
+/// What nodes take over of elements that become particles. docs/theory/elements.md, section 9.
 #include <algorithm>
 
 #include "core/materials/state_rows.hpp"

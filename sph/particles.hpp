@@ -89,6 +89,7 @@ class SphParticles final : public Solid<Dim> {
   /// Particles of no mass sleep.
   void ride_on(ParticleCarrier<Dim>& carrier, std::vector<GlobalId> node);
   const ParticleCarrier<Dim>* carrier() const { return carrier_; }
+  bool rides() const override { return carrier_ != nullptr; }
   /// The nodes of riders, by particle; empty where they ride on none.
   std::span<const GlobalId> nodes() const { return node_id_; }
   std::unique_ptr<Solid<Dim>> part(const Partition& partition,
@@ -129,7 +130,6 @@ class SphParticles final : public Solid<Dim> {
 
  private:
   struct TileStress;
-  bool rides() const { return carrier_ != nullptr; }
   bool sleeps(std::size_t i) const { return state_[i].start_volume == 0; }
   bool tile_sleeps(const ParticleBlock& block, std::size_t first) const;
   Real weighed_mass(std::size_t i) const;

@@ -58,7 +58,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
   }
   take_sets(std::move(sets), spacing);
   for (std::size_t k = 0; k < kept.size() && whole.rides(); ++k) {
-    node_id_.push_back(whole.node_id_[kept[k]]);  // until it is told of the part of its carrier
+    node_id_.push_back(whole.node_id_[kept[k]]);  // of the whole, until it rides on a part
   }
   rearrange();
   seed_step_limits();

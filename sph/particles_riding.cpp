@@ -1,4 +1,4 @@
-/// Particles that ride on nodes of elements that have failed. docs/theory/elements.md, section 10.
+/// Particles that ride on nodes of elements that have failed. docs/theory/elements.md, section 9.
 #include <algorithm>
 #include <cassert>
 
@@ -96,16 +96,16 @@ void SphParticles<Dim>::follow_nodes() {
     if (points_.conducts) points_.temperature[i] = nodes.temperature[k];
   });
   if (ranks_->alone()) return;
-  const bool warm = points_.conducts;
+  const bool conducts = points_.conducts;
   refresh_ghosts(
-      *ranks_, ghosts_, 2 * Dim + (warm ? 1 : 0),
+      *ranks_, ghosts_, 2 * Dim + (conducts ? 1 : 0),
       [&](std::size_t i, Real* out) {
         for (int c = 0; c < Dim; ++c) out[c] = points_.x[i][c], out[Dim + c] = points_.v[i][c];
-        if (warm) out[2 * Dim] = points_.temperature[i];
+        if (conducts) out[2 * Dim] = points_.temperature[i];
       },
       [&](std::size_t i, const Real* in) {
         for (int c = 0; c < Dim; ++c) points_.x[i][c] = in[c], points_.v[i][c] = in[Dim + c];
-        if (warm) points_.temperature[i] = in[2 * Dim];
+        if (conducts) points_.temperature[i] = in[2 * Dim];
       });
 }
 

@@ -39,7 +39,7 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
     const auto& body = loaded.deck.bodies[b].value;
     std::size_t points = 0, elements = 0;
     for (const auto& solid : scene.solids) {
-      if (points > 0) break;  // what rides on its nodes comes later
+      if (solid->rides()) continue;
       for (const Label label : solid->points().body) points += label == b;
     }
     const BodyView view = scene.view(static_cast<Label>(b), kNoFields);

@@ -7,7 +7,6 @@
 
 #include "app/ranks/gather_state.hpp"
 #include "core/state_hash.hpp"
-#include "sph/particles.hpp"
 
 namespace brunt {
 
@@ -112,8 +111,7 @@ template <int Dim>
 std::vector<StepMargin> find_step_margins(Scene<Dim>& scene) {
   std::vector<StepMargin> margins;
   for (auto& solid : scene.solids) {
-    const auto* const particles = dynamic_cast<const SphParticles<Dim>*>(solid.get());
-    if (particles != nullptr && particles->carrier() != nullptr) continue;  // their nodes move them
+    if (solid->rides()) continue;  // their nodes move them
     const StepLimit step_limit = step_limit_of(*solid, *scene.ranks);
     if (!std::isfinite(step_limit.step)) continue;  // rigid
     const Kept<Dim> kept(*solid, *scene.ranks);

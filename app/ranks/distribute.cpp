@@ -10,8 +10,7 @@ namespace {
 /// The particles of a group that ride on nodes; null where they are none.
 template <int Dim>
 SphParticles<Dim>* riders_of(const std::unique_ptr<Solid<Dim>>& solid) {
-  auto* const particles = dynamic_cast<SphParticles<Dim>*>(solid.get());
-  return particles != nullptr && particles->carrier() != nullptr ? particles : nullptr;
+  return solid->rides() ? dynamic_cast<SphParticles<Dim>*>(solid.get()) : nullptr;
 }
 
 /// Riders go where their nodes go.
@@ -27,7 +26,7 @@ void join_riders(const Scene<Dim>& scene, Partition& partition) {
   }
 }
 
-/// Tells the parts of riders of the part of their carrier.
+/// The parts of riders ride on the part of their carrier.
 template <int Dim>
 void mount_riders(const std::vector<std::unique_ptr<Solid<Dim>>>& whole, Scene<Dim>& scene) {
   for (std::size_t s = 0; s < whole.size(); ++s) {
@@ -52,8 +51,9 @@ WeighedPoints<Dim> weighed_points(const Scene<Dim>& scene) {
     const auto& points = solid->points();
     // A particle costs as much as some five hexes; points of rigid surfaces next to nothing, and a
     // wall that is wider than what hits it would turn the cuts along it.
-    const bool rides = riders_of(solid) != nullptr;
-    const Real cost = rides ? 0.0 : solid->n_particles() ? 5.0 : (solid->n_elements() ? 1.0 : 0.0);
+    const Real cost = solid->rides()         ? 0.0
+                      : solid->n_particles() ? 5.0
+                                             : (solid->n_elements() ? 1.0 : 0.0);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       all.x[points.id[i]] = points.x[i];
       all.weight[points.id[i]] = cost;
@@ -84,7 +84,7 @@ void distribute(Scene<Dim>& scene, const Communicator& ranks,
   if (!scene.contact) return;
   std::vector<Surface<Dim>*> surfaces;
   for (auto& solid : scene.solids) {
-    if (riders_of(solid) == nullptr) surfaces.push_back(&solid->surface());
+    if (!solid->rides()) surfaces.push_back(&solid->surface());
   }
   scene.contact = std::make_unique<ContactManager<Dim>>(*scene.contact, std::move(surfaces),
                                                         *scene.partition, ranks);

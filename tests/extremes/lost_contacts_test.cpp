@@ -139,7 +139,7 @@ TEST(LostContacts, BlocksThatFoldSayItAndKeepTheirEnergy) {
     // Beyond half of the element's depth, where no pair comes that holds.
     EXPECT_GT(lost.depth, 0.5e-3) << speed;
     // Whether an edge was inside first or faces came back first; those that are deep, and hold yet,
-    // are told before, and created energy behind.
+    // are reported before, and created energy behind.
     const auto says_it = [](const std::string& text) {
       return text.find("flying-standing: faces") != std::string::npos &&
              text.find("through each other") != std::string::npos;
@@ -170,7 +170,7 @@ TEST(LostContacts, AreTheSameOverARestart) {
     EXPECT_EQ(other.time, lost.time);
     EXPECT_EQ(other.depth, lost.depth);
     EXPECT_EQ(other.point, lost.point);
-    // After the restart the last of them; before, deep faces are told of too.
+    // After the restart the last of them; before, deep faces are reported too.
     EXPECT_EQ(split.warnings.back(), whole.warnings.back());
   }
 }
