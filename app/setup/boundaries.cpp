@@ -97,13 +97,14 @@ Solid<Dim>* solid_of(Scene<Dim>& scene, Label label) {
 /// What acts on these points of a body of the group.
 template <int Dim>
 Patch<Dim> patch_of(const std::string& name, const LoadedDeck& loaded, Label label,
-                    std::vector<LocalIndex> chosen, Solid<Dim>& solid, const Scene<Dim>& scene) {
+                    const std::vector<LocalIndex>& chosen, Solid<Dim>& solid,
+                    const Scene<Dim>& scene) {
   const auto& [body, given] = loaded.deck.bodies[label];
   const Surface<Dim>& surface = solid.surface();
   Patch<Dim> patch;
   patch.name = name, patch.body = body;
   patch.points = &solid.points();
-  patch.chosen = std::move(chosen);
+  patch.chosen = chosen;
   patch.origin = scene.origin;
   patch.depth = scene.geometry == Geometry::axisymmetric ? 0 : scene.depth;
   patch.material = material_of(loaded.deck, scene.materials, given);

@@ -213,8 +213,9 @@ Drawing trade_chart(const Trade& trade) {
   drawing.texts.push_back({172, 52, "dominated: another is cheaper and no worse", kLetter - 1, 0,
                            false, false, kBlack});
   for (int k = 0; k < panels; ++k) {
-    draw_panel(drawing, trade, trade.fronts[static_cast<std::size_t>(k)],
-               (k % columns) * kPanelWidth, kTitle + (k / columns) * kPanelHeight);
+    const int row = k / columns, column = k % columns;
+    draw_panel(drawing, trade, trade.fronts[static_cast<std::size_t>(k)], column * kPanelWidth,
+               kTitle + row * kPanelHeight);
   }
   return drawing;
 }

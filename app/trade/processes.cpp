@@ -48,6 +48,7 @@ void Processes::start(std::size_t id, const std::vector<std::string>& command,
   if (file < 0) throw MachineError("cannot write '" + words.string() + "': " + strerror(errno));
   std::vector<std::string> copy = command;
   std::vector<char*> raw;
+  raw.reserve(copy.size() + 1);
   for (auto& argument : copy) raw.push_back(argument.data());
   raw.push_back(nullptr);
   if (threads > 0) setenv("OMP_NUM_THREADS", std::to_string(threads).c_str(), 1);
