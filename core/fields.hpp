@@ -44,6 +44,9 @@ inline constexpr std::array kContactFields{
               "unit normal of the common plane, from the first to the second body"},
     FieldInfo{"pressure", 1, "Pa", "normal force over the area of the contact"},
     FieldInfo{"penetration", 1, "m", "depth of the overlap"},
+    FieldInfo{"bonded", 1, "1", "1 where a bond, a tie or an unbroken joint holds, else 0"},
+    FieldInfo{"max_closure", 1, "m",
+              "largest closure of a joint since time 0, of those with a largest one; else 0"},
     FieldInfo{"force", 3, "N", "of the contact on the second body, friction included"},
     FieldInfo{"body_a", 1, "1", "number of the first body, in the order of the deck from 0"},
     FieldInfo{"body_b", 1, "1", "number of the second body"}};

@@ -13,6 +13,7 @@ namespace brunt {
 
 /// Energy columns [J]. Each is integrated from its own force and velocity; their sum is constant.
 /// internal: stress work that has not become heat; plastic_heat: the part that has.
+/// expansion: minus the work of pressures on what heat has made expand, which internal holds.
 /// boundary: minus the work that supports and loads do on the scene.
 /// integration: what a change of the time step leaves in the kinetic energy of the scheme.
 enum class Column : int {
@@ -29,9 +30,10 @@ enum class Column : int {
   boundary,
   damping,
   eroded,
+  expansion,
   integration,
 };
-inline constexpr int kColumns = 14;
+inline constexpr int kColumns = 15;
 std::string_view column_name(Column column);  ///< as in history.csv: "contact.spring", ...
 
 /// Heat [J] of all bodies that conduct, since time 0:

@@ -63,6 +63,8 @@ struct ContactView {
   std::vector<Real> normal;       ///< 3 a contact
   std::vector<Real> pressure;     ///< [Pa]
   std::vector<Real> penetration;  ///< [m]
+  std::vector<Real> bonded;       ///< 1 where a bond, a tie or an unbroken joint holds, else 0
+  std::vector<Real> max_closure;  ///< [m] of a joint since time 0; 0 elsewhere
   std::vector<Real> force;        ///< 3 a contact [N]
   std::vector<Label> body_a, body_b;
   /// The place of a contact among all: kind, then ids of its two sides, then a number.

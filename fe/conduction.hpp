@@ -58,5 +58,10 @@ template <int Dim>
 Real compression_heat(const ElementBlock<Dim>& block, LocalIndex e) {
   return heat_of(block, block.state.compression_heat, e);
 }
+/// Work of the pressure of one element on its thermal expansion since time 0 [J].
+template <int Dim>
+Real expansion_work(const ElementBlock<Dim>& block, LocalIndex e) {
+  return heat_of(block, block.state.expansion_work, e);
+}
 
 }  // namespace brunt

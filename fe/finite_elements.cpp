@@ -155,35 +155,38 @@ class ElementSums {
   void add(const ElementBlock<Dim>& block, LocalIndex e) {
     sums_.add({block.stress_work[e], block.hourglass_work[e], block.viscous_work[e],
                block.state.heat.empty() ? 0.0 : plastic_heat(block, e),
-               block.state.compression_heat.empty() ? 0.0 : compression_heat(block, e)});
+               block.state.compression_heat.empty() ? 0.0 : compression_heat(block, e),
+               block.state.expansion_work.empty() ? 0.0 : expansion_work(block, e)});
   }
 
   template <int Dim>
   void give(Label body, bool conducts, Totals<Dim>& totals) {
     const ExactSum &stress_work = sums_.sum(0), &hourglass = sums_.sum(1), &viscous = sums_.sum(2);
-    const ExactSum &heat = sums_.sum(3), &compression = sums_.sum(4);
+    const ExactSum &heat = sums_.sum(3), &compression = sums_.sum(4), &expansion = sums_.sum(5);
     const auto column = [&](Column which) -> ExactSum& {
       return totals.columns[static_cast<std::size_t>(which)];
     };
     const auto add_to = [&](ExactSum& internal, ExactSum& of_hourglass) {
-      internal.add(stress_work), internal.subtract(heat);
+      internal.add(stress_work), internal.subtract(heat), internal.add(expansion);
       of_hourglass.add(hourglass);
     };
     add_to(column(Column::internal), column(Column::hourglass));
     column(Column::plastic_heat).add(heat);
     column(Column::viscosity).add(viscous);
+    column(Column::expansion).subtract(expansion);
     if (conducts) totals.heat.plastic.add(heat), totals.heat.compression.add(compression);
     if (body >= totals.bodies.size()) return;
     BodySums<Dim>& own = totals.bodies[body];
     add_to(own.internal, own.hourglass);
-    own.stress_work.add(stress_work), own.viscosity.add(viscous);
+    own.stress_work.add(stress_work), own.stress_work.add(expansion);
+    own.viscosity.add(viscous);
     if (!conducts)
       own.heat.add(heat),
           own.heat.add(compression);  // else its points carry it, and what is conducted
   }
 
  private:
-  ExactColumns<5> sums_;
+  ExactColumns<6> sums_;
 };
 
 template <int Dim>

@@ -130,6 +130,8 @@ class SphParticles final : public Solid<Dim> {
 
  private:
   struct TileStress;
+  template <class Fields>
+  void add_fields(const ParticleBlock& block, std::size_t slot, Fields& fields) const;
   bool sleeps(std::size_t i) const { return state_[i].start_volume == 0; }
   bool tile_sleeps(const ParticleBlock& block, std::size_t first) const;
   Real weighed_mass(std::size_t i) const;

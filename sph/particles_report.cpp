@@ -47,6 +47,10 @@ class FieldList {
     }
   }
   std::vector<Field> take() { return std::move(fields_); }
+  /// The fields without their values.
+  void empty() {
+    for (auto& field : fields_) field.values.clear();
+  }
 
  private:
   const WantedFields& wanted_;
@@ -112,9 +116,10 @@ template <int Dim>
 void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first, std::size_t last,
                                   Totals<Dim>& totals) const {
   const auto &heat = block.state.heat, &compression = block.state.compression_heat;
+  const auto& expansion = block.state.expansion_work;
   const Label label = points_.body[static_cast<std::size_t>(block.set.particle[first])];
   BodySums<Dim>* body = label < totals.bodies.size() ? &totals.bodies[label] : nullptr;
-  enum { internal, plastic, warmed, stress_work, viscous, artificial, kSums };
+  enum { internal, plastic, warmed, stress_work, viscous, artificial, expanded, kSums };
   ExactColumns<kSums> sums;
   for (std::size_t slot = first; slot < last; ++slot) {
     const auto i = static_cast<std::size_t>(block.set.particle[slot]);
@@ -122,8 +127,9 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
     if (sleeps(i)) continue;
     const Real plastic_heat = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
     const Real warmth = compression.empty() ? 0.0 : compression[slot] * state.start_volume;
-    sums.add({state.stress_work - plastic_heat, plastic_heat, warmth, state.stress_work,
-              state.viscous_work, state.artificial_work});
+    const Real grown = expansion.empty() ? 0.0 : expansion[slot] * state.start_volume;
+    sums.add({state.stress_work + grown - plastic_heat, plastic_heat, warmth,
+              state.stress_work + grown, state.viscous_work, state.artificial_work, grown});
     if (body && block.set.options.artificial_stress != 0) add_tension(block, i, *body);
     if (totals.hashes) totals.state_hash += slot_hash(block, slot);
   }
@@ -131,6 +137,7 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
     totals.columns[static_cast<std::size_t>(column)].add(sums.sum(from));
   };
   give(Column::internal, internal), give(Column::plastic_heat, plastic);
+  totals.columns[static_cast<std::size_t>(Column::expansion)].subtract(sums.sum(expanded));
   give(Column::viscosity, viscous), give(Column::artificial_stress, artificial);
   if (points_.conducts) {
     totals.heat.plastic.add(sums.sum(plastic)), totals.heat.compression.add(sums.sum(warmed));
@@ -184,6 +191,23 @@ void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_na
 }
 
 template <int Dim>
+template <class Fields>
+void SphParticles<Dim>::add_fields(const ParticleBlock& block, std::size_t slot,
+                                   Fields& fields) const {
+  const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+  fields.template add<Dim>("displacement", points_.x[i] - points_.x_start[i]);
+  fields.template add<Dim>("velocity", points_.v[i]);
+  fields.template add<Dim>("acceleration", points_.a[i]);
+  fields.template add<Dim>("force", points_.f[i]);
+  add_material(fields, block.state, slot, points_.conducts);
+  if (points_.conducts) fields.add("temperature", {points_.temperature[i]});
+  fields.add("density", {block.set.material->density / state_[i].ratio});
+  fields.add("id", {static_cast<Real>(points_.id[i])});
+  fields.add("piece", {static_cast<Real>(points_.piece[i])});
+}
+
+/// Without particles that sleep; where all do, the fields are there, and empty.
+template <int Dim>
 BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
   BodyView view;
   const auto most = std::count(points_.body.begin(), points_.body.begin() + points_.n_owned, body);
@@ -191,23 +215,24 @@ BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
   view.position.reserve(3 * static_cast<std::size_t>(most));
   view.point_mass.reserve(static_cast<std::size_t>(most));
   view.point_radius.reserve(static_cast<std::size_t>(most));
-  for (const auto& block : blocks_) {
-    for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
-      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
-      if (points_.body[i] != body || sleeps(i)) continue;
-      for (int d = 0; d < 3; ++d) view.position.push_back(d < Dim ? points_.x[i][d] : 0.0);
-      fields.add<Dim>("displacement", points_.x[i] - points_.x_start[i]);
-      fields.add<Dim>("velocity", points_.v[i]);
-      fields.add<Dim>("acceleration", points_.a[i]);
-      fields.add<Dim>("force", points_.f[i]);
-      add_material(fields, block.state, slot, points_.conducts);
-      if (points_.conducts) fields.add("temperature", {points_.temperature[i]});
-      fields.add("density", {block.set.material->density / state_[i].ratio});
-      fields.add("id", {static_cast<Real>(points_.id[i])});
-      fields.add("piece", {static_cast<Real>(points_.piece[i])});
-      view.point_mass.push_back(points_.mass[i]);
-      view.point_radius.push_back(0.5 * state_[i].spacing);
+  const auto visit = [&](const auto& show) {
+    for (const auto& block : blocks_) {
+      for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
+        if (points_.body[block.set.particle[slot]] == body) show(block, slot);
+      }
     }
+  };
+  visit([&](const ParticleBlock& block, std::size_t slot) {
+    const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+    if (sleeps(i)) return;
+    for (int d = 0; d < 3; ++d) view.position.push_back(d < Dim ? points_.x[i][d] : 0.0);
+    add_fields(block, slot, fields);
+    view.point_mass.push_back(weighed_mass(i));
+    view.point_radius.push_back(0.5 * state_[i].spacing);
+  });
+  if (view.position.empty()) {
+    visit([&](const ParticleBlock& block, std::size_t slot) { add_fields(block, slot, fields); });
+    fields.empty();
   }
   view.point_fields = fields.take();
   return view;

@@ -175,6 +175,7 @@ CLI::App* add_render(CLI::App& app, PictureArguments& picture) {
   render->add_option("--view", picture.view, "auto, oblique, front, side or top")
       ->option_text("VIEW");
   render->add_option("--title", picture.title, "text at the top")->option_text("TEXT");
+  render->add_flag("--contacts", picture.contacts, "black dots where contacts carry force");
   return render;
 }
 

@@ -32,6 +32,7 @@ int render_command(const PictureArguments& arguments) {
   options.frames = arguments.frames;
   options.view = arguments.view;
   options.title = arguments.title;
+  options.contacts = arguments.contacts;
   const auto out = arguments.out.empty() ? arguments.folder : arguments.out;
   for (const auto& path : render_folder(arguments.folder, out, options)) {
     std::printf("%s\n", path.c_str());

@@ -12,6 +12,7 @@ struct PictureArguments {
   std::string frames = "all";  ///< "all", "last" or numbers: "0,5,10"
   std::string view = "auto";   ///< auto, oblique, front, side, top
   std::string title;
+  bool contacts = false;  ///< black dots where contacts carry force
 };
 
 /// `brunt render`: PNG pictures of the frames of an output folder, without a display.

@@ -65,6 +65,21 @@ void check_equation_of_state(const Named<Material>& material, Findings& findings
   }
 }
 
+void check_expansion(const Deck& deck, const Named<Material>& material, Findings& findings) {
+  const auto& thermal = material.value.thermal;
+  const std::string path = "materials." + material.name;
+  if (!thermal || thermal->expansion == 0 || !findings.sound(path)) return;
+  if (make_eos(material.value.eos, {material.value.density, 0})->needs_energy()) {
+    findings.wrong(path + ".thermal.expansion",
+                   "is not for this equation of state, which expands by its own energy: leave it "
+                   "out, or take the linear one");
+  }
+  if (deck.heat == Heat::off) {
+    findings.warn(path + ".thermal.expansion",
+                  "nothing is heated with heat: off, and so nothing expands");
+  }
+}
+
 /// Damage counts plastic strain, or is refused where another law lets the point open.
 void check_damage(const Named<Material>& material, Findings& findings) {
   const auto& law = material.value.damage;
@@ -179,6 +194,7 @@ void check_materials(const Deck& deck, Findings& findings) {
     check_melting(deck, material, findings);
     check_heat(deck, material, findings);
     check_equation_of_state(material, findings);
+    check_expansion(deck, material, findings);
     check_damage(material, findings);
     check_crack(deck, material, findings);
     check_sound_speed(material, findings);

@@ -26,7 +26,8 @@ inline constexpr std::array kHistoryColumns{
                true},
 
     ColumnInfo{"energy.kinetic", "J", "kinetic energy of the scheme, by velocities of half steps"},
-    ColumnInfo{"energy.internal", "J", "work of stresses that has not become heat"},
+    ColumnInfo{"energy.internal", "J",
+               "work of stresses that has not become heat, on thermal expansion left out"},
     ColumnInfo{"energy.plastic_heat", "J", "plastic work that has become heat"},
     ColumnInfo{"energy.hourglass", "J", "work of hourglass control and of the guard of shapes"},
     ColumnInfo{"energy.viscosity", "J", "work of artificial viscosity"},
@@ -41,6 +42,7 @@ inline constexpr std::array kHistoryColumns{
     ColumnInfo{
         "energy.eroded", "J",
         "of eroded elements: work of stresses that was not heat, and kinetic energy that went"},
+    ColumnInfo{"energy.expansion", "J", "minus the work of pressures on what heat has made expand"},
     ColumnInfo{"energy.integration", "J",
                "what changes of the time step and turning rigid bodies leave in kinetic energy"},
     ColumnInfo{"energy.total", "J", "sum of the columns above"},

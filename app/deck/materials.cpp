@@ -33,7 +33,7 @@ void describe(Schema& s, ElasticConstants& elastic) {
 }
 
 void describe(Schema& s, Thermal& thermal) {
-  static constexpr const char* kLater[] = {"expansion", "T_melt"};
+  static constexpr const char* kLater[] = {"T_melt"};
   static constexpr std::array kOver{Varying::Over::temperature};
   s.varying({"cp", "specific heat; a peak holds latent heat", Need::required}, thermal.cp,
             {"J/kg/K", positive(), between(50, 1e6)}, kOver);
@@ -41,6 +41,10 @@ void describe(Schema& s, Thermal& thermal) {
             {"W/m/K", at_least(0), between(0, 5000)}, kOver);
   s.real({"taylor_quinney", "share of plastic work that becomes heat"}, thermal.taylor_quinney,
          {"1", between(0, 1)});
+  s.real(
+      {"expansion",
+       "linear thermal expansion: free of stress it is as long as its heat since time 0 makes it"},
+      thermal.expansion, {"1/K", between(-1e-3, 1e-3)});
   s.later(kLater);
 }
 

@@ -23,6 +23,7 @@ struct Thermal {
   std::optional<Varying> cp;  ///< [J/kg/K] specific heat, a constant or a table over temperature
   std::optional<Varying> k;   ///< [W/m/K] conductivity, a constant or a table over temperature
   Real taylor_quinney = 0.9;  ///< share of plastic work that becomes heat
+  Real expansion = 0;         ///< [1/K] linear
 };
 
 struct Material {

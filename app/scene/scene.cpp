@@ -296,6 +296,17 @@ std::string Scene<Dim>::advice(const StepLimit& step_limit) const {
   return "look at the last frame for what collapsed there";
 }
 
+namespace {
+/// Positions relative to the origin of a scene become absolute.
+template <int Dim>
+void shift(std::vector<Real>& position, const Vec<Dim>& origin) {
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const auto c = static_cast<int>(i % 3);
+    if (c < Dim) position[i] += origin[c];
+  }
+}
+}  // namespace
+
 template <int Dim>
 BodyView Scene<Dim>::own_view(Label body, const WantedFields& wanted) const {
   WantedFields fields = wanted;
@@ -308,10 +319,22 @@ BodyView Scene<Dim>::own_view(Label body, const WantedFields& wanted) const {
     break;
   }
   view.body = body_names[body];
-  for (std::size_t i = 0; i < view.position.size(); ++i) {
-    const auto c = static_cast<int>(i % 3);
-    if (c < Dim) view.position[i] += origin[c];
+  shift<Dim>(view.position, origin);
+  return view;
+}
+
+template <int Dim>
+BodyView Scene<Dim>::own_converted(Label body) const {
+  BodyView view;
+  for (const auto& solid : solids) {
+    const auto& bodies = solid->points().body;
+    if (!solid->rides()) continue;
+    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) continue;
+    view = solid->view(body);
+    break;
   }
+  view.body = body_names[body] + ".particles";
+  shift<Dim>(view.position, origin);
   return view;
 }
 
@@ -323,10 +346,7 @@ BodyView Scene<Dim>::view(Label body, const WantedFields& wanted) const {
 template <int Dim>
 ContactView Scene<Dim>::own_contacts() const {
   ContactView view = contact->view();
-  for (std::size_t i = 0; i < view.position.size(); ++i) {
-    const auto c = static_cast<int>(i % 3);
-    if (c < Dim) view.position[i] += origin[c];
-  }
+  shift<Dim>(view.position, origin);
   return view;
 }
 

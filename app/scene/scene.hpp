@@ -36,7 +36,8 @@ struct Scene {
   std::vector<std::string> body_names;  ///< by label
   /// [m] by label: the smallest size of its elements or particles; 0: it has none
   std::vector<Real> body_size;
-  std::vector<char> erodes;  ///< by label: elements of the body may go
+  std::vector<char> erodes;    ///< by label: elements of the body may go
+  std::vector<char> converts;  ///< by label: elements of the body may become particles
   std::vector<PointSet> point_sets;
   std::vector<Label> sum_of_body;  ///< first of the bodies whose particles share one sum
   std::vector<std::unique_ptr<Material>> materials;
@@ -85,6 +86,9 @@ struct Scene {
   BodyView view(Label body, const WantedFields& wanted = {}) const;
   /// What this rank has of it, copies of points included; absolute positions. Not collective.
   BodyView own_view(Label body, const WantedFields& wanted = {}) const;
+  /// The same of the particles that elements of the body have become, with the name
+  /// "BODY.particles".
+  BodyView own_converted(Label body) const;
   ContactView own_contacts() const;
   /// Tables of all that goes on from step to step.
   void save_state(std::vector<StateTable>& tables) const;

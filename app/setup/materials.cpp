@@ -19,6 +19,7 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
     if (given.thermal) {
       material->specific_heat = SpecificHeat(*given.thermal->cp);
       if (given.thermal->k) material->conductivity = *given.thermal->k;
+      material->expansion = given.thermal->expansion;
       const SpecificHeat& cp = material->specific_heat;
       strength.heat_capacity = given.density * cp.least();
       if (cp.varies()) strength.specific_heat = &cp, strength.density = given.density;

@@ -137,6 +137,18 @@ void take_from_files(const Deck& deck, const std::vector<BodyGeometry<Dim>>& bod
                           " triangles of its file have no area and were left out");
   }
 }
+/// What a scene keeps of its bodies, by label.
+template <int Dim>
+void list_bodies(const Deck& deck, Scene<Dim>& scene) {
+  for (const auto& body : deck.bodies) {
+    const auto& erosion = body.value.element.erosion;
+    scene.body_names.push_back(body.name);
+    scene.body_size.push_back(deck::smallest_size(body.value));
+    scene.erodes.push_back(erosion.has_value());
+    scene.converts.push_back(erosion && erosion->to == ErodeTo::sph);
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -153,11 +165,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   if (!problems.empty()) throw DeckError(problems);
   auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
                                             deck.depth);
-  for (const auto& body : deck.bodies) {
-    scene->body_names.push_back(body.name);
-    scene->body_size.push_back(deck::smallest_size(body.value));
-    scene->erodes.push_back(body.value.element.erosion.has_value());
-  }
+  list_bodies(deck, *scene);
   scene->sum_of_body = first_bonded(deck);
   scene->materials = make_materials(deck);
   take_from_files(deck, bodies, *scene);

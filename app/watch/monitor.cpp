@@ -214,11 +214,10 @@ bool Monitor<Dim>::wants_hash(const Clock& clock) const {
          multiples(clock.time(), frame_every_) > frames_due_;
 }
 
-/// What this rank writes of a body, with the fields that the deck names. Several ranks write `id`
+/// What this rank writes of a view, with the fields that the deck names. Several ranks write `id`
 /// besides, for pieces are merged by it.
 template <int Dim>
-BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, Label body, Real time) const {
-  BodyView view = scene.own_view(body);
+BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, BodyView view, Real time) const {
   view.time = time;
   const bool alone = scene.ranks->alone();
   const auto& fields = deck_.output.fields;
@@ -241,7 +240,12 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   for (std::size_t b = 0; b < body_names_.size(); ++b) {
     const bool left_out =
         !wanted.empty() && std::find(wanted.begin(), wanted.end(), body_names_[b]) == wanted.end();
-    if (!left_out) views.push_back(frame_part(scene, static_cast<Label>(b), time));
+    if (left_out) continue;
+    const auto body = static_cast<Label>(b);
+    views.push_back(frame_part(scene, scene.own_view(body), time));
+    if (scene.converts[b] != 0) {
+      views.push_back(frame_part(scene, scene.own_converted(body), time));
+    }
   }
   ContactView contact;
   if (scene.contact) contact = scene.own_contacts();

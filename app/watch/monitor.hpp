@@ -102,7 +102,7 @@ class Monitor final : public Observer<Dim> {
   void write_row(Scene<Dim>& scene, const Clock& clock);
   void write_frame(Scene<Dim>& scene, Real time);
   bool wants_hash(const Clock& clock) const;
-  BodyView frame_part(const Scene<Dim>& scene, Label body, Real time) const;
+  BodyView frame_part(const Scene<Dim>& scene, BodyView view, Real time) const;
   void check_step(Scene<Dim>& scene, const Clock& clock);
   void check_stops(Scene<Dim>& scene, Clock& clock);
   void take_measures(Scene<Dim>& scene, Real time, bool at_end);

@@ -262,12 +262,26 @@ std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) co
   return lost;
 }
 
+namespace {
+/// [m] since time 0, of a joint with a largest closure; 0 for all else.
+template <int Dim>
+Real largest_closure(const ContactMemory<Dim>& memory, const ContactKey& key) {
+  const auto* const known = memory.closures().find(key);
+  Real closed = known == nullptr ? 0.0 : known->closed;
+  ContactKey last = key;
+  last.ordinal = ~std::uint32_t{0};
+  for (const auto& tie : memory.ties().range(key, last)) closed = std::max(closed, tie.closed);
+  return closed;
+}
+}  // namespace
+
 template <int Dim>
 ContactView ContactManager<Dim>::view() const {
   const auto& own = *implementation_;
   ContactView view;
   own.evaluation.records().visit_whole([&](const WholeRecord<Dim>& whole) {
     const auto& record = whole.record;
+    const auto key = key_of(record);
     if (record.kind != ContactKind::face_face) {
       append<Dim>(view.position, record.point);
       view.polygon_size.push_back(1);
@@ -278,9 +292,10 @@ ContactView ContactManager<Dim>::view() const {
     append<Dim>(view.force, force_of(own.search.entities().nodes, whole));
     view.pressure.push_back((record.spring + record.damping) / record.area);
     view.penetration.push_back(record.penetration);
+    view.bonded.push_back(record.bonded ? 1 : 0);
+    view.max_closure.push_back(largest_closure(own.memory, key));
     view.body_a.push_back(record.lower_body);
     view.body_b.push_back(record.upper_body);
-    const auto key = key_of(record);
     view.key.push_back({static_cast<GlobalId>(key.kind), key.first, key.second, key.ordinal});
   });
   return view;

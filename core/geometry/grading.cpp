@@ -7,29 +7,32 @@
 namespace brunt {
 
 void describe(Schema& s, Grading& grading) {
-  static constexpr const char* kEnds[] = {"min", "max", "both"};
+  static constexpr const char* kEnds[] = {"min", "max", "both", "middle"};
   s.choice({"axis", "axis of the deck, before the shape is turned", Need::required}, grading.axis,
            s.axes());
   s.real({"ratio", "largest over smallest element size along the axis", Need::required},
          grading.ratio, {"1", at_least(1), between(1, 1000)});
-  s.choice({"toward", "the end where elements are finer", Need::required}, grading.toward, kEnds);
+  s.choice(
+      {"toward", "where elements are finer: at an end, at both, or in the middle", Need::required},
+      grading.toward, kEnds);
 }
 
 namespace {
 /// Sizes of n layers over the smallest, from the min end.
 std::vector<Real> relative_sizes(const Grading& grading, int n) {
-  const bool both = grading.toward == Toward::both;
-  const int last = both ? (n - 1) / 2 : n - 1;  // steps from the smallest to the largest
+  // steps from the smallest to the largest
+  const int last = grading.symmetric() ? (n - 1) / 2 : n - 1;
   std::vector<Real> sizes;
   for (int i = 0; i < n; ++i) {
-    const int step = both ? std::min(i, n - 1 - i) : i;
+    const int from_end = grading.symmetric() ? std::min(i, n - 1 - i) : i;
+    const int step = grading.toward == Toward::middle ? last - from_end : from_end;
     sizes.push_back(std::pow(grading.ratio, static_cast<Real>(step) / last));
   }
   if (grading.toward == Toward::max) std::reverse(sizes.begin(), sizes.end());
   return sizes;
 }
 
-int fewest(const Grading& grading) { return grading.toward == Toward::both ? 3 : 2; }
+int fewest(const Grading& grading) { return grading.symmetric() ? 3 : 2; }
 
 /// The thickest of n layers over the whole length.
 Real largest_share(const Grading& grading, int n) {
@@ -42,7 +45,7 @@ Real largest_share(const Grading& grading, int n) {
 std::optional<Grading> turned(const Grading* grading, bool against) {
   if (!grading) return {};
   Grading seen = *grading;
-  if (against && seen.toward != Toward::both) {
+  if (against && !seen.symmetric()) {
     seen.toward = seen.toward == Toward::min ? Toward::max : Toward::min;
   }
   return seen;

@@ -8,13 +8,17 @@
 
 namespace brunt {
 
-enum class Toward : int { min, max, both };
+enum class Toward : int { min, max, both, middle };
 
-/// Finer elements towards an end of a shape, before it is turned and moved.
+/// Finer elements towards an end of a shape, both ends or its middle, before it is turned and
+/// moved.
 struct Grading {
   int axis = 0;    ///< 0, 1, 2: x, y, z
   Real ratio = 1;  ///< largest over smallest element size
   Toward toward = Toward::min;
+
+  /// True where both halves are alike.
+  bool symmetric() const { return toward == Toward::both || toward == Toward::middle; }
 };
 void describe(Schema& s, Grading& grading);
 
@@ -28,8 +32,9 @@ std::optional<Grading> turned(const Grading* grading, bool against);
 
 /// Places of the n + 1 layers of nodes between n layers of elements, as fractions of the length:
 /// 0 first, 1 last. Sizes are a geometric progression, h_i/h_0 = ratio^(i/(n-1)), from the fine
-/// end; towards both ends they rise to the middle and fall again. Throws GradingError where there
-/// are too few layers for a smallest and a largest one: 2, or 3 towards both ends.
+/// end; towards both ends they rise to the middle and fall again, towards the middle the other way.
+/// Throws GradingError where there are too few layers for a smallest and a largest one: 2, or 3
+/// where both halves are alike.
 std::vector<Real> graded_layers(const Grading& grading, int n);
 
 /// Smallest number of layers of which none is thicker than size [m], along a length [m].

@@ -26,7 +26,7 @@ namespace {
 /// The one grading of a disc or ball; null where there is none.
 const Grading* round_grading(const Sizing& sizing) {
   if (sizing.gradings.empty()) return nullptr;
-  if (sizing.gradings.size() > 1 || sizing.gradings.front().toward == Toward::both) {
+  if (sizing.gradings.size() > 1 || sizing.gradings.front().symmetric()) {
     throw GradingError(
         "a round shape is finer towards one point of its rim: keep one axis, toward min or max");
   }

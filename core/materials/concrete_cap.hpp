@@ -64,7 +64,7 @@ struct ConcreteCap {
 
   struct Cap;
   Real left_in_tension(const Point& at) const;
-  void open(Point& at, Real opened, Real strain) const;
+  void open(Point& at, Real opened, Real tension, Real work) const;
   void close(Point& at) const;
   void hold_tension(Point& at) const;
   void crush(Point& at) const;
@@ -139,10 +139,17 @@ inline Real ConcreteCap::left_in_tension(const Point& at) const {
   return ft_ * (1 - vmax(at.own[kShear], at.own[kTensile]));
 }
 
-/// A crack that opens by so much, or a point that flows in tension, loses tensile strength.
-inline void ConcreteCap::open(Point& at, Real opened, Real strain) const {
-  at.own[kOpened] += opened;
-  at.own[kTensile] = 1 - (1 - at.own[kTensile]) * vexp(-strain * at.length * ft_ / Gf);
+/// A crack that opens, or a point that flows in tension, loses tensile strength by the work that it
+/// takes, so that whatever its path it takes Gf over its size in all.
+/// opened [1] of the volume, at a tension [Pa]; work [J/m^3] of shear
+inline void ConcreteCap::open(Point& at, Real opened, Real tension, Real work) const {
+  auto& own = at.own;
+  const Real solid = 1 - own[kCompaction] - own[kDilated] - own[kOpened];
+  own[kOpened] += opened;
+  const Real left = left_in_tension(at);
+  if (!(left > kLeastStrength * fc)) return;
+  const Real whole = work - tension * vlog(1 - opened / solid);
+  own[kTensile] = 1 - (1 - own[kTensile]) * vexp(-whole / left * at.length * ft_ / Gf);
 }
 
 /// What has opened in tension closes first, without resistance.
@@ -163,7 +170,7 @@ inline void ConcreteCap::hold_tension(Point& at) const {
   const Real elastic = vexp(most / modulus(own[kCompaction]));
   const Real pores = 1 - own[kCompaction] - elastic * (1 - phi0) / at.ratio;
   const Real opened = vmax(0.0, pores - own[kDilated] - own[kOpened]);
-  open(at, opened, opened);
+  open(at, opened, most, 0);
   at.pressure = -most;
 }
 
@@ -241,7 +248,7 @@ inline void ConcreteCap::shear(Point& at, Real cap) const {
                            ? dilatancy * at.increment * vmax(0.0, 1 - pressed / cap) * (1 - lost)
                            : 0.0;
   if (at.pressure < 0) {
-    open(at, dilated, at.increment + dilated / 3);
+    open(at, dilated, -at.pressure, at.q * at.increment);
   } else {
     own[kDilated] = vmin(own[kDilated] + dilated, kMostDilated);
     own[kShear] = vmin(1.0, own[kShear] + dilated / phi_damage);

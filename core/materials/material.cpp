@@ -54,6 +54,38 @@ void add_plastic_volume_work(const MaterialTile& tile, const Row& elastic_old, c
   }
 }
 
+/// The ratios of a tile become those over the volume free of stress, before the step and at the
+/// temperatures that the points have now, which the state keeps. Returns by how much that volume
+/// grows in the step.
+/// alpha [1/K] linear expansion; tile.fixed_temperature is that of time 0
+Row divide_by_expansion(MaterialTile& tile, Real alpha) {
+  MaterialState& state = *tile.state;
+  Row grown;
+  for (int i = 0; i < tile.count; i += kLanes) {
+    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const Pack stretch =
+        1.0 + alpha * (load(state.temperature.data() + at) - tile.fixed_temperature);
+    const Pack before = load(state.expansion.data() + at), now = stretch * stretch * stretch;
+    store(tile.ratio_old + i, load(tile.ratio_old + i) / before);
+    store(tile.ratio + i, load(tile.ratio + i) / now);
+    store(grown.at + i, now - before);
+    store(state.expansion.data() + at, now);
+  }
+  return grown;
+}
+
+/// Books p J_e d(theta), means of the step; the tile has J_e.
+void add_expansion_work(const MaterialTile& tile, const Row& pressure_old, const Row& grown) {
+  MaterialState& state = *tile.state;
+  for (int i = 0; i < tile.count; i += kLanes) {
+    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const Pack pressure = 0.5 * (load(pressure_old.at + i) + load(state.pressure.data() + at));
+    const Pack elastic = 0.5 * (load(tile.ratio_old + i) + load(tile.ratio + i));
+    const Pack work = pressure * elastic * load(grown.at + i);
+    store(state.expansion_work.data() + at, load(state.expansion_work.data() + at) + work);
+  }
+}
+
 }  // namespace
 
 MaterialState Material::initial_state(std::size_t n, Real temperature, bool adiabatic) const {
@@ -70,6 +102,10 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
     state.temperature.assign(size, temperature);
     if (yields()) state.heat.assign(size, 0.0);
     if (warms_by_compression()) state.compression_heat.assign(size, 0.0);
+    if (expansion != 0) {
+      state.expansion.assign(size, 1.0);
+      state.expansion_work.assign(size, 0.0);
+    }
   }
   if (eos->needs_energy()) state.energy.assign(size, eos->initial_energy());
   if (strength->changes_volume()) {
@@ -91,6 +127,16 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
 }
 
 void Material::update(MaterialTile& tile, Real dt) const {
+  if (tile.state->expansion.empty()) return update_unexpanded(tile, dt);
+  const RatioRows given(tile);
+  const Row pressure_old = copied(tile.state->pressure.data() + tile.first, tile.count);
+  const Row grown = divide_by_expansion(tile, expansion);
+  update_unexpanded(tile, dt);
+  add_expansion_work(tile, pressure_old, grown);
+  given.show(tile);
+}
+
+void Material::update_unexpanded(MaterialTile& tile, Real dt) const {
   if (damage == nullptr) {
     find_stress(tile, dt, nullptr);
   } else {

@@ -29,7 +29,10 @@ struct MaterialState {
   /// [1] plastic volume over that at time 0, and, apart from it, what has opened in tension and
   /// closes again: V/V0 over both is that of the elastic volume; empty unless flow changes volume
   std::vector<Real> plastic_volume, opening;
-  std::vector<Real> bulk;  ///< [Pa] current tangent bulk modulus K_t
+  /// [1] V/V0 of the point free of stress at its temperature; empty unless the material expands
+  std::vector<Real> expansion;
+  std::vector<Real> expansion_work;  ///< [J/m^3 reference] of the pressure on it; as long
+  std::vector<Real> bulk;            ///< [Pa] current tangent bulk modulus K_t
   /// Of materials that fail: how far the way to failure is gone, 1 where it begins; the share of
   /// the stress that is lost; and where softening takes energy the work since it began, that at
   /// which nothing is left, the largest elastic energy [J/m^3], and the size of the element or
@@ -141,6 +144,7 @@ struct Material {
   bool thermal = false;
   SpecificHeat specific_heat;  ///< [J/kg/K] a constant, or a table over temperature
   Varying conductivity;        ///< [W/m/K] a constant, or a table over temperature
+  Real expansion = 0;          ///< [1/K] linear, from the temperature at time 0
   std::unique_ptr<Strength> strength;
   std::unique_ptr<EquationOfState> eos;
   std::unique_ptr<Damage> damage;  ///< null: it never fails
@@ -160,12 +164,15 @@ struct Material {
   /// True where compression changes the temperature of points that have one.
   bool warms_by_compression() const { return thermal && eos->needs_energy(); }
   /// True where a point's temperature is part of its state: it changes or moves the stress.
-  bool keeps_temperature() const { return yields() || warms_by_compression(); }
+  bool keeps_temperature() const { return yields() || warms_by_compression() || expansion != 0; }
   /// One step of a tile: strength, then equation of state, then cut-off, then what compression and
   /// viscosity do to the temperature. A strength that sees the pressure comes after it.
   void update(MaterialTile& tile, Real dt) const;
 
  private:
+  /// What `update` does but for expansion: laws see the volume ratio over that of the point free of
+  /// stress. docs/theory/materials.md (M44)
+  void update_unexpanded(MaterialTile& tile, Real dt) const;
   /// What `update` does but for damage and heat of compression. before  null without damage
   void find_stress(MaterialTile& tile, Real dt, const BeforeDamage* before) const;
   /// The order of a strength that sees the pressure: equation of state without plastic flow,

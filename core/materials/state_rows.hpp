@@ -22,6 +22,8 @@ void visit_material_point(State& state, std::size_t k, FieldUse of_particles, co
   optional(state.heat, of_particles);
   optional(state.compression_heat, kState);
   optional(state.energy, kState);
+  optional(state.expansion, kSaved);
+  optional(state.expansion_work, kSaved);
   optional(state.plastic_volume, kState);
   optional(state.opening, kState);
   for (auto* field : {&state.damage_index, &state.damage, &state.softening_work}) {
@@ -44,6 +46,7 @@ inline std::string fields_of(const MaterialState& state) {
   if (!state.heat.empty()) text += ".heat";
   if (!state.compression_heat.empty()) text += ".compression";
   if (!state.energy.empty()) text += ".energy";
+  if (!state.expansion.empty()) text += ".expansion";
   if (!state.plastic_volume.empty()) text += ".volume";
   if (!state.damage.empty()) text += ".damage";
   if (!state.softening_work.empty()) text += ".softening";

@@ -83,6 +83,8 @@ ContactView to_contact_view(vtkPolyData& data) {
   view.normal = cell_values(data, "normal", 3);
   view.pressure = cell_values(data, "pressure", 1);
   view.penetration = cell_values(data, "penetration", 1);
+  view.bonded = cell_values(data, "bonded", 1);
+  view.max_closure = cell_values(data, "max_closure", 1);
   view.force = cell_values(data, "force", 3);
   view.body_a = cell_labels(data, "body_a");
   view.body_b = cell_labels(data, "body_b");
@@ -120,6 +122,8 @@ ContactView in_order(const ContactView& all) {
     append(view.normal, all.normal, 3 * i, 3);
     append(view.pressure, all.pressure, i, 1);
     append(view.penetration, all.penetration, i, 1);
+    append(view.bonded, all.bonded, i, 1);
+    append(view.max_closure, all.max_closure, i, 1);
     append(view.force, all.force, 3 * i, 3);
     view.body_a.push_back(all.body_a[i]);
     view.body_b.push_back(all.body_b[i]);

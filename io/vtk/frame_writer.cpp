@@ -22,12 +22,12 @@ constexpr const char* kSubfolder = "frames";
 constexpr const char* kUnder = "frames/";
 constexpr const char* kContact = "contact";
 
-/// A file name for any body name: what is no letter, digit, '-' or '_' becomes %XX.
+/// A file name for any body name: what is no letter, digit, '-', '_' or '.' becomes %XX.
 std::string file_name(const std::string& body, std::size_t frame, const std::string& extension) {
   std::string name;
   for (const char c : body) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '-' || c == '_';
+                       c == '-' || c == '_' || c == '.';
     std::array<char, 4> hex;
     std::snprintf(hex.data(), hex.size(), "%%%02X", static_cast<unsigned char>(c));
     name += plain ? std::string(1, c) : std::string(hex.data());
@@ -198,8 +198,9 @@ std::vector<FramePiece> write_pieces(const std::filesystem::path& folder, std::s
   pieces.reserve(bodies.size() + 1);
   const std::string of_rank = "." + std::to_string(rank);
   for (const auto& body : bodies) {
+    const bool particles = body.corners == 0 && !body.point_fields.empty();
     pieces.push_back(write_piece<vtkXMLUnstructuredGridWriter>(
-        to_grid_piece(body), folder, file_name(body.body, number, of_rank + ".vtu"), false));
+        to_grid_piece(body), folder, file_name(body.body, number, of_rank + ".vtu"), particles));
   }
   if (contact != nullptr) {
     pieces.push_back(

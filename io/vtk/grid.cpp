@@ -215,7 +215,8 @@ vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view) {
   for (const auto& field : view.cell_fields) {
     grid->GetCellData()->AddArray(to_array(field, n_cells));
   }
-  if (!view.point_radius.empty()) {
+  const bool no_particles = view.corners == 0 && n_points == 0 && !view.point_fields.empty();
+  if (!view.point_radius.empty() || no_particles) {
     grid->GetPointData()->AddArray(to_array({"radius", 1, view.point_radius}, n_points));
   }
   set_time(*grid, view.time);
@@ -244,6 +245,8 @@ vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time) {
   for (const Field& field :
        {reordered("normal", 3, view.normal, order), reordered("pressure", 1, view.pressure, order),
         reordered("penetration", 1, view.penetration, order),
+        reordered("bonded", 1, view.bonded, order),
+        reordered("max_closure", 1, view.max_closure, order),
         reordered("force", 3, view.force, order)}) {
     data->GetCellData()->AddArray(to_array(field, order.size()));
   }

@@ -22,6 +22,16 @@ namespace {
 constexpr Colour kInk = {40, 40, 40};
 constexpr int kTextSize = 17;
 
+void add_data(vtkRenderer& renderer, vtkPolyData& data, Real width, Colour colour) {
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(&data);
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  renderer.AddActor2D(actor);
+}
+
 /// A polygon or a line of four or two corners in pixels of the renderer.
 void add_shape(vtkRenderer& renderer, const std::vector<std::array<Real, 2>>& corners, Real width,
                Colour colour) {
@@ -38,13 +48,7 @@ void add_shape(vtkRenderer& renderer, const std::vector<std::array<Real, 2>>& co
   } else {
     data->SetPolys(cells);
   }
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor2D> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  renderer.AddActor2D(actor);
+  add_data(renderer, *data, width, colour);
 }
 
 /// The largest 1, 2 or 5 times a power of ten that is not above length.
@@ -98,6 +102,24 @@ void Overlay::box(Real x0, Real y0, Real x1, Real y1, Colour colour) {
              {x1 * scale_, y1 * scale_},
              {x0 * scale_, y1 * scale_}},
             0, colour);
+}
+
+void Overlay::dots(const std::vector<std::array<Real, 2>>& places, Real width, Colour colour) {
+  if (places.empty()) return;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> squares;
+  for (const auto& [x, y] : places) {
+    squares->InsertNextCell(4);
+    for (const auto& [right, up] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+      const vtkIdType corner =
+          points->InsertNextPoint((x + right * width) * scale_, (y + up * width) * scale_, 0);
+      squares->InsertCellPoint(corner);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(squares);
+  add_data(renderer_, *data, 0, colour);
 }
 
 Margins overlay_margins() { return {40, 200, 90, 80}; }

@@ -3,7 +3,9 @@
 /// only.
 #include <vtkRenderer.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "io/vtk/camera.hpp"
 #include "io/vtk/colour_map.hpp"
@@ -24,6 +26,8 @@ class Overlay {
   void line(Real x0, Real y0, Real x1, Real y1, Real width, Colour colour);
   /// A rectangle of one colour.
   void box(Real x0, Real y0, Real x1, Real y1, Colour colour);
+  /// Squares of that width about places.
+  void dots(const std::vector<std::array<Real, 2>>& places, Real width, Colour colour);
 
  private:
   vtkRenderer& renderer_;

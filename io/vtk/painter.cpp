@@ -30,6 +30,7 @@ constexpr std::size_t kCellsWithEdges = 20000;
 constexpr const char* kScalars = "scalars";
 constexpr Colour kRigid = {214, 218, 224};
 constexpr Colour kRigidLine = {120, 126, 134};
+constexpr Colour kBlack = {0, 0, 0};
 /// Pale colours of bodies that deform but have not the field that colours the picture.
 constexpr std::array<Colour, 4> kPlain = {
     {{166, 189, 219}, {204, 187, 160}, {180, 205, 175}, {210, 180, 200}}};
@@ -194,6 +195,25 @@ void add_lights(vtkRenderer& renderer) {
   }
 }
 
+/// Where the middles of contacts lie in a picture [pixel].
+std::vector<std::array<Real, 2>> places_of(const ContactView& contacts, const PictureStyle& style) {
+  const Camera& camera = style.camera;
+  std::vector<std::array<Real, 2>> places;
+  std::size_t first = 0;
+  for (const int corners : contacts.polygon_size) {
+    const auto n = static_cast<std::size_t>(corners);
+    Vec3 middle = Vec3::Zero();
+    for (std::size_t k = 3 * first; k < 3 * (first + n); ++k) {
+      middle[static_cast<int>(k % 3)] += contacts.position[k] / corners;
+    }
+    first += n;
+    places.push_back(
+        {(middle.dot(camera.axes.right) - camera.center_right) / camera.pixel + 0.5 * style.width,
+         (middle.dot(camera.axes.up) - camera.center_up) / camera.pixel + 0.5 * style.height});
+  }
+  return places;
+}
+
 }  // namespace
 
 Painter::Painter(PictureStyle style)
@@ -202,7 +222,8 @@ Painter::Painter(PictureStyle style)
   offscreen_.window().SetMultiSamples(0);
 }
 
-std::string Painter::paint(const std::vector<BodyView>& bodies, Real time) {
+std::string Painter::paint(const std::vector<BodyView>& bodies, Real time,
+                           const ContactView& contacts) {
   VtkMessages messages;
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1, 1, 1);
@@ -213,6 +234,7 @@ std::string Painter::paint(const std::vector<BodyView>& bodies, Real time) {
   add_lights(*renderer);
   set_camera(*renderer, style_);
   Overlay overlay(*renderer, kOversampling);
+  overlay.dots(places_of(contacts, style_), 5, kBlack);
   if (!style_.range.empty()) {
     draw_scalar_bar(overlay, style_.width, style_.height, style_.colouring, style_.range);
   }

@@ -30,7 +30,9 @@ class Painter {
   explicit Painter(PictureStyle style);
 
   /// The bytes of a PNG file. Throws MachineError where OpenGL fails.
-  std::string paint(const std::vector<BodyView>& bodies, Real time);
+  /// contacts  a black dot each, over all bodies
+  std::string paint(const std::vector<BodyView>& bodies, Real time,
+                    const ContactView& contacts = {});
 
  private:
   PictureStyle style_;

@@ -148,7 +148,9 @@ std::vector<std::filesystem::path> render_frames(const FrameSource& source,
     for (const std::size_t frame : frames) {
       paths.push_back(picture_path(out, style.colouring, frame));
       list_files(out, {paths.back().filename().string()});
-      replace_file(paths.back(), painter.paint(source.bodies(frame), source.times[frame]));
+      const bool dots = options.contacts && source.contacts;
+      replace_file(paths.back(), painter.paint(source.bodies(frame), source.times[frame],
+                                               dots ? source.contacts(frame) : ContactView{}));
     }
   } catch (const std::invalid_argument& error) {
     fail(options.field, error.what());
@@ -163,6 +165,7 @@ std::vector<std::filesystem::path> render_folder(const std::filesystem::path& fo
   FrameSource source;
   for (const auto& frame : index) source.times.push_back(frame.time);
   source.bodies = [&](std::size_t frame) { return read_frame(folder, index[frame]); };
+  source.contacts = [&](std::size_t frame) { return read_contacts(folder, index[frame]); };
   return render_frames(source, out, options);
 }
 

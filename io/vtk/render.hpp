@@ -18,6 +18,7 @@ struct RenderOptions {
   std::string frames = "all";  ///< "all", "last", or numbers from 0: "0,5,10"
   std::string view = "auto";   ///< auto | oblique | front | side | top; auto: oblique, 2D: front
   std::string title;
+  bool contacts = false;                       ///< a black dot at each contact
   int width = 1280;                            ///< [pixel]
   int height = 800;                            ///< [pixel]
   std::optional<std::pair<Real, Real>> range;  ///< of the colours, SI; default: of all frames
@@ -27,6 +28,7 @@ struct RenderOptions {
 struct FrameSource {
   std::vector<Real> times;                                         ///< [s] of each frame
   std::function<std::vector<BodyView>(std::size_t frame)> bodies;  ///< of one frame
+  std::function<ContactView(std::size_t frame)> contacts = {};     ///< the same; may be empty
 };
 
 /// Writes pictures NAME.00000.png (NAME the field, the number that of the frame) into `out`, with

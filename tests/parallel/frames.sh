@@ -32,6 +32,15 @@ run three 3
 same one three
 no_strays three
 
+# Particles that were elements are a part of their own, empty at first.
+converts=$2/tests/parallel/decks/conversion.yaml
+for ranks in 1 3; do
+  expect 0 "$brunt" run "$converts" --quiet --oversubscribe --set "output.every=4 us" --ranks $ranks --out "of-$ranks"
+done
+same of-1 of-3
+no_strays of-3
+[ "$(grep -c 'lower.particles.*vtu' of-1/frames.pvd)" = 5 ] || fail "no part of particles"
+
 # Two parts on other ranks, in one folder and in another; then the folder again on fewer ranks.
 run split 3 --until "9 us"
 run split 2 --resume

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "fe/finite_elements.hpp"
 #include "tests/support/simulate.hpp"
@@ -82,9 +83,17 @@ void expect_nothing_is_lost(const std::string& heat, const std::string& element)
   SCOPED_TRACE(heat + " " + element);
   std::vector<Sums> sums;
   SceneHooks hooks;
-  hooks.built = [&](Scene<3>& scene) { sums = {sums_of(scene)}; };
+  hooks.built = [&](Scene<3>& scene) {
+    sums = {sums_of(scene)};
+    const BodyView none = scene.own_converted(0);
+    EXPECT_TRUE(none.position.empty() && none.point_mass.empty());
+    EXPECT_NE(field_named(none.point_fields, "von_mises"),
+              nullptr);  // frames have it from the first
+  };
+  BodyView converted;
   hooks.step_done = [&](Scene<3>& scene, const Clock& clock) {
     sums.push_back(sums_of(scene));
+    converted = scene.own_converted(0);
     if (clock.step() == 13) let_fail(scene, [](GlobalId id, const Vec3&) { return id % 7 < 3; });
     if (clock.step() == 29) let_fail(scene, [](GlobalId id, const Vec3&) { return id % 5 == 0; });
   };
@@ -101,6 +110,9 @@ void expect_nothing_is_lost(const std::string& heat, const std::string& element)
   }
   EXPECT_LT(run.worst_drift, 1e-12);
   for (const Real energy : run.column("energy.eroded")) EXPECT_EQ(energy, 0);
+  EXPECT_EQ(converted.body, "bar.particles");
+  const Real shown = std::accumulate(converted.point_mass.begin(), converted.point_mass.end(), 0.0);
+  EXPECT_NEAR(shown / run.last("body.bar.eroded_mass"), 1, 1e-12);
 }
 
 TEST(Conversion, ABarInFlightKeepsAllThatItCarries) {

@@ -82,6 +82,22 @@ TEST(Grading, TowardBothEndsSizesRiseToTheMiddle) {
   for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(even[i], halves[i] / 14, 1e-15);
 }
 
+TEST(Grading, TowardTheMiddleSizesFallAndRise) {
+  // 7 layers: q^3, q^2, q, 1, q, q^2, q^3 with q^3 = 8; their sum is 29.
+  const auto odd = graded_layers({0, 8, Toward::middle}, 7);
+  const Real sums[] = {0, 8, 12, 14, 15, 17, 21, 29};
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(odd[i], sums[i] / 29, 1e-15);
+  // 6 layers: q^2, q, 1, 1, q, q^2 with q^2 = 4.
+  const auto even = graded_layers({0, 4, Toward::middle}, 6);
+  const Real halves[] = {0, 4, 6, 7, 8, 10, 14};
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(even[i], halves[i] / 14, 1e-15);
+  // None is thicker than it may be, and one layer less would be: 29 of 8, 14 of 4.
+  EXPECT_EQ(graded_count({0, 8, Toward::middle}, 29, 8), 7);
+  EXPECT_EQ(graded_count({0, 4, Toward::middle}, 14, 4), 6);
+  const Grading middle{0, 4, Toward::middle};
+  EXPECT_EQ(turned(&middle, true)->toward, Toward::middle);
+}
+
 TEST(Grading, SizeIsTheLargestAndCellsAreTheFewest) {
   for (const Real ratio : {1.0, 3.0, 20.0}) {
     const int n = graded_count({0, ratio, Toward::max}, 10, 0.7);

@@ -90,6 +90,8 @@ ContactView contact(Real pressure, const std::vector<int>& sizes, GlobalId first
     view.force.insert(view.force.end(), {0, 0, pressure});
     view.pressure.push_back(pressure + static_cast<Real>(i));
     view.penetration.push_back(0.1);
+    view.bonded.push_back(0);
+    view.max_closure.push_back(0);
     view.body_a.push_back(0), view.body_b.push_back(1);
     view.key.push_back({sizes[i] == 1 ? 1u : 0u, first + i, 7, 0});
   }

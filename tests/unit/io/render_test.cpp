@@ -115,6 +115,22 @@ TEST_F(RenderTest, DrawsRigidBodiesGrey) {
   EXPECT_LT(colour[0], 240);
 }
 
+TEST_F(RenderTest, DrawsADotWhereAContactIs) {
+  auto source = source_of({two_cells(1)});
+  ContactView contacts;  // an edge about the middle of the plate, that of the margins
+  contacts.polygon_size = {2};
+  contacts.position = {0.5, 0.25, 0, 1.5, 0.75, 0};
+  source.contacts = [&](std::size_t) { return contacts; };
+  RenderOptions options;
+  const auto without = render_frames(source, folder_ / "without", options);
+  EXPECT_GT(pixel(without.front(), 570, 405)[0], 50);
+  options.contacts = true;
+  const auto with = render_frames(source, folder_ / "with", options);
+  expect_near(pixel(with.front(), 559, 404), {0, 0, 0});
+  expect_near(pixel(with.front(), 560, 405), {0, 0, 0});
+  expect_near(pixel(with.front(), 570, 405), pixel(without.front(), 570, 405));
+}
+
 TEST_F(RenderTest, ReadsAFolderAndDrawsTheFramesAskedFor) {
   FrameWriter writer(folder_);
   for (int f = 0; f < 3; ++f) writer.write(1e-6 * f, {two_cells(f)}, nullptr);

@@ -65,6 +65,8 @@ ContactView contacts() {
   view.normal = {0, 0, 1, 0, 1, 0, 1, 0, 0};
   view.pressure = {10, 20, 30};
   view.penetration = {0.1, 0.2, 0.3};
+  view.bonded = {0, 1, 0};
+  view.max_closure = {0, 0.4, 0.5};
   view.force = {0, 0, 5, 0, 6, 0, 7, 0, 0};
   view.body_a = {0, 1, 2};
   view.body_b = {3, 4, 5};
@@ -128,6 +130,8 @@ TEST_F(VtkTest, WritesContactsWithTheirFields) {
   EXPECT_EQ(read.polygon_size, (std::vector<int>{1, 2, 3}));
   EXPECT_EQ(read.pressure, (std::vector<Real>{30, 20, 10}));
   EXPECT_EQ(read.penetration, (std::vector<Real>{0.3, 0.2, 0.1}));
+  EXPECT_EQ(read.bonded, (std::vector<Real>{0, 1, 0}));
+  EXPECT_EQ(read.max_closure, (std::vector<Real>{0.5, 0.4, 0}));
   EXPECT_EQ(read.normal, (std::vector<Real>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
   EXPECT_EQ(read.force, (std::vector<Real>{7, 0, 0, 0, 6, 0, 0, 0, 5}));
   EXPECT_EQ(read.body_a, (std::vector<Label>{2, 1, 0}));
