@@ -113,6 +113,9 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"concrete-cylinder", {"parameters.size=1 mm", "time.end=50 us"}},
         Shipped{"concrete-cylinder/particles", {"parameters.size=2 mm", "time.end=50 us"}},
         Shipped{"spall", {"parameters.size=0.1 mm"}}, Shipped{"brick-stack", {"time.end=20 ms"}},
+        Shipped{"perforation", {"parameters.size=2.5 mm", "time.end=20 us"}},
+        Shipped{"perforation/converted", {"parameters.size=2.5 mm", "time.end=20 us"}},
+        Shipped{"perforation/particles", {"parameters.size=2.5 mm", "time.end=20 us"}},
         Shipped{"brick-wall-2d", {"parameters.size=12.5 mm", "time.end=0.1 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
