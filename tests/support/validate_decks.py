@@ -17,7 +17,7 @@ NOT_SEEN = {
         ambient-hotter-than-melting body-hotter-than-melting boundaries-that-contradict
         boundary-box-upside-down boundary-fixes-and-moves boundary-heats-nothing box-upside-down
         elastic-constants-mixed elastic-constants-twice grading-twice
-        hardening-falls heat-of-free-rigid-bodies hourglass-with-full-integration
+        expansion-twice hardening-falls heat-of-free-rigid-bodies hourglass-with-full-integration
         johnson-cook-melts-below-reference johnson-cook-thermal-strength-without-thermal
         mie-gruneisen-singular motion-of-a-body-that-deforms
         output-window rigid-free rigid-with-velocity size-and-cells size-missing unit-missing
