@@ -24,10 +24,10 @@ struct ShapeGuard {
 
 /// Adds the guard's forces to the corner forces of element e, their work to hourglass_work and
 /// their stiffness to the stable step.
-/// lane  of the four elements whose forces [N] node has
+/// lane  of the four elements whose forces [N] on their nodes `force` has
 template <int Dim>
 void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step, int lane,
-                 Pack (&node)[Shape<Dim>::kCorners][Dim]);
+                 Pack (&force)[Shape<Dim>::kCorners][Dim]);
 
 /// Square of the largest least singular value of dx/dxi at which the guard may act [m^2], in an
 /// element with positions x at time 0: |F^-1| <= |dx0/dxi| |(dx/dxi)^-1|.

@@ -130,8 +130,9 @@ void ContactManager<Dim>::add_heat(Real dt) {
   nodes.predict_temperatures(setup.surfaces, dt);
   search.imports().refresh_temperatures(nodes.temperature);
   evaluation.complete_pair_heat(setup, search);
+  const auto& surfaces = setup.surfaces;
   evaluation.records().change_heat(
-      [&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, setup.surfaces, dt, flow); });
+      [&](HeatFlow<Dim>& flow) { exchange_heat<Dim>(nodes, surfaces, dt, flow); });
   auto ended = memory.past().ended_heat();
   const auto elsewhere = search.imports().send_heat(evaluation.records(), nodes, ended);
   apply_heat<Dim>(evaluation.records(), elsewhere, setup.surfaces, nodes);

@@ -150,7 +150,7 @@ struct Entities {
   /// What was born in this step has met what it overlaps.
   void end_births();
   /// Leaves bodies that touch nothing alone: those with a 0; with no entry there are none.
-  void choose(const std::vector<char>& near);
+  void choose(const std::vector<char>& of_bodies);
   bool is_near(Label body) const { return near.empty() || (body < near.size() && near[body] != 0); }
   /// Planes and boxes of near faces at nodes.x, and what they say of steps and of motion.
   void refresh_planes();

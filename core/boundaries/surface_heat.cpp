@@ -84,7 +84,7 @@ std::string HeatBoundary<Dim>::problem(const std::vector<HeatBoundary>& others) 
     return "acts on an area, and most of these particles are inside: choose a "
            "side or a plane";
   }
-  const std::string wrong = acts_on_areas() ? patch.needs_areas() : "";
+  std::string wrong = acts_on_areas() ? patch.needs_areas() : "";
   if (!wrong.empty()) return wrong;
   for (const auto& other : others) {
     if (contradict(*this, other)) {

@@ -216,7 +216,7 @@ class GmshReader {
   }
 
   void read_old_elements() {
-    const std::size_t n = text_.count("the number of elements", binary_ ? 8 : 8);
+    const std::size_t n = text_.count("the number of elements", 8);
     if (binary_) text_.rest_of_line();
     for (std::size_t i = 0; i < n;) {
       // In binary files elements of one type stand in blocks.

@@ -244,7 +244,7 @@ std::string Painter::paint(const std::vector<BodyView>& bodies, Real time,
 
   auto& window = offscreen_.window();
   window.AddRenderer(renderer);
-  const std::string bytes = picture_bytes(window, style_.width, style_.height, messages);
+  std::string bytes = picture_bytes(window, style_.width, style_.height, messages);
   window.RemoveRenderer(renderer);
   return bytes;
 }
