@@ -35,6 +35,8 @@ class ContactMemory {
   const TiePoints& ties() const { return ties_; }
   const JointClosures& closures() const { return closures_; }
   const LostContacts<Dim>& lost() const { return lost_; }
+  /// Ids of the faces that have gone in the step under way, ascending.
+  const std::vector<GlobalId>& died() const { return died_; }
   /// Friction as it was before the step under way.
   FrictionHistory<Dim>& past() { return past_; }
   const FrictionHistory<Dim>& past() const { return past_; }

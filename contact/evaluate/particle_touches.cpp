@@ -79,9 +79,10 @@ bool is_first(const Entities<Dim>& entities, const ContactParticle& particle, co
 template <int Dim>
 Real overlap_ignored(const Entities<Dim>& entities, const ContactParticle& particle,
                      PairFinder& pairs, const TouchStep& step, const ParticleHit<Dim>& hit) {
-  auto law = pairs.of(particle.body, hit.body).initial_overlap;
+  // What is born later is never pressed out.
+  const auto law =
+      step.time_zero ? pairs.of(particle.body, hit.body).initial_overlap : InitialOverlap::track;
   const bool first = is_first(entities, particle, step, hit);
-  if (first && !step.time_zero) law = InitialOverlap::track;
   const Real overlap = ignored_overlap(law, hit.overlap, first ? kMeets * particle.radius : 0.0);
   if (overlap == 0 || first) return overlap;
   return step.before->find(touch_key(particle.id, hit.body, hit.piece)) != nullptr ? overlap : 0.0;

@@ -92,8 +92,9 @@ void ContactManager<Dim>::renew_lists(Real dt) {
   search.refresh_motion();
   memory.begin_step(evaluation.records(), search.entities().nodes, dt);
   memory.bury(dead_of(setup.surfaces));
+  book_eroded(evaluation.records(), memory.died(), dt, search.entities().nodes);
   // Search: lists anew where they may miss a contact.
-  last.listed = search.renew_if_needed(dt, last.started);
+  last.listed = search.renew_if_needed(dt);
 }
 
 template <int Dim>
@@ -114,7 +115,7 @@ void ContactManager<Dim>::add_forces(Real dt, Real time) {
   memory.end_step(records, entities, dt, time);
   if (entities.nodes.has_friction) friction_check.clear();
   if (entities.nodes.has_friction && search.any_near()) {
-    book_friction<Dim>(records, memory.past(), setup.pairs,
+    book_friction<Dim>(records, memory.past(), memory.died(), setup.pairs,
                        search.imports().send_tractions(records, entities), friction_check,
                        entities);
   }

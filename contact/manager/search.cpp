@@ -68,7 +68,7 @@ LookAhead ContactSearch<Dim>::look_ahead(Real dt) const {
 }
 
 template <int Dim>
-LookAhead ContactSearch<Dim>::renew_if_needed(Real dt, bool inherits) {
+LookAhead ContactSearch<Dim>::renew_if_needed(Real dt) {
   const bool changed = take_changes();
   LookAhead ahead = look_ahead(dt);
   const bool complete = candidates_.complete(entities_, ahead.time, *setup_.ranks.all);
@@ -77,7 +77,7 @@ LookAhead ContactSearch<Dim>::renew_if_needed(Real dt, bool inherits) {
   const bool look = near_.due(speed * dt, speed * ahead.time) || dt == 0;
   const bool others = look && find_near_bodies(ahead.time);
   if (others || !complete || changed) {
-    renew(ahead.time, inherits, true);
+    renew(ahead.time, true, true);
     refresh_motion();
     ahead.longest = longest_after(dt);
   }

@@ -40,8 +40,8 @@ class ContactSearch {
   /// Collective.
   LookAhead look_ahead(Real dt) const;
   /// Lists anew at the motion of a step of dt [s] where they may miss a contact, or other bodies
-  /// are near. inherits  as of renew. Collective.
-  LookAhead renew_if_needed(Real dt, bool inherits);
+  /// are near; what is booked stays with the nodes. Collective.
+  LookAhead renew_if_needed(Real dt);
   /// Tables and lists at the positions of time 0. Collective.
   LookAhead begin();
   /// Tables and lists anew at the present positions. inherits  what is booked stays with the

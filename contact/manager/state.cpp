@@ -14,6 +14,7 @@ void visit_node(Row& row, Nodes& nodes, std::size_t i) {
   row(nodes.damping[i]);
   row(nodes.spring_work[i]);
   row(nodes.damping_energy[i]);
+  row(nodes.eroded_energy[i]);
   if (nodes.conduct) row(nodes.friction_given[i]);
   if (nodes.holds) row(nodes.joint_loss[i]);
   if (!nodes.has_friction) return;
@@ -122,6 +123,8 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       if (!nodes.owned[i]) continue;
       part.add(Column::contact_pairs, nodes.spring_work[i]);
       part.add(Column::contact_damping, nodes.damping_energy[i]);
+      part.add(Column::eroded, nodes.eroded_energy[i]);
+      part.add(Column::contact_pairs, -nodes.eroded_energy[i]);
       if (part.hashes) part.state_hash += node_hash(nodes, i);
       if (nodes.conduct) part.heat.friction.add(nodes.friction_given[i]);
       if (nodes.holds) {

@@ -37,6 +37,7 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   if (needs_material) material.emplace_back();
   spring_work.push_back(0);
   damping_energy.push_back(0);
+  eroded_energy.push_back(0);
   if (conduct) {
     for (auto* field : {&temperature, &capacity, &heat_rate, &friction_given}) field->push_back(0);
   }
@@ -149,6 +150,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
     spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
     pressed[i] = old.pressed[*it], pressed_last[i] = old.pressed_last[*it];
     spring_work[i] = old.spring_work[*it], damping_energy[i] = old.damping_energy[*it];
+    eroded_energy[i] = old.eroded_energy[*it];
     if (conduct) friction_given[i] = old.friction_given[*it];
     if (holds) joint_loss[i] = old.joint_loss[*it];
     if (!has_friction) continue;

@@ -43,6 +43,7 @@ struct ContactNodes {
   /// did it is 0, friction too.
   std::vector<char> pressed, pressed_last;
   std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
+  std::vector<Real> eroded_energy;  ///< [J] of springs that went with their faces, since time 0
   bool has_friction = false;       ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
   bool holds = false;              ///< some pair is tied or a joint; else `joint_loss` is empty

@@ -7,6 +7,9 @@
 //   A rigid ball through a plate: the momentum of both together is that of the ball before, what
 // has eroded is in the ledger, and the total is constant to rounding.
 //   A pressure acts on the faces that were chosen at time 0 and goes with them.
+//   A spring of contact goes with its face: what it held, less what it gave to motion in the half
+//   of
+// the step before, has eroded, and `contact.pairs` stays at 0.
 //   A face that comes to the surface inside another body pushes nothing out (test 19 of the design
 //   of contact).
 #include <gtest/gtest.h>
@@ -177,6 +180,39 @@ TEST(Erosion, APressureGoesWithItsFaces) {
   EXPECT_EQ(run.last("body.column.eroded"), 4);
   EXPECT_EQ(run.last("boundary.push.force.y"), 0);
   EXPECT_EQ(run.last("body.column.kinetic"), 0);
+  EXPECT_LT(run.worst_drift, 1e-12);
+}
+
+TEST(Erosion, ASpringGoesWithItsFace) {
+  const auto run = simulate_text(R"(
+title: A layer erodes under a block that is pressed on it
+geometry: plane-strain
+time: {end: 4 us}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}}
+bodies:
+  column:
+    material: rubber
+    shape: {box: {min: [0, 0], max: [4 mm, 10 mm]}}
+    cells: [4, 8]
+    grading: {axis: y, ratio: 4, toward: max}
+    erode: {when: {step: 0.47 us}}
+  block:
+    material: rubber
+    shape: {box: {min: [0.5 mm, 9.95 mm], max: [3.5 mm, 12.95 mm]}}
+    cells: [3, 3]
+contact: {default: {initial_overlap: press}}
+output: {every: 1 s, history: 1 ns}
+)");
+  EXPECT_EQ(run.failure, "");
+  EXPECT_EQ(run.last("body.column.eroded"), 4);
+  const Real held = run.first("energy.contact.spring");
+  EXPECT_GT(held, 1);  // J: 0.05 mm at some 1 TPa/m over 3 mm
+  EXPECT_EQ(run.last("energy.contact.spring"), 0);
+  // In the first half of a step of 0.4 us the spring throws what lies about it: a tenth of it.
+  EXPECT_GT(run.last("energy.eroded"), 0.8 * held);
+  EXPECT_LT(run.last("energy.eroded"), held);
+  for (const Real pairs : run.column("energy.contact.pairs")) EXPECT_NEAR(pairs, 0, 1e-12 * held);
   EXPECT_LT(run.worst_drift, 1e-12);
 }
 
