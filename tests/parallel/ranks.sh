@@ -115,16 +115,14 @@ check() {  # check CASE RANKS...
   shift
   name=${deck//\//-}
   run "$deck" "$name-1" --threads 1 -- $shorten
-  # Two threads on two ranks; runs of one thread on two and three ranks are among those that follow.
+  # Two threads on two ranks; runs of one thread on two and three ranks, with another skin and repartitioned, follow.
   for n in "$@"; do
     threads=1
     [ "$n" != 2 ] || threads=2
     run "$deck" "$name-$n-$threads" --ranks "$n" --threads "$threads" -- $shorten
     same "$deck" "$name-1" "$name-$n-$threads"
   done
-  run "$deck" "$name-skin" --ranks 2 --threads 1 -- $shorten "contact.skin=1_mm"
-  same "$deck" "$name-1" "$name-skin"
-  run "$deck" "$name-repartitioned" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
+  run "$deck" "$name-repartitioned" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten "contact.skin=1_mm"
   same "$deck" "$name-1" "$name-repartitioned"
   grep -q '"repartitions": [1-9]' "$name-repartitioned/summary.json" || { echo "FAILED: $deck was not repartitioned"; status=1; }
   run "$deck" "$name-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
