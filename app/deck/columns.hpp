@@ -41,7 +41,8 @@ inline constexpr std::array kHistoryColumns{
     ColumnInfo{"energy.damping", "J", "dissipated by `damping`"},
     ColumnInfo{
         "energy.eroded", "J",
-        "of eroded elements: work of stresses that was not heat, and kinetic energy that went"},
+        "of eroded elements: work of stresses that was not heat, kinetic energy that went, and "
+        "what springs of contact held on their faces"},
     ColumnInfo{"energy.expansion", "J", "minus the work of pressures on what heat has made expand"},
     ColumnInfo{"energy.integration", "J",
                "what changes of the time step and turning rigid bodies leave in kinetic energy"},

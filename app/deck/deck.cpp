@@ -87,10 +87,15 @@ void describe(Schema& s, Beyond& beyond) {
 }
 
 void describe(Schema& s, Stop& stop) {
-  static constexpr const char* kLater[] = {"when"};
   s.object({"at_rest", "ends the run when a body has come to rest"}, stop.at_rest);
   s.object({"beyond", "ends the run when a body has passed a place"}, stop.beyond);
-  s.later(kLater);
+  s.text({"when",
+          "ends the run at the first row of history.csv in which an expression over its columns "
+          "[SI] holds: \"= body.ball.velocity.z > 0 && time > 1e-5\""},
+         stop.when);
+  s.require(stop.when.empty() || stop.when.front() == '=', "when",
+            "expects an expression over history columns, which begins with '=': \"= "
+            "body.ball.velocity.z > 0\"");
 }
 
 void describe(Schema& s, Output& output) {

@@ -66,6 +66,7 @@ struct Beyond {
 struct Stop {
   std::optional<AtRest> at_rest;
   std::optional<Beyond> beyond;
+  std::string when;  ///< an expression over history columns [SI], with "="; empty: none
 };
 
 /// Planes that cut bodies of elements in halves, of which one is there: points on them at time 0

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "app/setup/scene_checks.hpp"
 #include "app/watch/history_columns.hpp"
+#include "io/deck/column_expression.hpp"
 #include "io/deck/suggest.hpp"
 
 namespace brunt {
@@ -109,15 +111,35 @@ std::string reason_for(const std::string& field) {
   if (field == "porosity" || field == "tensile_strength") return " (its material is no concrete)";
   return "";
 }
+
+/// Columns that `stop.when` names and history.csv does not have, and its form.
+void check_stop(const LoadedDeck& loaded, const Names& columns, bool wrong_elsewhere,
+                std::vector<DeckProblem>& problems) {
+  const auto& when = loaded.deck.stop.when;
+  if (when.empty()) return;
+  const auto unknown = unknown_columns_in(when, columns);
+  for (const auto& column : unknown) {
+    if (wrong_elsewhere && may_come(column, columns, loaded)) continue;
+    problems.push_back(loaded.places.problem(
+        "stop.when", "there is no column '" + column + "'" + columns_like(column, columns)));
+  }
+  if (!unknown.empty()) return;
+  try {
+    ColumnExpression(when, columns);
+  } catch (const std::invalid_argument& error) {
+    problems.push_back(loaded.places.problem("stop.when", "'" + when + "': " + error.what()));
+  }
+}
 }  // namespace
 
 template <int Dim>
 void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
                     std::vector<DeckProblem>& problems) {
-  if (loaded.deck.measures.empty()) return;
+  if (loaded.deck.measures.empty() && loaded.deck.stop.when.empty()) return;
   Names columns = HistoryColumns<Dim>(scene).names();
   columns.pop_back();  // the hash is not a number
   const bool wrong_elsewhere = !problems.empty() || !loaded.wrong.empty();
+  check_stop(loaded, columns, wrong_elsewhere, problems);
   std::map<std::string, Names> fields;
   const auto check_field = [&](const std::string& path, const auto& kind) {
     const std::string name = kind.field.substr(0, kind.field.find('.'));

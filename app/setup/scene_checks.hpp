@@ -34,7 +34,8 @@ void check_added_mass(const LoadedDeck& loaded, Scene<Dim>& scene,
 template <int Dim>
 std::vector<std::string> added_mass_warnings(const LoadedDeck& loaded, const Scene<Dim>& scene);
 
-/// Measures of columns that history.csv does not have, and of fields that a body does not have.
+/// Measures and stops of columns that history.csv does not have, and measures of fields that a body
+/// does not have.
 template <int Dim>
 void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
                     std::vector<DeckProblem>& problems);

@@ -21,31 +21,6 @@ bool is_looked_at(std::int64_t step) {
   return step % kCheckEvery == 0 || (step < kCheckEvery && step % kFirstEvery == 0);
 }
 
-/// Coordinate [m] of a body's centre of mass, absolute.
-template <int Dim>
-Real center(const Scene<Dim>& scene, Label body, int axis) {
-  std::array<ExactSum, 2> sums;
-  auto& [mass, moment] = sums;
-  for (const auto& solid : scene.solids) {
-    const auto& points = solid->points();
-    for (std::size_t i = 0; i < points.owned(); ++i) {
-      if (points.body[i] != body) continue;
-      mass.add(points.mass[i]);
-      moment.add(points.mass[i] * points.x[i][axis]);
-    }
-  }
-  if (scene.rigid && scene.ranks->is_root()) {
-    for (const auto& one : scene.rigid->all()) {
-      if (one.body != body) continue;
-      mass.add(one.state.mass);
-      moment.add(one.state.mass * one.state.x[axis]);
-    }
-  }
-  scene.ranks->reduce_all(std::span<ExactSum>(sums),
-                          [](ExactSum& a, const ExactSum& b) { a.add(b); });
-  return moment.value() / mass.value() + scene.origin[axis];
-}
-
 }  // namespace
 
 std::vector<HistoryValue> history_values(const std::vector<Real>& row, std::uint64_t hash,
@@ -70,6 +45,7 @@ Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frame
       measured_(deck.measures.size(), false),
       lost_contacts_(Dim),
       watch_(deck),
+      stops_(deck),
       warn_(std::move(warn)),
       history_every_(deck.output.history.value_or(deck.time.end / 2000)),
       frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
@@ -89,10 +65,7 @@ void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   columns_ = collector_->names();
   if (!deck_.output.history) row_steps_ = steps_between_rows(row_work(scene));
   keep_start(scene);
-  const auto& beyond = deck_.stop.beyond;
-  if (beyond && static_cast<int>(beyond->axis) < Dim) {
-    start_center_ = center(scene, label(beyond->body), static_cast<int>(beyond->axis));
-  }
+  stops_.begin(scene, columns_);
 }
 
 /// Keeps of time 0 what measures read of it.
@@ -278,7 +251,10 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   }
   take_measures(scene, clock.time(), false);
   check_step(scene, clock);
-  check_stops(scene, clock);
+  const bool has_row = row_step_ == clock.step();
+  const std::string why = stops_.look(
+      scene, clock, has_row ? std::span<const Real>(rows_.back()) : std::span<const Real>{});
+  if (!why.empty()) stop(clock, why);
   const auto& whose = clock.whose();
   progress_.show(clock, body_names_.empty() ? "" : body_names_[whose.body] + ": " + whose.reason,
                  drift_);
@@ -290,37 +266,6 @@ void Monitor<Dim>::check_step(Scene<Dim>& scene, const Clock& clock) {
   const int every = deck_.time.check_step;
   if (every == 0 || clock.step() % every != 0) return;
   for (const auto& warning : step_check_.take(find_step_margins(scene))) tell(warning);
-}
-
-template <int Dim>
-void Monitor<Dim>::check_stops(Scene<Dim>& scene, Clock& clock) {
-  if (const auto& rest = deck_.stop.at_rest) {
-    const Label body = label(rest->body);
-    Real fastest = 0;
-    for (const auto& solid : scene.solids) {
-      const auto& points = solid->points();
-      for (std::size_t i = 0; i < points.owned(); ++i) {
-        if (points.body[i] == body) fastest = std::max(fastest, points.v[i].squaredNorm());
-      }
-    }
-    fastest = scene.ranks->max(fastest);
-    if (std::sqrt(fastest) >= rest->below) {
-      at_rest_since_ = -1;
-    } else {
-      if (at_rest_since_ < 0) at_rest_since_ = clock.time();
-      if (clock.time() - at_rest_since_ >= rest->duration) {
-        stop(clock, rest->body + " is at rest");
-      }
-    }
-  }
-  if (const auto& beyond = deck_.stop.beyond) {
-    const auto axis = static_cast<int>(beyond->axis);
-    if (axis >= Dim) return;
-    const Real now = center(scene, label(beyond->body), axis);
-    if ((start_center_ - beyond->at) * (now - beyond->at) <= 0) {
-      stop(clock, beyond->body + " is beyond its place");
-    }
-  }
 }
 
 template <int Dim>

@@ -16,6 +16,7 @@
 #include "app/watch/measures.hpp"
 #include "app/watch/progress.hpp"
 #include "app/watch/run_watch.hpp"
+#include "app/watch/stops.hpp"
 #include "io/history.hpp"
 
 namespace brunt {
@@ -104,7 +105,6 @@ class Monitor final : public Observer<Dim> {
   bool wants_hash(const Clock& clock) const;
   BodyView frame_part(const Scene<Dim>& scene, BodyView view, Real time) const;
   void check_step(Scene<Dim>& scene, const Clock& clock);
-  void check_stops(Scene<Dim>& scene, Clock& clock);
   void take_measures(Scene<Dim>& scene, Real time, bool at_end);
   Label label(const std::string& body) const;
 
@@ -124,6 +124,7 @@ class Monitor final : public Observer<Dim> {
   std::vector<std::string> warnings_;
   LostContactWarnings lost_contacts_;
   RunWatch watch_;
+  StopConditions<Dim> stops_;
   EnergyLook energies_;  // of the last row
   std::vector<CreatedEnergy> created_;
   ArtificialTensionWarnings artificial_tension_;
@@ -136,8 +137,6 @@ class Monitor final : public Observer<Dim> {
   std::int64_t rows_due_ = 0, frames_due_ = 0;
   Real last_row_ = -1, last_frame_ = -1;
   Real drift_ = 0, worst_drift_ = 0;
-  Real at_rest_since_ = -1;  // [s]; negative: it moves
-  Real start_center_ = 0;    // [m] of the body of stop.beyond
 };
 
 }  // namespace brunt

@@ -46,7 +46,7 @@ template <class Row, class AnyMonitor>
 void Monitor<Dim>::visit(Row& row, AnyMonitor& monitor) {
   row(monitor.last_row_), row(monitor.last_frame_);
   row(monitor.drift_), row(monitor.worst_drift_);
-  row(monitor.at_rest_since_);
+  StopConditions<Dim>::visit(row, monitor.stops_);
 }
 
 template <int Dim>

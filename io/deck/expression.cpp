@@ -1,68 +1,17 @@
 #include "io/deck/expression.hpp"
 
-#include <muParser.h>
-
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
 
 #include "io/deck/number.hpp"
+#include "io/deck/parser.hpp"
 
 namespace brunt {
 
 namespace {
-
-constexpr const char* kNameCharacters =
-    "$_0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-
-bool is_name_character(char c) {
-  return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-/// Why muParser shall not see the text, or "".
-std::string form_problem(const std::string& body) {
-  constexpr std::size_t kLongest = 2000;
-  if (body.size() > kLongest) return "the expression is too long";
-  for (std::size_t i = 0; i < body.size(); ++i) {
-    const char c = body[i];
-    if (c == '"' || c == '#' || c == '\'' || c == ';' || c == '{' || c == '}') {
-      return std::string("'") + c + "' has no meaning in an expression";
-    }
-    if (c != '=') continue;
-    const bool compares =
-        (i + 1 < body.size() && body[i + 1] == '=') ||
-        (i > 0 && std::string_view("=<>!").find(body[i - 1]) != std::string_view::npos);
-    if (!compares) return "'=' assigns; compare with '=='";
-  }
-  return "";
-}
-
-void prepare(mu::Parser& parser) {
-  parser.DefineNameChars(kNameCharacters);
-  parser.DefineConst("pi", kPi);
-}
-
-Real evaluate_one(const mu::Parser& parser) {
-  int n = 0;
-  const mu::value_type* values = parser.Eval(n);
-  if (n != 1) throw mu::ParserError("an expression has one value");
-  return values[0];
-}
-
 std::string body_of(const std::string& text) { return text.substr(text.find('=') + 1); }
-
-/// muParser's words, with what a user can do about the most frequent one.
-/// known  what is known besides parameters, or ""
-std::string problem_of(const mu::ParserError& error, const std::string& known = "") {
-  std::string message = error.GetMsg();
-  if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
-    const std::string& name = error.GetToken();
-    message = "'" + name + "' is not known in an expression" + known;
-    if (!name.empty() && name[0] != '$') message += "; a parameter is written $" + name;
-  }
-  return message;
-}
 
 /// A copy of a compiled expression with its own variables.
 struct Instance {
@@ -87,7 +36,7 @@ class PooledExpression {
   Real operator()(const std::array<Real, 4>& arguments) const {
     std::unique_ptr<Instance> instance = take();
     instance->argument = arguments;
-    const Real value = evaluate_one(instance->parser);
+    const Real value = one_value_of(instance->parser);
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(instance));
     return value;
@@ -112,27 +61,6 @@ class PooledExpression {
   mutable std::vector<std::unique_ptr<Instance>> free_;  ///< cache, under mutex_
 };
 
-/// The body with parameters written as numbers in SI.
-std::string with_numbers(const std::string& body, const ParameterValues& parameters) {
-  std::string result;
-  for (std::size_t i = 0; i < body.size();) {
-    if (body[i] != '$') {
-      result += body[i++];
-      continue;
-    }
-    std::size_t end = i + 1;
-    while (end < body.size() && is_name_character(body[end])) ++end;
-    const auto found = parameters.find(body.substr(i + 1, end - i - 1));
-    if (found == parameters.end()) {
-      result += body.substr(i, end - i);
-    } else {
-      result += "(" + shortest_text(found->second.value) + ")";
-    }
-    i = end;
-  }
-  return result;
-}
-
 /// Evaluates one expression with its parameters in changing base units.
 class ScaledEvaluation {
  public:
@@ -155,7 +83,7 @@ class ScaledEvaluation {
       }
       values_[i] = std::ldexp(parameters_[i].value, power);
     }
-    return evaluate_one(parser_);
+    return one_value_of(parser_);
   }
 
  private:
@@ -245,6 +173,26 @@ bool depends_on(const std::string& text, const ArgumentNames& names) {
   return std::any_of(found.begin(), found.end(), [](bool one) { return one; });
 }
 
+std::string with_numbers(const std::string& text, const ParameterValues& parameters) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] != '$') {
+      result += text[i++];
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < text.size() && is_name_character(text[end])) ++end;
+    const auto found = parameters.find(text.substr(i + 1, end - i - 1));
+    if (found == parameters.end()) {
+      result += text.substr(i, end - i);
+    } else {
+      result += "(" + shortest_text(found->second.value) + ")";
+    }
+    i = end;
+  }
+  return result;
+}
+
 ExpressionResult evaluate_expression(const std::string& text, const ParameterValues& parameters) {
   ExpressionResult result;
   const std::string body = body_of(text);
@@ -271,7 +219,7 @@ ExpressionResult evaluate_expression(const std::string& text, const ParameterVal
       find_dimension(evaluate, result);
     }
   } catch (const mu::ParserError& error) {
-    result.problem = problem_of(error);
+    result.problem = parser_problem(error);
   }
   return result;
 }
@@ -291,7 +239,7 @@ CompiledExpression compile_expression(const std::string& text, const ParameterVa
   } catch (const mu::ParserError& error) {
     std::string known;
     for (const char* name : names) known += std::string(known.empty() ? " of " : ", ") + name;
-    compiled.problem = problem_of(error, known);
+    compiled.problem = parser_problem(error, known);
   }
   return compiled;
 }
@@ -310,9 +258,9 @@ Real evaluate_formula(const std::string& text,
       parser.DefineConst("$" + name, *value);
     }
     parser.SetExpr(body);
-    return evaluate_one(parser);
+    return one_value_of(parser);
   } catch (const mu::ParserError& error) {
-    throw std::invalid_argument(problem_of(error));
+    throw std::invalid_argument(parser_problem(error));
   }
 }
 

@@ -41,6 +41,9 @@ std::array<bool, 4> arguments_in(const std::string& text, const ArgumentNames& n
 /// True if any of them does.
 bool depends_on(const std::string& text, const ArgumentNames& names);
 
+/// The text with parameters written as numbers in SI.
+std::string with_numbers(const std::string& text, const ParameterValues& parameters);
+
 /// Evaluates an expression of parameters. It is evaluated in other base units too: the sum of a
 /// length and a number cannot pass, and the dimension of the result follows.
 ExpressionResult evaluate_expression(const std::string& text, const ParameterValues& parameters);

@@ -217,7 +217,7 @@ void Reader::text(const Key& key, std::string& value) {
   } else if (node->text.empty() && key.need == Need::required) {
     problem(*node, path_of(key.name), "is empty: " + std::string(key.help));
   } else {
-    value = node->text;
+    value = is_expression(node->text) ? with_numbers(node->text, parameters_) : node->text;
   }
 }
 

@@ -124,6 +124,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   result.steps = clock.step();
   result.steps_here = clock.step() - checkpointing.first_step();
   result.worst_drift = monitor.worst_drift();
+  result.reason = monitor.reason();
   result.reported = monitor.warned();
   for (const auto& [body, text] : monitor.artificial_tension()) {
     result.reported.push_back({artificial_stress_path(body), text});

@@ -43,6 +43,7 @@ struct Simulation {
   std::int64_t steps_here = 0;  ///< without those before a restart
   Real worst_drift = 0;
   std::string failure;  ///< what a PhysicsError said; empty: none
+  std::string reason;   ///< why it stopped before its end; empty: it did not
 
   std::size_t index(const std::string& column) const;
   std::vector<Real> column(const std::string& name) const;

@@ -35,7 +35,7 @@ NOT_SEEN = {
     "a name": """
         boundary-of-a-rigid-body contact-pairs-double 
         history-column-unknown include-cycle include-not-found library-unknown
-        material-unknown parameter-unknown-and-unused""",
+        material-unknown parameter-unknown-and-unused stop-when-syntax stop-when-unknown""",
     "a mesh or a surface": """
         bodies-overlap boundary-of-no-points grading-of-one-cell mesh-wrong
         ogive-of-elements open-surface particles-in-one-place particles-larger-than-the-shape

@@ -1,6 +1,7 @@
 // Expressions: dimensions follow by evaluating in other base units, whose factors are powers of
 // two, so that values are exact and only functions such as sqrt round (DOUBLE_EQ: 4 units).
 #include "io/deck/expression.hpp"
+#include "io/deck/column_expression.hpp"
 
 #include <gtest/gtest.h>
 
@@ -119,6 +120,35 @@ TEST_F(ExpressionTest, FormulaOverMeasures) {
   EXPECT_EQ(evaluate_formula("= $a / $b", lookup), 0.75);
   EXPECT_THROW(evaluate_formula("= $c", lookup), std::invalid_argument);
   EXPECT_THROW(evaluate_formula("= $a +", lookup), std::invalid_argument);
+}
+
+TEST(ColumnExpression, TakesTheLongestColumn) {
+  const std::vector<std::string> columns{"time",
+                                         "step",
+                                         "contact.a",
+                                         "b.force.x",
+                                         "contact.a-b.force.x",
+                                         "body.a.velocity.x",
+                                         "body.a.velocity.x.mean"};
+  const std::vector<Real> row{0.5, 7, 100, 10, 3, -2, 40};
+  const auto value = [&](const std::string& text) { return ColumnExpression(text, columns)(row); };
+  EXPECT_EQ(value("= contact.a-b.force.x"), 3);
+  EXPECT_EQ(value("= contact.a - b.force.x"), 90);
+  EXPECT_EQ(value("= body.a.velocity.x.mean/2"), 20);
+  EXPECT_EQ(value("= -body.a.velocity.x + step*time"), 5.5);
+  EXPECT_EQ(value("= time > 1e-1 && body.a.velocity.x<0 && step == 7"), 1);
+  EXPECT_EQ(value("= max(time, step) + pi*0 + 2.5"), 9.5);
+  EXPECT_EQ(value("= 3"), 3);
+}
+
+TEST(ColumnExpression, SaysWhatItDoesNotKnow) {
+  const std::vector<std::string> columns{"time", "body.a.velocity.x"};
+  EXPECT_EQ(unknown_columns_in("= body.a.velocity.y > 0.5 && time > 1.5e-3 && b.x", columns),
+            (std::vector<std::string>{"body.a.velocity.y", "b.x"}));
+  for (const char* const wrong : {"= tim > 1", "= time >", "= time = 1", "= (time", "= time, time",
+                                  "= body.a.velocity.xx > 0", "=", "= time > 'a'"}) {
+    EXPECT_THROW(ColumnExpression(wrong, columns), std::invalid_argument) << wrong;
+  }
 }
 
 }  // namespace

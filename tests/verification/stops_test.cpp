@@ -1,0 +1,59 @@
+// What ends a run. A stone that is thrown up at v0 turns at t = v0/g, and has come down by h under
+// where it began at t = (v0 + sqrt(v0^2 + 2 g h))/g. Conditions over columns are looked at with
+// every row: they hold at most a row and a step later.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/simulate.hpp"
+
+namespace brunt::test {
+namespace {
+
+constexpr Real kThrown = 2, kGravity = 10, kRow = 1e-3;  // m/s, m/s^2, s
+
+std::string stone(const std::string& when, const std::string& parameters = "{}") {
+  return "parameters: " + parameters + R"(
+title: A stone is thrown up
+time: {end: 1 s}
+gravity: [0, 0, -10 m/s^2]
+materials:
+  stone: {density: 2500 kg/m^3, elastic: {E: 1 MPa, nu: 0.2}}
+bodies:
+  stone-1:
+    material: stone
+    shape: {box: {min: [0, 0, 0], max: [1 cm, 1 cm, 1 cm]}}
+    cells: [1, 1, 1]
+    velocity: [0, 0, 2 m/s]
+stop: {when: ")" +
+         when + R"("}
+output: {history: 1 ms}
+)";
+}
+
+void expect_stops_at(const std::string& deck, Real expected) {
+  const auto run = simulate_text(deck);
+  EXPECT_EQ(run.failure, "");
+  EXPECT_GE(run.last("time"), expected * (1 - 1e-12)) << deck;
+  EXPECT_LE(run.last("time"), expected + kRow + run.last("dt")) << deck;
+  EXPECT_NE(run.reason.find("stop.when holds"), std::string::npos) << run.reason;
+  const std::int64_t middle = run.steps / 2;
+  EXPECT_EQ(simulate_text(deck, {}, {.split_at = middle}).hashes, run.hashes) << deck;
+}
+
+TEST(Stops, WhenACondition) {
+  expect_stops_at(stone("= body.stone-1.velocity.z < 0"), kThrown / kGravity);
+  const Real down = (kThrown + std::sqrt(kThrown * kThrown + 2 * kGravity * 0.5)) / kGravity;
+  expect_stops_at(stone("= body.stone-1.position.z < 0.005 - $depth", "{depth: 50 cm}"), down);
+  expect_stops_at(stone("= body.stone-1.velocity.z < 0 && time > 0.35"), 0.35);
+}
+
+TEST(Stops, NotWhereItNeverHolds) {
+  const auto run = simulate_text(stone("= body.stone-1.velocity.z > 2.001"));
+  EXPECT_EQ(run.failure, "");
+  EXPECT_EQ(run.reason, "");
+  EXPECT_NEAR(run.last("time"), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace brunt::test
