@@ -15,15 +15,21 @@ Repeated repeated(std::vector<Real> values) {
   return result;
 }
 
+namespace {
+constexpr Real kSameError = 0.01;  // nobody pays for a hundredth of an error
+constexpr Real kRoundOff = 1e-12;
+}  // namespace
+
 std::vector<Dominance> dominated(const std::vector<CostError>& all) {
   std::vector<Dominance> result(all.size());
   for (std::size_t b = 0; b < all.size(); ++b) {
     bool any_clear = false;
     for (std::size_t a = 0; a < all.size(); ++a) {
-      const bool no_dearer = all[a].cost.median <= all[b].cost.median;
-      const bool no_worse = all[a].error <= all[b].error;
-      const bool better = all[a].cost.median < all[b].cost.median || all[a].error < all[b].error;
-      if (!no_dearer || !no_worse || !better) continue;
+      const bool cheaper = all[a].cost.median < all[b].cost.median;
+      const bool as_dear = all[a].cost.median == all[b].cost.median;
+      const bool better = all[a].error < all[b].error;
+      const bool no_worse = all[a].error <= (1 + kSameError) * all[b].error + kRoundOff;
+      if (!(cheaper && no_worse) && !(as_dear && better)) continue;
       any_clear = any_clear || all[a].cost.high <= all[b].cost.low;
       auto& by = result[b].by;
       if (!by || all[a].error < all[*by].error) by = a;

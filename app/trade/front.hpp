@@ -27,8 +27,8 @@ struct Dominance {
   bool clear = true;              ///< false: their costs lie within each other's spread
 };
 
-/// The front of cost and error (Pareto). a dominates b where the median cost and the error of a
-/// are no larger and one of them is smaller.
+/// The front of cost and error (Pareto). a dominates b where the median cost of a is smaller and
+/// its error no more than a hundredth larger, or its error is smaller at the same cost.
 std::vector<Dominance> dominated(const std::vector<CostError>& all);
 
 }  // namespace brunt

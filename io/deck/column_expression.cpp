@@ -96,7 +96,8 @@ ColumnExpression::ColumnExpression(const std::string& text, const std::vector<st
     parsed_->parser.SetExpr(body);
     one_value_of(parsed_->parser);
   } catch (const mu::ParserError& error) {
-    throw std::invalid_argument(parser_problem(error, " of history columns and parameters"));
+    throw std::invalid_argument(
+        parser_problem(error, " of history columns, which are in SI, and parameters"));
   }
 }
 

@@ -28,6 +28,14 @@ TEST(Front, KeepsWhatNothingBeats) {
   EXPECT_TRUE(found[3].clear && found[4].clear);
 }
 
+TEST(Front, AHundredthOfAnErrorIsNotWorthItsCost) {
+  const auto found = dominated({point_at(1, 0.3), point_at(2, 0.298), point_at(3, 0.29)});
+  EXPECT_FALSE(found[0].by);
+  EXPECT_EQ(found[1].by, 0);
+  EXPECT_FALSE(found[2].by);
+  EXPECT_EQ(dominated({point_at(1, 1e-14), point_at(2, 0)})[1].by, 0);
+}
+
 TEST(Front, TwinsDoNotDominateEachOther) {
   const auto found = dominated({point_at(1, 0.3), point_at(1, 0.3)});
   EXPECT_FALSE(found[0].by || found[1].by);

@@ -147,7 +147,10 @@ measures:
   m_restitution: {restitution: {body: a}}
   m_speed: {speed: {body: a}}
   m_expression: {expression: "= $m_min / $m_max"}
-stop: {at_rest: {body: a, below: 1, for: 1 us}, beyond: {body: a, axis: z, at: 3}, when: "= time > 1"}
+stop:
+  at_rest: {body: a, below: 1, for: 1 us}
+  beyond: {body: a, axis: z, at: 3}
+  when: "= time > 1"
 output:
   {every: 1 us, history: 1 us, state_hash: true, from: 1 us, to: 2 us, fields: [stress],
    bodies: [a]}
