@@ -44,13 +44,13 @@ struct ContactNodes {
   std::vector<char> pressed, pressed_last;
   std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
   std::vector<Real> eroded_energy;  ///< [J] of springs that went with their faces, since time 0
-  bool has_friction = false;       ///< some pair has friction; else the fields below are empty
-  std::vector<Vec<Dim>> friction;  ///< [N] of this evaluation
-  bool holds = false;              ///< some pair is tied or a joint; else `joint_loss` is empty
-  std::vector<Real> joint_loss;    ///< [J] that joints have used up, booked since time 0
-  bool turns = false;              ///< particles have friction with particles; else `spin` is empty
-  std::vector<Vec3> spin;          ///< [rad/s] of the material, where its surface tells it
-  bool needs_material = false;     ///< some friction does; else `material` is empty
+  bool has_friction = false;        ///< some pair has friction; else the fields below are empty
+  std::vector<Vec<Dim>> friction;   ///< [N] of this evaluation
+  bool holds = false;               ///< some pair is tied or a joint; else `joint_loss` is empty
+  std::vector<Real> joint_loss;     ///< [J] that joints have used up, booked since time 0
+  bool turns = false;           ///< particles have friction with particles; else `spin` is empty
+  std::vector<Vec3> spin;       ///< [rad/s] of the material, where its surface tells it
+  bool needs_material = false;  ///< some friction does; else `material` is empty
   std::vector<SurfaceMaterial> material;  ///< of a particle, where its surface tells it
   bool conduct = false;                   ///< some points conduct; else the fields below are empty
   std::vector<Real> temperature;          ///< [K] at the end of the step, but for contact
