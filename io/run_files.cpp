@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <string_view>
+#include <thread>
 
 #include "core/errors.hpp"
 #include "io/checkpoint.hpp"
@@ -190,13 +192,22 @@ void remove_run_files(const fs::path& folder, const std::string& under,
   }
 }
 
+namespace {
+constexpr int kAttempts = 5;
+}  // namespace
+
 FolderLock::FolderLock(const fs::path& folder) {
   const fs::path file = folder / kRunFiles;
   descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
     throw MachineError("cannot open '" + file.string() + "': " + std::strerror(errno));
   }
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  // Who only asks whether a run is there (is_locked) holds it for some microseconds.
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (attempt > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    if (errno != EWOULDBLOCK) break;
+  }
   const int error = errno;
   if (error == EWOULDBLOCK) {
     ::close(descriptor_);
@@ -211,6 +222,15 @@ FolderLock::FolderLock(const fs::path& folder) {
 
 FolderLock::~FolderLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool is_locked(const fs::path& folder) {
+  const int descriptor =
+      ::open((folder / kRunFiles).c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
 }
 
 }  // namespace brunt

@@ -60,4 +60,8 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
+/// True where a run holds the lock of a folder now. It asks by taking the lock for a moment, which
+/// a run that begins waits for.
+bool is_locked(const std::filesystem::path& folder);
+
 }  // namespace brunt

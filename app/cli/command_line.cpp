@@ -17,6 +17,7 @@
 #include "app/cli/pictures.hpp"
 #include "app/cli/reference.hpp"
 #include "app/cli/run.hpp"
+#include "app/cli/status.hpp"
 #include "app/deck/deck.hpp"
 #include "app/trade/refine.hpp"
 #include "app/trade/trade.hpp"
@@ -250,6 +251,8 @@ int command_line(int argc, char** argv) {
   std::vector<std::string> folders;
   TableOptions table_options;
   auto* table = add_table(app, folders, table_options);
+  auto* status_of = app.add_subcommand("status", "how far runs are, or how they ended");
+  status_of->add_option("DIR", folders, "output folders")->required()->option_text(" ");
   TradeArguments trading;
   auto* trade = add_trade(app, trading);
   PictureArguments picture;
@@ -283,6 +286,7 @@ int command_line(int argc, char** argv) {
     if (*plan) return plan_command(arguments);
     if (*trade) return trade_command(trading);
     if (*table) return print_table(folders, table_options);
+    if (*status_of) return status_command(folders);
     if (*verify) return verify_command(checkpoint);
     if (*render) return render_command(picture);
     if (*explain) return explain_command(key);
