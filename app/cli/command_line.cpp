@@ -119,6 +119,12 @@ CLI::App* add_table(CLI::App& app, std::vector<std::string>& folders, TableOptio
   return table;
 }
 
+CLI::App* add_status(CLI::App& app, std::vector<std::string>& folders) {
+  auto* status = app.add_subcommand("status", "how far runs are, or how they ended");
+  status->add_option("DIR", folders, "output folders")->required()->option_text(" ");
+  return status;
+}
+
 int print_table(const std::vector<std::string>& folders, const TableOptions& options) {
   const auto runs = read_runs({folders.begin(), folders.end()});
   std::fputs(format_table(runs, options).c_str(), stdout);
@@ -251,8 +257,7 @@ int command_line(int argc, char** argv) {
   std::vector<std::string> folders;
   TableOptions table_options;
   auto* table = add_table(app, folders, table_options);
-  auto* status_of = app.add_subcommand("status", "how far runs are, or how they ended");
-  status_of->add_option("DIR", folders, "output folders")->required()->option_text(" ");
+  auto* status_of = add_status(app, folders);
   TradeArguments trading;
   auto* trade = add_trade(app, trading);
   PictureArguments picture;
