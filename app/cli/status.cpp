@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "app/deck/deck.hpp"
+#include "app/deck/findings.hpp"
 #include "core/errors.hpp"
 #include "io/checkpoint.hpp"
 #include "io/run_files.hpp"
