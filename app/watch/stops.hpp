@@ -38,4 +38,4 @@ class StopConditions {
 };
 
 }  // namespace brunt
-// Tested by tests/verification/watch_test.cpp.
+// Tested by tests/verification/stops_test.cpp.
