@@ -118,10 +118,11 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   ElementBlock<Dim> block;
   block.material = set.material;
   block.options = set.options;
+  block.options.integration = resolved(set.options, set.material->yields());
   block.options.hourglass = resolved(set.options.hourglass, *set.material);
   block.formulation = &formulation_of<Dim>(set.options.type);
   block.corners = block.formulation->type().corners;
-  block.gauss = block.formulation->material_points(set.options);
+  block.gauss = block.formulation->material_points(block.options);
   block.adiabatic = set.adiabatic;
   block.conducts = set.conducts, block.held = set.held, block.rigid = set.rigid;
   block.temperature = set.temperature;

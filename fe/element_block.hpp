@@ -71,7 +71,7 @@ struct ElementBlock {
 
   const Formulation<Dim>* formulation = nullptr;
   const Material* material = nullptr;
-  ElementOptions options;  ///< hourglass resolved: never automatic
+  ElementOptions options;  ///< resolved: nothing is automatic
   int corners = 0;         ///< of an element
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;

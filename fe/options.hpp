@@ -8,7 +8,9 @@
 
 namespace brunt {
 
-enum class Integration : int { one_point, q1p0, full };
+/// automatic: q1p0 where the material yields and nothing is said of hourglass modes, else one
+/// point.
+enum class Integration : int { one_point, q1p0, full, automatic };
 
 /// Flanagan & Belytschko 1981 hourglass control of one-point elements: viscous or by stiffness.
 struct ViscousHourglass {
@@ -71,6 +73,14 @@ struct ElementOptions {
   Real least_step = 0;             ///< [s] elements get mass up to this stable step; 0: none does
 };
 
+/// The integration that `options` stand for in a material that yields, or does not.
+inline Integration resolved(const ElementOptions& options, bool yields) {
+  if (options.integration != Integration::automatic) return options.integration;
+  if (options.type != 0) return Integration::one_point;
+  const bool free = std::holds_alternative<AutomaticHourglass>(options.hourglass);
+  return yields && free ? Integration::q1p0 : Integration::one_point;
+}
+
 inline void describe(Schema&, AutomaticHourglass&) {}
 inline void describe(Schema& s, ViscousHourglass& hourglass) {
   s.value(hourglass.coefficient, {"1", at_least(0), between(0, 0.2)}, "viscous coefficient");
@@ -118,8 +128,10 @@ inline void describe(Schema& s, ElementOptions& element) {
                  element.type, ElementCatalog<3>::names);
   });
   s.section(element.type == 0, "only for type: hex8", [&](Schema& box) {
-    static constexpr const char* kIntegrations[] = {"one-point", "q1p0", "full"};
-    box.choice({"integration", "points of integration: one, selectively reduced, or full"},
+    static constexpr const char* kIntegrations[] = {"one-point", "q1p0", "full", "auto"};
+    box.choice({"integration",
+                "points of integration: one, selectively reduced, or full; auto: q1p0 where the "
+                "material yields and hourglass is left out, else one-point"},
                element.integration, kIntegrations);
     box.one_of({"hourglass", "what resists hourglass modes of one-point elements"},
                element.hourglass);

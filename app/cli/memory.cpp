@@ -114,7 +114,7 @@ MemoryInputs memory_inputs(const Deck& deck, const Scene<Dim>& scene, Real progr
   MemoryInputs inputs;
   inputs.program = program;
   for (const auto& [name, body] : deck.bodies) {
-    const bool full = body.element.integration != Integration::one_point;
+    const bool full = integration_of(deck, body) != Integration::one_point;
     if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = Shape<Dim>::kGauss;
     inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
   }

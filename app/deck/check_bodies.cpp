@@ -189,7 +189,7 @@ void check_element(const Deck& deck, const std::string& path, const Body& body,
   check_fluid(deck, path, body, findings);
   const Hourglass& hourglass = body.element.hourglass;
   if (std::holds_alternative<AutomaticHourglass>(hourglass)) return;
-  if (body.element.integration != Integration::one_point) {
+  if (integration_of(deck, body) != Integration::one_point) {
     findings.wrong(path + ".element.hourglass",
                    "only one-point elements have hourglass modes: take it out, or write "
                    "integration: one-point");

@@ -163,6 +163,10 @@ void describe(Schema& s, Deck& deck) {
                         deck.depth, {"m", positive(), between(1e-6, 100)});
             });
   s.object({"time", "how long and in which steps", Need::required}, deck.time);
+  s.choice({"quality",
+            "accuracy for cost in keys that a deck leaves out: contact.default.stiffness, "
+            "element.integration and smoothing of bodies; docs/trade.md has what each costs"},
+           deck.quality, deck::kQualities);
   s.choice({"heat",
             "conduct: in materials with thermal k; adiabatic: plastic work stays where it is done; "
             "auto: conduct in bodies with k that a boundary heats or cools, else adiabatic"},
@@ -170,7 +174,8 @@ void describe(Schema& s, Deck& deck) {
   s.real({"ambient", "temperature of all that says nothing else"}, deck.ambient,
          {"K", at_least(0), between(200, 2000)});
   s.named({"materials", "materials by name"}, deck.materials);
-  s.named({"bodies", "bodies by name", Need::required}, deck.bodies);
+  s.named({"bodies", "bodies by name", Need::required}, deck.bodies, false,
+          deck::body_of(deck.quality));
   s.object({"contact", "all bodies may touch all others"}, deck.contact);
   s.named({"boundaries", "supports and loads by name"}, deck.boundaries, true);
   s.object({"symmetry", "planes of symmetry: what lies on them at time 0 moves along them"},
@@ -195,6 +200,14 @@ std::optional<Label> label_of(const Deck& deck, const std::string& body) {
     if (deck.bodies[label].name == body) return label;
   }
   return std::nullopt;
+}
+
+Integration integration_of(const Deck& deck, const deck::Body& body) {
+  const auto yields = [&](const Named<deck::Material>& material) {
+    return material.name == body.material &&
+           !std::holds_alternative<NoStrength>(material.value.strength);
+  };
+  return resolved(body.element, std::any_of(deck.materials.begin(), deck.materials.end(), yields));
 }
 
 void DeckPlaces::set(const std::string& path, SourcePlace place) {

@@ -11,6 +11,7 @@
 #include "app/deck/materials.hpp"
 #include "app/deck/measures.hpp"
 #include "app/deck/probes.hpp"
+#include "app/deck/quality.hpp"
 #include "contact/law/options.hpp"
 #include "core/errors.hpp"
 #include "core/schema.hpp"
@@ -110,6 +111,7 @@ struct Deck {
   Geometry geometry = Geometry::three_d;
   Real depth = 1;  ///< [m] plane strain: forces, masses and energies are for this depth
   deck::Time time;
+  deck::Quality quality = deck::Quality::standard;
   deck::Heat heat = deck::Heat::automatic;
   Real ambient = 298;  ///< [K]
   std::vector<Named<deck::Material>> materials;
@@ -132,6 +134,9 @@ void describe(Schema& s, Deck& deck);
 
 /// The label of the body of that name; none where there is no such body.
 std::optional<Label> label_of(const Deck& deck, const std::string& body);
+
+/// The integration of a body of elements, `auto` resolved by its material.
+Integration integration_of(const Deck& deck, const deck::Body& body);
 
 /// Where each key of a deck stands, for checks that come after reading.
 class DeckPlaces {

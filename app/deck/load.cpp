@@ -9,6 +9,7 @@
 #include "app/deck/deck.hpp"
 #include "app/deck/library.hpp"
 #include "app/deck/loader.hpp"
+#include "app/deck/quality.hpp"
 #include "io/deck/echo.hpp"
 #include "io/deck/parameters.hpp"
 #include "io/deck/reader.hpp"
@@ -157,6 +158,7 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
   std::size_t n_reported = problems.size();
   ReadReport report;
   Reader reader(root, geometry_of(root), units_, values, report);
+  loaded.deck = deck_of(quality_of(root));
   describe(reader, loaded.deck);
   reader.finish({"include", "parameters"});
   // An unknown section may be that of the parameters.
