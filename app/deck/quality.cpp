@@ -11,7 +11,7 @@ const Levers& levers_of(Quality quality) {
   static const std::array<Levers, 3> kLevers{{
       {0.5, Integration::one_point, 1.5},
       {PairOptions{}.stiffness, ElementOptions{}.integration, SphOptions{}.smoothing},
-      {8, Integration::automatic, 1.7},
+      {2, Integration::automatic, 1.7},
   }};
   return kLevers[static_cast<std::size_t>(quality)];
 }

@@ -18,7 +18,7 @@ namespace brunt {
 /// What a pair of bodies may be given; a key not given comes from `default`.
 struct PairOptions {
   bool ignore = false;
-  Real stiffness = 2;  ///< phi: fraction of the springs of both sides in series
+  Real stiffness = 1;  ///< phi: fraction of the springs of both sides in series
   Real damping = 0.1;  ///< zeta: fraction of critical
   CoulombFriction coulomb{};
   Bonds bonds{};
