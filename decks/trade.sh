@@ -62,7 +62,7 @@ TEXT
 study bars bars/bars.yaml --vary parameters.cells=12,25,50,100 --vary time.safety=0.4,0.8 <<'TEXT'
 Two elastic bars meet; exact by de Saint-Venant. Size and step.
 TEXT
-study hertz hertz/hertz.yaml --vary parameters.cells=12,24,34 --vary contact.default.stiffness=0.5,2,8 --against reference <<'TEXT'
+study hertz hertz/hertz.yaml --vary parameters.cells=12,24,34 --vary contact.default.stiffness=0.5,1,2,8 --against reference <<'TEXT'
 Two balls meet; the reference is Hertz. Size, and stiffness of the contact over that of the elements.
 TEXT
 study taylor-bar-axisymmetric taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml \
@@ -83,7 +83,10 @@ Orthogonal cutting with particles: spacing, and stiffness of the contact. A chip
 value soon.
 TEXT
 study brick-wall-2d brick-wall-2d/brick-wall-2d.yaml --vary "parameters.size=12.5 mm,8.333333 mm,6.25 mm" \
-  --vary contact.default.stiffness=0.5,1,2 <<'TEXT'
-A projectile through a wall of bricks with joints: size of the elements, and stiffness of the contact.
+  --vary quality=quick,default,careful <<'TEXT'
+A projectile through a wall of bricks with joints: size of the elements, and `quality`.
+TEXT
+study projectile-2d projectile-2d/projectile-2d.yaml --vary "parameters.size=4 mm,2 mm" --vary quality=quick,default,careful <<'TEXT'
+A projectile of particles through a plate: size of the elements of the plate, and `quality`.
 TEXT
 mv "$page" "$docs/trade.md"

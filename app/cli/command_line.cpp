@@ -19,6 +19,7 @@
 #include "app/cli/run.hpp"
 #include "app/cli/status.hpp"
 #include "app/deck/deck.hpp"
+#include "app/report/report.hpp"
 #include "app/trade/refine.hpp"
 #include "app/trade/trade.hpp"
 #include "core/errors.hpp"
@@ -123,6 +124,13 @@ CLI::App* add_status(CLI::App& app, std::vector<std::string>& folders) {
   auto* status = app.add_subcommand("status", "how far runs are, or how they ended");
   status->add_option("DIR", folders, "output folders")->required()->option_text(" ");
   return status;
+}
+
+CLI::App* add_report(CLI::App& app, std::vector<std::string>& folders) {
+  auto* report = app.add_subcommand(
+      "report", "a page of HTML of each run: measures, charts over time, pictures, warnings, cost");
+  report->add_option("DIR", folders, "output folders")->required()->option_text(" ");
+  return report;
 }
 
 int print_table(const std::vector<std::string>& folders, const TableOptions& options) {
@@ -258,6 +266,7 @@ int command_line(int argc, char** argv) {
   TableOptions table_options;
   auto* table = add_table(app, folders, table_options);
   auto* status_of = add_status(app, folders);
+  auto* report = add_report(app, folders);
   TradeArguments trading;
   auto* trade = add_trade(app, trading);
   PictureArguments picture;
@@ -292,6 +301,7 @@ int command_line(int argc, char** argv) {
     if (*trade) return trade_command(trading);
     if (*table) return print_table(folders, table_options);
     if (*status_of) return status_command(folders);
+    if (*report) return report_command(folders);
     if (*verify) return verify_command(checkpoint);
     if (*render) return render_command(picture);
     if (*explain) return explain_command(key);

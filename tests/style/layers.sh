@@ -31,7 +31,7 @@ rooms() {  # rooms LAYER ROOM...
   [ -z "$loose" ] || { printf '%s, in no room: %s\n' "$layer" "$loose"; status=1; }
 }
 rooms contact geometry law surfaces contacts exchange search evaluate manager
-rooms app deck scene ranks loop watch setup restart trade cli
+rooms app deck scene ranks loop watch setup restart trade report cli
 for folder in core fe sph contact app; do
   forbid $folder 'yaml-cpp|vtk|hdf5|H5' 'yaml-cpp, HDF5 and VTK stay in io'
 done
