@@ -9,7 +9,7 @@ namespace brunt::deck {
 
 const Levers& levers_of(Quality quality) {
   static const std::array<Levers, 3> kLevers{{
-      {0.5, Integration::one_point, 1.5},
+      {PairOptions{}.stiffness, Integration::one_point, 1.5},
       {PairOptions{}.stiffness, ElementOptions{}.integration, SphOptions{}.smoothing},
       {2, Integration::automatic, 1.7},
   }};

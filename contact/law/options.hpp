@@ -18,8 +18,8 @@ namespace brunt {
 /// What a pair of bodies may be given; a key not given comes from `default`.
 struct PairOptions {
   bool ignore = false;
-  Real stiffness = 1;  ///< phi: fraction of the springs of both sides in series
-  Real damping = 0.1;  ///< zeta: fraction of critical
+  Real stiffness = 0.5;  ///< phi: fraction of the springs of both sides in series
+  Real damping = 0.1;    ///< zeta: fraction of critical
   CoulombFriction coulomb{};
   Bonds bonds{};
   /// What touches at time 0 stays together by springs between places of both sides, until it breaks
