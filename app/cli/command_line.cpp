@@ -126,6 +126,15 @@ CLI::App* add_status(CLI::App& app, std::vector<std::string>& folders) {
   return status;
 }
 
+CLI::App* add_explain(CLI::App& app, std::string& key) {
+  auto* explain = app.add_subcommand("explain", "explains a key of the deck, or lists them");
+  explain
+      ->add_option("KEY", key,
+                   "such as materials.strength.johnson-cook.C, or library; none: the first level")
+      ->option_text(" ");
+  return explain;
+}
+
 CLI::App* add_report(CLI::App& app, std::vector<std::string>& folders) {
   auto* report = app.add_subcommand(
       "report", "a page of HTML of each run: measures, charts over time, pictures, warnings, cost");
@@ -277,11 +286,7 @@ int command_line(int argc, char** argv) {
   verify->add_option("file", checkpoint, "a manifest, or a folder")->required();
 
   std::string key;
-  auto* explain = app.add_subcommand("explain", "explains a key of the deck, or lists them");
-  explain
-      ->add_option("KEY", key,
-                   "such as materials.strength.johnson-cook.C, or library; none: the first level")
-      ->option_text(" ");
+  auto* explain = add_explain(app, key);
   auto* schema = app.add_subcommand("schema", "prints the JSON schema of decks");
   bool keys = false, columns = false;
   schema->add_flag("--markdown", keys, "prints the reference manual of keys instead");

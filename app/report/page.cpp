@@ -13,12 +13,15 @@ namespace brunt {
 
 namespace {
 constexpr const char* kStyle = R"(
-body{font:15px/1.45 system-ui,sans-serif;color:#282828;max-width:1040px;margin:28px auto;padding:0 18px}
+body{font:15px/1.45 system-ui,sans-serif;color:#282828;max-width:1040px;margin:28px auto;
+padding:0 18px}
 h1{font-size:24px;margin:0 0 4px}h2{font-size:18px;margin:34px 0 8px}
-table{border-collapse:collapse}td,th{padding:3px 16px 3px 0;border-bottom:1px solid #e2e5e9;text-align:left}
+table{border-collapse:collapse}
+td,th{padding:3px 16px 3px 0;border-bottom:1px solid #e2e5e9;text-align:left}
 td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}
 .ended{color:#4a5058}.bad{color:#b01e32;font-weight:600}
-img{max-width:49%;margin:0 4px 8px 0;border:1px solid #e2e5e9}svg{max-width:100%;height:auto;display:block;margin:0 0 10px}
+img{max-width:49%;margin:0 4px 8px 0;border:1px solid #e2e5e9}
+svg{max-width:100%;height:auto;display:block;margin:0 0 10px}
 pre{background:#f5f6f8;padding:12px;overflow:auto;font-size:13px})";
 
 std::string escaped(const std::string& text) {

@@ -26,8 +26,15 @@ bodies:
     shape: {box: {min: [6 cm, 0, 0], max: [7 cm, 1 cm, 1 cm]}}
     size: 5 mm
     element: {hourglass: {viscous: 0.1}}
-  drops: {method: sph, material: lead, shape: {box: {min: [4 cm, 0, 0], max: [5 cm, 1 cm, 1 cm]}}, size: 5 mm}
-contact: {pairs: {a: {between: [glass, lead], friction: 0.1}, b: {between: [lead, drops], stiffness: 3}}}
+  drops:
+    method: sph
+    material: lead
+    shape: {box: {min: [4 cm, 0, 0], max: [5 cm, 1 cm, 1 cm]}}
+    size: 5 mm
+contact:
+  pairs:
+    a: {between: [glass, lead], friction: 0.1}
+    b: {between: [lead, drops], stiffness: 3}
 )" + more,
                         "scene.yaml", overrides);
 }
