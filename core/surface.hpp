@@ -63,7 +63,7 @@ struct SurfaceParticle {
   bool born = false;      ///< as that of a facet
 };
 
-/// What friction asks of the material behind a facet, or of a particle.
+/// What friction needs to know of the material behind a facet, or of a particle.
 struct SurfaceMaterial {
   Real temperature = 0;          ///< [K]; not read where the points of the surface conduct
   Real flow_stress = kInfinity;  ///< [Pa] infinite: it never yields

@@ -135,7 +135,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.owned.resize(static_cast<std::size_t>(block.n), 1);
   measure_elements(points, thickness, block);
   const auto padded = static_cast<std::size_t>(block.n_padded);
-  const bool warms = set.material->yields() || set.material->warms_by_compression();
+  const bool heats = set.material->yields() || set.material->heats_by_compression();
   block.state = set.material->initial_state(
       padded * static_cast<std::size_t>(block.gauss), set.temperature,
       set.adiabatic || (set.conducts && set.material->keeps_temperature()));
@@ -146,7 +146,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   }
   if (block.conducts) {
     block.heat_share = corner_shares(block, points, thickness);
-    if (warms) block.heat_given.assign(padded, 0.0);
+    if (heats) block.heat_given.assign(padded, 0.0);
   }
   for (auto* field : {&block.viscous_pressure, &block.stress_work, &block.hourglass_work,
                       &block.viscous_work, &block.stable_step}) {

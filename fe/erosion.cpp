@@ -20,7 +20,7 @@ Real mean_over(const ElementBlock<Dim>& block, LocalIndex e, const std::vector<R
   return sum / volume;
 }
 
-/// A block without the state of its elements: what tells which faces are outer ones.
+/// A block without the state of its elements: what decides which faces are outer ones.
 template <int Dim>
 ElementBlock<Dim> without_state(const ElementBlock<Dim>& block) {
   ElementBlock<Dim> bare;

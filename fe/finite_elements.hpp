@@ -38,7 +38,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   Points<Dim>& points() override { return points_; }
   const Points<Dim>& points() const override { return points_; }
   Surface<Dim>& surface() override { return surface_; }
-  /// Shows contact the materials behind the facets, where friction asks for them.
+  /// Shows contact the materials behind the facets, where friction needs them.
   void update_state(Real) override;
   /// Brings the ratios of volumes about nodes to copies of the nodes.
   void refresh_state() override;
@@ -114,7 +114,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   std::vector<Vec<1>> node_volume_;  ///< [m^3] of each node, while they are summed
   bool held_ = false;                ///< nothing of it ever moves: only its heat is computed
   Surface<Dim> surface_;
-  /// Block and element behind each facet; empty until contact asks for their materials.
+  /// Block and element behind each facet; empty until contact needs their materials.
   std::vector<std::pair<std::size_t, LocalIndex>> element_of_facet_;
   std::unique_ptr<ErosionState<Dim>> erosion_;  ///< null: nothing of it erodes
   std::vector<ConvertedShare> converted_;       ///< of this step

@@ -87,7 +87,7 @@ void FiniteElements<Dim>::make_rigid() {
   for (auto& facet : surface_.facets) facet.stiffness = facet.areal_mass = facet.depth = 0;
 }
 
-/// Conductances of the start, which the first step limit asks for.
+/// Conductances of the start, which the first step limit needs.
 template <int Dim>
 void FiniteElements<Dim>::start_conduction() {
   corner_heat_.assign(n_corners_ * 2, 0.0);
@@ -147,11 +147,11 @@ void FiniteElements<Dim>::keep_conduction() {
 /// are no longer needed.
 template <int Dim>
 void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
-  const auto warms = [](const auto& block) { return !block.heat_given.empty(); };
-  if (!std::any_of(blocks_.begin(), blocks_.end(), warms)) return;
+  const auto heats = [](const auto& block) { return !block.heat_given.empty(); };
+  if (!std::any_of(blocks_.begin(), blocks_.end(), heats)) return;
   for (auto& block : blocks_) {
     Real* const rates = corner_heat_.data() + block.first_corner;
-    if (!warms(block)) {
+    if (!heats(block)) {
       std::fill_n(rates, block.corner.size(), 0.0);
       continue;
     }

@@ -30,7 +30,7 @@ struct AssumedStrainHourglass {
       "bends right with few elements through a thickness; for elastic materials";
   Real coefficient = 1;
 };
-/// What the material asks for: viscous 0.1 where it yields or flows, else assumed strain 1.
+/// What suits the material: viscous 0.1 where it yields or flows, else assumed strain 1.
 struct AutomaticHourglass {
   static constexpr const char* deck_name = "auto";
   static constexpr const char* deck_help =

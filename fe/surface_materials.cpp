@@ -1,4 +1,4 @@
-/// What friction asks of the elements behind the facets.
+/// What friction needs to know of the elements behind the facets.
 #include <algorithm>
 
 #include "fe/finite_elements.hpp"

@@ -58,7 +58,7 @@ std::uint32_t triangle_count(const std::string& bytes) {
   return count;
 }
 
-/// Text files begin with "solid", but so do some binary ones: their size tells.
+/// Text files begin with "solid", but so do some binary ones: their size decides.
 bool is_binary(const std::string& bytes) {
   if (bytes.size() < kHeader + kCount) return false;
   const std::size_t size = kHeader + kCount + kRecord * std::size_t{triangle_count(bytes)};

@@ -20,13 +20,13 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
   take_sets(std::move(sets), spacing);
   const auto conducts = [](const auto& block) { return block.set.conducts; };
-  const bool warm = std::any_of(blocks_.begin(), blocks_.end(), conducts);
-  if (warm) set_capacities();
+  const bool any_conducts = std::any_of(blocks_.begin(), blocks_.end(), conducts);
+  if (any_conducts) set_capacities();
   const auto held = [](const auto& block) { return block.set.held; };
   held_ = surface_.held = !blocks_.empty() && std::all_of(blocks_.begin(), blocks_.end(), held);
   rearrange();
   seed_step_limits();
-  if (warm) start_conduction();
+  if (any_conducts) start_conduction();
 }
 
 /// Room for n particles, owned and copies.
@@ -61,7 +61,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
       shown.conductivity = material.conductivity.at(set.temperature);
       shown.effusivity = material.effusivity(set.temperature);
     }
-    const bool warms = material.yields() || material.warms_by_compression();
+    const bool heats = material.yields() || material.heats_by_compression();
     MaterialState state =
         material.initial_state(set.particle.size(), set.temperature,
                                set.adiabatic || (set.conducts && material.keeps_temperature()));
@@ -69,7 +69,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
       state.length[slot] = spacing[static_cast<std::size_t>(set.particle[slot])];
     }
     std::vector<Real> given;
-    if (set.conducts && warms) given.assign(set.particle.size(), 0.0);
+    if (set.conducts && heats) given.assign(set.particle.size(), 0.0);
     blocks_.push_back({std::move(set), std::move(state), std::move(given)});
     for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
   }

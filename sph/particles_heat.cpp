@@ -47,7 +47,7 @@ void SphParticles<Dim>::vary_capacities() {
   }
 }
 
-/// Conductances of the start, which the first step limit asks for.
+/// Conductances of the start, which the first step limit needs.
 template <int Dim>
 void SphParticles<Dim>::start_conduction() {
   refresh_motion();

@@ -94,7 +94,7 @@ void SphParticles<Dim>::find_spread(const ParticleBlock& block, LocalIndex i) {
                                      shear_share(*block.set.material, state));
 }
 
-/// Speeds of approach of the start, which the first step limit asks for.
+/// Speeds of approach of the start, which the first step limit needs.
 template <int Dim>
 void SphParticles<Dim>::seed_step_limits() {
   refresh_motion();

@@ -119,16 +119,17 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
   const auto& expansion = block.state.expansion_work;
   const Label label = points_.body[static_cast<std::size_t>(block.set.particle[first])];
   BodySums<Dim>* body = label < totals.bodies.size() ? &totals.bodies[label] : nullptr;
-  enum { internal, plastic, warmed, stress_work, viscous, artificial, expanded, kSums };
+  enum { internal, plastic, compressed, stress_work, viscous, artificial, expanded, kSums };
   ExactColumns<kSums> sums;
   for (std::size_t slot = first; slot < last; ++slot) {
     const auto i = static_cast<std::size_t>(block.set.particle[slot]);
     const auto& state = state_[i];
     if (sleeps(i)) continue;
     const Real plastic_heat = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
-    const Real warmth = compression.empty() ? 0.0 : compression[slot] * state.start_volume;
+    const Real compression_heat =
+        compression.empty() ? 0.0 : compression[slot] * state.start_volume;
     const Real grown = expansion.empty() ? 0.0 : expansion[slot] * state.start_volume;
-    sums.add({state.stress_work + grown - plastic_heat, plastic_heat, warmth,
+    sums.add({state.stress_work + grown - plastic_heat, plastic_heat, compression_heat,
               state.stress_work + grown, state.viscous_work, state.artificial_work, grown});
     if (body && block.set.options.artificial_stress != 0) add_tension(block, i, *body);
     if (totals.hashes) totals.state_hash += slot_hash(block, slot);
@@ -140,12 +141,12 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
   totals.columns[static_cast<std::size_t>(Column::expansion)].subtract(sums.sum(expanded));
   give(Column::viscosity, viscous), give(Column::artificial_stress, artificial);
   if (points_.conducts) {
-    totals.heat.plastic.add(sums.sum(plastic)), totals.heat.compression.add(sums.sum(warmed));
+    totals.heat.plastic.add(sums.sum(plastic)), totals.heat.compression.add(sums.sum(compressed));
   }
   if (!body) return;
   body->internal.add(sums.sum(internal)), body->stress_work.add(sums.sum(stress_work));
   body->viscosity.add(sums.sum(viscous)), body->artificial_stress.add(sums.sum(artificial));
-  if (!points_.conducts) body->heat.add(sums.sum(plastic)), body->heat.add(sums.sum(warmed));
+  if (!points_.conducts) body->heat.add(sums.sum(plastic)), body->heat.add(sums.sum(compressed));
 }
 
 template <int Dim>

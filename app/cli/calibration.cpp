@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr Real kSampleSeconds = 0.7;          // processor time that a plan takes for it
-constexpr std::int64_t kSampleSteps = 20000;  // more tell no more
+constexpr std::int64_t kSampleSteps = 20000;  // more add nothing
 
 /// Watches as a run does, and stops the clock when enough was seen.
 template <int Dim>

@@ -28,7 +28,7 @@ struct MemoryInputs {
   std::size_t columns = 0;
 };
 
-/// Resident memory of this process now [byte]; 0 where the system does not tell.
+/// Resident memory of this process now [byte]; 0 where the system does not say.
 Real resident_memory();
 
 /// What a deck says of them. program  [byte] resident before the scene was built

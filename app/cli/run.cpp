@@ -201,7 +201,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   summary.instruction_set = BRUNT_ISA;
 }
 
-/// Writes the summary and the pictures, and tells on the log and the screen how the run ended.
+/// Writes the summary and the pictures, and says on the log and the screen how the run ended.
 template <int Dim>
 void report_end(const LoadedDeck& loaded, const RunArguments& arguments, const fs::path& folder,
                 const Ended& ended, const Clock& clock, const Monitor<Dim>& monitor,
@@ -257,7 +257,7 @@ void log_restart(const Restart& restart, spdlog::logger& log) {
 }
 
 /// A warning of the run: into the log, of the root on stderr too.
-void tell(const RunWarning& warning, bool root, spdlog::logger& log) {
+void warn(const RunWarning& warning, bool root, spdlog::logger& log) {
   log.warn("{}: {}", warning.id, warning.text);
   log.flush();
   if (!root) return;
@@ -341,7 +341,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   if (root) history.emplace(folder / "history.csv", columns);
   const auto frames = make_frame_sink(folder, ranks);
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
-                       [&](const RunWarning& warning) { tell(warning, root, *log); });
+                       [&](const RunWarning& warning) { warn(warning, root, *log); });
   if (restart) log_restart(*restart, *log);
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
   const Ended ended = step_to_end(*scene, clock, monitor, checkpointing, balance);

@@ -161,7 +161,7 @@ void check_rigid(Geometry geometry, const std::string& path, const Body& body, F
   for (std::size_t c = 0; c < body.velocity.size(); ++c) {
     if (std::isnan(body.motion->velocity[c]) || body.velocity[c] == 0) continue;
     findings.wrong(path + ".velocity." + std::to_string(c),
-                   "motion tells this component, and only a free one starts: write 0");
+                   "motion prescribes this component, and only a free one starts: write 0");
   }
 }
 

@@ -41,7 +41,7 @@ class KnownNames {
   }
   bool missed_any() const { return !missed_.empty(); }
 
-  void tell() const {
+  void report() const {
     for (const auto& [name, paths] : missed_) {
       std::string message = std::string("there is no ") + kind_ + " '" + name + "'" +
                             (known_.empty() ? "" : suggestion(name, known_));
@@ -73,7 +73,7 @@ void check_materials_of_bodies(const Deck& deck, Findings& findings) {
     if (name == "any") findings.wrong(path, "'any' means all bodies; give it another name");
     materials.look_up(path + ".material", body.material);
   }
-  materials.tell();
+  materials.report();
   // A material that no body is made of may be the one that a body misses.
   if (materials.missed_any() || !findings.sound("bodies")) return;
   for (const auto& material : deck.materials) {
@@ -124,16 +124,16 @@ bool yields(const Deck& deck, const std::string& name) {
   });
 }
 
-/// Friction that asks for the flow stress of bodies that have none.
+/// Friction that needs the flow stress of bodies that have none.
 void check_flow_stress(const Deck& deck, const std::string& path, const PairOptions& pair,
                        const Names& bodies, Findings& findings) {
   const auto yielding = [&](const std::string& name) { return yields(deck, name); };
   if (!findings.sound("materials") || std::any_of(bodies.begin(), bodies.end(), yielding)) return;
   const std::string who = bodies.size() == 1 ? "no body" : "neither body";
-  const bool asks = pair.coulomb.friction &&
-                    pair.coulomb.friction->over == Varying::Over::sliding &&
-                    pair.coulomb.friction->depends[1];
-  if (asks && findings.stands(path + ".friction")) {
+  const bool needs = pair.coulomb.friction &&
+                     pair.coulomb.friction->over == Varying::Over::sliding &&
+                     pair.coulomb.friction->depends[1];
+  if (needs && findings.stands(path + ".friction")) {
     findings.warn(path + ".friction", "`yield` is infinite: " + who + " has a `strength`");
   }
   if (pair.coulomb.shear_limit && findings.stands(path + ".shear_limit")) {
@@ -234,7 +234,7 @@ void check_references(const Deck& deck, Findings& findings) {
   KnownNames bodies("bodies", "body", names_of(deck.bodies), findings);
   check_pairs(deck, bodies, findings);
   check_names_of_bodies(deck, bodies);
-  bodies.tell();
+  bodies.report();
   check_friction(deck, findings);
   check_expressions(deck, findings);
 }

@@ -25,7 +25,7 @@ struct Levers {
 };
 const Levers& levers_of(Quality quality);
 
-/// The quality that a deck asks for, before anything else of it is read; `standard` where it says
+/// The quality of a deck, read before anything else of it; `standard` where it says
 /// nothing, or nothing that is known.
 Quality quality_of(const Node& root);
 /// A deck that says nothing but its quality.

@@ -289,12 +289,12 @@ void hold_temperatures(const LoadedDeck& loaded, Points<Dim>& points) {
 template <int Dim>
 std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                                const std::vector<BodyGeometry<Dim>>& bodies,
-                                               bool warm, NextIds& next) {
+                                               bool heated, NextIds& next) {
   std::vector<std::size_t> chosen;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [name, body] = loaded.deck.bodies[bodies[b].label];
     if (!body.rigid || group_kind(loaded.deck, body, name).conducts) continue;
-    if (is_heated_surface(loaded.deck, body) == warm) chosen.push_back(b);
+    if (is_heated_surface(loaded.deck, body) == heated) chosen.push_back(b);
   }
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
@@ -316,14 +316,14 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
         const auto node = static_cast<std::size_t>(facet.node[c]);
         gathered.points.piece[node] = facet.piece;
       }
-      if (warm) facet.capacity = kInfinity;
+      if (heated) facet.capacity = kInfinity;
       facets.push_back(facet);
     }
   }
   mark_open<Dim>(facets);
   mark_borders<Dim>(facets, gathered.points.x);
   mark_sharpness<Dim>(facets, gathered.points.x);
-  if (warm) hold_temperatures(loaded, gathered.points);
+  if (heated) hold_temperatures(loaded, gathered.points);
   return std::make_unique<RigidSurfaces<Dim>>(std::move(gathered.points), std::move(facets));
 }
 

@@ -30,6 +30,6 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
 template <int Dim>
 std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                                const std::vector<BodyGeometry<Dim>>& bodies,
-                                               bool warm, NextIds& next);
+                                               bool heated, NextIds& next);
 
 }  // namespace brunt

@@ -57,10 +57,10 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
     const auto& between = pair.value.between;
     return pair.value.options.passes_heat() && std::any_of(between.begin(), between.end(), in_sum);
   };
-  const bool warmed = contact.fallback.passes_heat() ||
-                      std::any_of(contact.pairs.begin(), contact.pairs.end(), touches);
+  const bool passes_heat = contact.fallback.passes_heat() ||
+                           std::any_of(contact.pairs.begin(), contact.pairs.end(), touches);
   const bool driven = deck.heat == deck::Heat::conduct ||
-                      (deck.heat == deck::Heat::automatic && warmed) ||
+                      (deck.heat == deck::Heat::automatic && passes_heat) ||
                       (deck.heat == deck::Heat::automatic &&
                        std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
   if (thermal->k && driven) return HeatMode::conducts;

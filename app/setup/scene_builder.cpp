@@ -184,8 +184,8 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   // beforehand.
   Followers<Dim> followers;
   add_rigid_conductors(loaded, bodies, *scene, next, followers, problems);
-  for (const bool warm : {false, true}) {
-    auto rigid = make_rigid(loaded, *scene, bodies, warm, next);
+  for (const bool heated : {false, true}) {
+    auto rigid = make_rigid(loaded, *scene, bodies, heated, next);
     if (rigid) add_rigid(loaded, *scene, std::move(rigid), followers, problems);
   }
   if (!followers.bodies.empty()) {

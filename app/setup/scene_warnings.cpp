@@ -51,7 +51,7 @@ void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Wa
 }
 
 /// Probes and measures at places that lie farther outside of their body than its size, unless
-/// `warnings` tells of them by now.
+/// `warnings` has them by now.
 template <int Dim>
 void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene,
                     const std::vector<DeckProblem>& warnings, const Warn& warn) {

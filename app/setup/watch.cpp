@@ -73,7 +73,7 @@ std::string find_section(const deck::Section& given, const deck::Body& body, Rea
 template <int Dim>
 void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckProblem>& problems) {
   const Deck& deck = loaded.deck;
-  const auto tell = [&](const std::string& path, const std::string& wrong) {
+  const auto refuse = [&](const std::string& path, const std::string& wrong) {
     if (!wrong.empty()) problems.push_back(loaded.places.problem(path, wrong));
     return !wrong.empty();
   };
@@ -82,7 +82,7 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
     if (!body) continue;  // reported by the deck's own checks
     Probe probe;
     probe.name = name, probe.body = *body;
-    if (tell("probes." + name + ".fields", find_probe(given, scene.own_view(*body), probe)))
+    if (refuse("probes." + name + ".fields", find_probe(given, scene.own_view(*body), probe)))
       continue;
     scene.probes.push_back(std::move(probe));
   }
@@ -93,7 +93,7 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
     section.name = name, section.body = *body;
     const auto wrong =
         find_section(given, deck.bodies[*body].value, scene.body_size[*body], scene, section);
-    if (tell("sections." + name + ".plane", wrong)) continue;
+    if (refuse("sections." + name + ".plane", wrong)) continue;
     scene.sections.add(std::move(section));
   }
 }

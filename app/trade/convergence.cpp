@@ -70,12 +70,12 @@ Real index_of(const SizedValue& finest, const SizedValue& next, Real difference,
   return factor * difference / (std::pow(next.size / finest.size, order) - 1);
 }
 
-/// Of two sizes, which tell no order.
+/// Of two sizes, which give no order.
 Convergence of_two(const std::vector<SizedValue>& values) {
   Convergence result;
   const Real difference = std::fabs(values[1].value - values[0].value);
   result.bound = index_of(values[0], values[1], difference, kFormalOrder, kUnsafe);
-  result.words = "two sizes tell no order";
+  result.words = "two sizes give no order";
   return result;
 }
 

@@ -34,7 +34,7 @@ std::optional<Real> observed_order(const SizedValue& finest, const SizedValue& m
 /// J. Comput. Phys. 262, 104):
 ///   bound = F |f_2 - f_1| / (r^p - 1), r = h_2/h_1
 ///   F = 1.25 where three sizes or more give an order of 0.5 to 2.5; p is held at 2 above that
-///   F = 3 elsewhere; two sizes tell no order, and p = 2 is assumed
+///   F = 3 elsewhere; two sizes give no order, and p = 2 is assumed
 /// A value that oscillates, or whose differences grow, is bounded by three times its spread.
 /// values  two or more, of different sizes in any order
 Convergence fit_convergence(std::vector<SizedValue> values);

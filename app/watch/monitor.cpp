@@ -96,22 +96,22 @@ void Monitor<Dim>::stop(Clock& clock, std::string reason) {
 }
 
 template <int Dim>
-void Monitor<Dim>::tell(const RunWarning& warning) {
+void Monitor<Dim>::warn(const RunWarning& warning) {
   progress_.finish();
   if (warn_) warn_(warning);
 }
 
-/// A row, and what it tells beside its columns.
+/// A row, and its warnings.
 template <int Dim>
 typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const Clock& clock,
                                                         bool hashes) {
   auto row = collector_->collect(scene, clock, is_looked_at(clock.step()), hashes);
   refuse_row(scene, row, clock);
-  for (const auto& text : lost_contacts_.take(row.lost)) tell({"contact", text});
+  for (const auto& text : lost_contacts_.take(row.lost)) warn({"contact", text});
   energies_ = row.energies, created_ = row.created;
   for (const auto& body :
        artificial_tension_.take(clock.time(), row.artificial_share, body_names_)) {
-    tell({artificial_stress_path(body), artificial_tension_.all().at(body)});
+    warn({artificial_stress_path(body), artificial_tension_.all().at(body)});
   }
   return row;
 }
@@ -135,7 +135,7 @@ void Monitor<Dim>::refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Cl
 template <int Dim>
 void Monitor<Dim>::watch(const HistoryRow& row, const Clock& clock) {
   const RunLook look{row.energies, row.created, collector_->energies(), row.deepest_pair};
-  for (const auto& warning : watch_.look(look, clock)) tell(warning);
+  for (const auto& warning : watch_.look(look, clock)) warn(warning);
 }
 
 template <int Dim>
@@ -260,12 +260,12 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
                  drift_);
 }
 
-/// Tells where a group has a step limit at which it is unstable.
+/// Warns where a group has a step limit at which it is unstable.
 template <int Dim>
 void Monitor<Dim>::check_step(Scene<Dim>& scene, const Clock& clock) {
   const int every = deck_.time.check_step;
   if (every == 0 || clock.step() % every != 0) return;
-  for (const auto& warning : step_check_.take(find_step_margins(scene))) tell(warning);
+  for (const auto& warning : step_check_.take(find_step_margins(scene))) warn(warning);
 }
 
 template <int Dim>

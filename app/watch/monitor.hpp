@@ -96,7 +96,7 @@ class Monitor final : public Observer<Dim> {
   static void visit(Row& row, AnyMonitor& monitor);
   using HistoryRow = typename HistoryColumns<Dim>::Row;
   HistoryRow collect(Scene<Dim>& scene, const Clock& clock, bool hashes);
-  void tell(const RunWarning& warning);
+  void warn(const RunWarning& warning);
   void keep_start(Scene<Dim>& scene);
   void watch(const HistoryRow& row, const Clock& clock);
   void refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Clock& clock) const;

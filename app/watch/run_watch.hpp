@@ -17,16 +17,16 @@ struct RunLook {
   const std::string& deepest_pair;  ///< of bodies in contact; empty: none touch
 };
 
-/// Tells, once each, what goes wrong slowly: energy that nobody put in, hourglass energy, and a
+/// Warns, once each, of what goes wrong slowly: energy that nobody put in, hourglass energy, and a
 /// step that shrinks far below the plan. Looks at fixed steps; what it says is a function of the
 /// deck.
 class RunWatch {
  public:
-  /// Energy that nobody put in, over the largest, of which a warning tells.
+  /// Energy that nobody put in, over the largest, from which on it warns.
   static constexpr Real kCreatedWarning = 0.01;
-  /// Hourglass energy over the work of a body's stresses of which a warning tells.
+  /// Hourglass energy over the work of a body's stresses from which on it warns.
   static constexpr Real kHourglassWarning = 0.1;
-  /// Steps left over the steps of the plan of which a warning tells.
+  /// Steps left over the steps of the plan from which on it warns.
   static constexpr Real kStepsWarning = 10;
 
   explicit RunWatch(const Deck& deck) : deck_(deck), hourglass_warned_(deck.bodies.size(), 0) {}
@@ -64,7 +64,7 @@ class RunWatch {
   std::int64_t last_step_ = 0;
 };
 
-/// What the end of a run tells of energies: of what appeared, and of hourglass energy; in percent.
+/// What the end of a run says of energies: of what appeared, and of hourglass energy; in percent.
 std::vector<std::string> energy_lines(const EnergyShares& energy);
 
 }  // namespace brunt

@@ -120,12 +120,12 @@ void FrictionHistory<Dim>::add(const Friction<Dim>& friction, const ContactNodes
   const auto book = static_cast<std::size_t>(friction.node[0]);
   past_.back().book_surface = nodes.surface[book], past_.back().book_point = nodes.id[book];
   used_.push_back(0);
-  first_warmed_.push_back(warmed_.size());
-  if (!friction.slips || friction.warmth == 0) return;
+  first_heated_.push_back(heated_.size());
+  if (!friction.slips || friction.heat_share == 0) return;
   for (std::size_t k = 0; k < static_cast<std::size_t>(friction.n_nodes); ++k) {
-    if (friction.warms[k] == 0) continue;
+    if (friction.heat_shares[k] == 0) continue;
     const auto node = static_cast<std::size_t>(friction.node[k]);
-    warmed_.push_back({nodes.surface[node], nodes.id[node], friction.warms[k]});
+    heated_.push_back({nodes.surface[node], nodes.id[node], friction.heat_shares[k]});
   }
 }
 
@@ -134,9 +134,9 @@ std::vector<EndedHeat> FrictionHistory<Dim>::ended_heat() const {
   std::vector<EndedHeat> ended;
   for (std::size_t i = 0; i < past_.size(); ++i) {
     if (used_[i]) continue;
-    const std::size_t end = i + 1 < past_.size() ? first_warmed_[i + 1] : warmed_.size();
-    for (std::size_t k = first_warmed_[i]; k < end; ++k) {
-      const auto& [surface, point, share] = warmed_[k];
+    const std::size_t end = i + 1 < past_.size() ? first_heated_[i + 1] : heated_.size();
+    for (std::size_t k = first_heated_[i]; k < end; ++k) {
+      const auto& [surface, point, share] = heated_[k];
       ended.push_back({past_[i].key, surface, point, share * past_[i].last_heat()});
     }
   }
@@ -270,8 +270,8 @@ void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& rec
     }
   }
   slip = in_plane<Dim>(slip, n);
-  const bool told = step.turn && step.dt > 0;
-  const Real speed = told ? slip.norm() / step.dt : in_plane<Dim>(velocity, n).norm();
+  const bool turns = step.turn && step.dt > 0;
+  const Real speed = turns ? slip.norm() / step.dt : in_plane<Dim>(velocity, n).norm();
   const Real limit = sliding_limit(record, step, speed, friction);
   auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
   // What the forces take from the centres is heat:

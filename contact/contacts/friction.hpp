@@ -21,7 +21,7 @@ struct FrictionMemory {
   Vec<Dim> drag = Vec<Dim>::Zero();      ///< [Pa] of the damper that acts where it sticks
   Real area = 0;                         ///< [m^2] that carries it
   Real stiffness = 0;                    ///< [Pa/m]
-  Real warmth = 0;                       ///< [1] share of its heat that goes to its nodes
+  Real heat_share = 0;                   ///< [1] share of its heat that goes to its nodes
   Real taken = 0;      ///< [J] half of what its forces take from the motion of the step under way
   bool slips = false;  ///< in the last step
   LocalIndex book_surface = 0;  ///< the node to which its energies are booked, by its name
@@ -53,16 +53,16 @@ struct Friction : FrictionMemory<Dim> {
   Vec<Dim> point = Vec<Dim>::Zero();  ///< [m] where the force acts
   int n_nodes = 0;
   std::array<LocalIndex, kNodes> node{};
-  std::array<Vec<Dim>, kNodes> force;  ///< [N] on each node
-  std::array<Real, kNodes> warms{};    ///< [1] share of its heat that goes to each node
+  std::array<Vec<Dim>, kNodes> force;      ///< [N] on each node
+  std::array<Real, kNodes> heat_shares{};  ///< [1] share of its heat that goes to each node
 
   static constexpr const char* kTable = "contact.friction";
   template <class Visitor, class AnyFriction>
   static void visit(Visitor& visitor, AnyFriction& one) {
     visitor.carry(one.body, one.piece, one.normal, one.point, one.traction, one.drag, one.area,
-                  one.stiffness, one.n_nodes, one.slips, one.warmth, one.heat);
+                  one.stiffness, one.n_nodes, one.slips, one.heat_share, one.heat);
     for (auto& on_node : one.force) visitor.carry(on_node);
-    for (auto& share : one.warms) visitor.carry(share);
+    for (auto& share : one.heat_shares) visitor.carry(share);
     visitor.hash(one.area, one.traction);
   }
 };
@@ -80,7 +80,7 @@ struct EndedHeat {
 template <int Dim>
 class FrictionHistory {
  public:
-  void clear() { past_.clear(), used_.clear(), warmed_.clear(), first_warmed_.clear(); }
+  void clear() { past_.clear(), used_.clear(), heated_.clear(), first_heated_.clear(); }
   /// Takes the friction in, with -dt/2 f . v of its old forces; nodes are still those of its step.
   void add(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes, Real dt);
   /// The past of two faces or particles; none: nullptr. It counts as continued.
@@ -96,7 +96,7 @@ class FrictionHistory {
       if (!used_[i]) ended(past_[i]);
     }
   }
-  /// What was taken by what was slipping and was not continued, for the points that it warmed, in
+  /// What was taken by what was slipping and was not continued, for the points that it heated, in
   /// the order of keys.
   std::vector<EndedHeat> ended_heat() const;
 
@@ -106,14 +106,14 @@ class FrictionHistory {
 
   std::vector<FrictionMemory<Dim>> past_;
   std::vector<char> used_;
-  /// A point that friction warms.
-  struct Warmed {
+  /// A point that friction heats.
+  struct Heated {
     LocalIndex surface;
     GlobalId point;
     Real share;  // [1] of the heat
   };
-  std::vector<Warmed> warmed_;             // by what slipped
-  std::vector<std::size_t> first_warmed_;  // of each of past_
+  std::vector<Heated> heated_;             // by what slipped
+  std::vector<std::size_t> first_heated_;  // of each of past_
 };
 
 /// One side of a contact: its nodes first .. last in the record. A side that turns shares the
@@ -145,7 +145,7 @@ struct FrictionStep {
   const FrictionMemory<Dim>* before = nullptr;
   Real kept = 1;  ///< [1] part of the past traction that is left once its area has changed
   Vec<Dim> inherited = Vec<Dim>::Zero();  ///< [Pa] where there is no past
-  /// The turn of the material on both sides, where no plane of the contact tells it.
+  /// The turn of the material on both sides, where no plane of the contact gives it.
   const BodyTurn<Dim>* turn = nullptr;
 };
 

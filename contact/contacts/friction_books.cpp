@@ -43,7 +43,7 @@ void book_ended(const FrictionHistory<Dim>& past, const std::vector<GlobalId>& d
     nodes.pair_energy[at] += lost;
     if (has_eroded(died, friction.key)) nodes.eroded_energy[at] += lost;
     nodes.friction_heat[at] += heat;
-    if (friction.slips && nodes.conduct) nodes.friction_given[at] += friction.warmth * heat;
+    if (friction.slips && nodes.conduct) nodes.friction_given[at] += friction.heat_share * heat;
   });
 }
 }  // namespace
@@ -61,7 +61,7 @@ void book_friction(const Records<Dim>& records, const FrictionHistory<Dim>& past
     check.see(pairs, record, *friction);
     const auto at = static_cast<std::size_t>(record.node[0]);
     nodes.friction_heat[at] += friction->heat;
-    if (friction->warmth > 0) nodes.friction_given[at] += friction->warmth * friction->heat;
+    if (friction->heat_share > 0) nodes.friction_given[at] += friction->heat_share * friction->heat;
     nodes.friction_stored[at] += friction->stored;
     nodes.friction_damped[at] += friction->damped;
     nodes.pair_energy[at] += friction->pairs;

@@ -100,8 +100,8 @@ void exchange_heat(const ContactNodes<Dim>& nodes, const std::vector<Surface<Dim
   }
 }
 
-FrictionShares friction_shares(const FrictionHeat& heat, const WarmedSide& lower,
-                               const WarmedSide& upper) {
+FrictionShares friction_shares(const FrictionHeat& heat, const HeatedSide& lower,
+                               const HeatedSide& upper) {
   Real of_lower = 0;
   if (heat.split) {
     of_lower = lower.body < upper.body ? *heat.split : 1 - *heat.split;
@@ -116,13 +116,13 @@ FrictionShares friction_shares(const FrictionHeat& heat, const WarmedSide& lower
 }
 
 template <int Dim>
-void share_warmth(const FrictionStep<Dim>& step, const FrictionShares& shares,
-                  Friction<Dim>& friction) {
-  friction.warmth = shares.sum();
+void share_heat(const FrictionStep<Dim>& step, const FrictionShares& shares,
+                Friction<Dim>& friction) {
+  friction.heat_share = shares.sum();
   const auto give = [&](const ContactSide& side, Real share) {
     for (int i = side.first; i < side.last; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      friction.warms[k] = step.weight[k] * share;
+      friction.heat_shares[k] = step.weight[k] * share;
     }
   };
   give(step.lower, shares.lower);
@@ -140,7 +140,7 @@ HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const Friction<
   flow.node = record.node;
   const Real power = friction.heat / dt;
   for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
-    flow.rate[k] = friction.warms[k] * power;
+    flow.rate[k] = friction.heat_shares[k] * power;
   }
   return flow;
 }
@@ -151,8 +151,8 @@ template HeatFlow<2> heat_path<2>(const ContactNodes<2>&, const ParticleTouch<2>
                                   const ContactHeat&);
 template void exchange_heat<2>(const ContactNodes<2>&, const std::vector<Surface<2>*>&, Real,
                                HeatFlow<2>&);
-template void share_warmth<2>(const FrictionStep<2>&, const FrictionShares&, Friction<2>&);
-template void share_warmth<3>(const FrictionStep<3>&, const FrictionShares&, Friction<3>&);
+template void share_heat<2>(const FrictionStep<2>&, const FrictionShares&, Friction<2>&);
+template void share_heat<3>(const FrictionStep<3>&, const FrictionShares&, Friction<3>&);
 template HeatFlow<2> heat_of_friction<2>(const ContactRecord<2>&, const Friction<2>&, Real);
 template HeatFlow<3> heat_path<3>(const ContactFace<3>&, const ContactFace<3>&,
                                   const CommonPlane<3>&, const ContactHeat&, Real, Real);

@@ -75,8 +75,8 @@ template <int Dim>
 void exchange_heat(const ContactNodes<Dim>& nodes, const std::vector<Surface<Dim>*>& surfaces,
                    Real dt, HeatFlow<Dim>& flow);
 
-/// A side that friction warms.
-struct WarmedSide {
+/// A side that friction heats.
+struct HeatedSide {
   Label body = 0;
   bool takes = false;   ///< it keeps a temperature
   Real effusivity = 0;  ///< [J/m^2/K/s^(1/2)]
@@ -88,13 +88,13 @@ struct FrictionShares {
 };
 /// Split by effusivities all goes to a side alone that takes some; a split by number is of the body
 /// with the lower label, and half each within a body.
-FrictionShares friction_shares(const FrictionHeat& heat, const WarmedSide& lower,
-                               const WarmedSide& upper);
+FrictionShares friction_shares(const FrictionHeat& heat, const HeatedSide& lower,
+                               const HeatedSide& upper);
 
 /// What of the heat of friction goes to each node.
 template <int Dim>
-void share_warmth(const FrictionStep<Dim>& step, const FrictionShares& shares,
-                  Friction<Dim>& friction);
+void share_heat(const FrictionStep<Dim>& step, const FrictionShares& shares,
+                Friction<Dim>& friction);
 
 /// The heat of friction in a step of dt [s], as far as it stays.
 template <int Dim>

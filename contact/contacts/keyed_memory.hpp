@@ -5,7 +5,7 @@
 ///   template <class Visitor, class Memory>  // this struct, or a const one
 ///   static void visit(Visitor& visitor, Memory& memory);
 /// visit is the one function that names its values: it hands to visitor.carry(values...) what a
-/// restart needs beside the key, and to visitor.hash(values...) what tells two states apart.
+/// restart needs beside the key, and to visitor.hash(values...) what distinguishes two states.
 /// Checkpoints, migration between ranks (it goes through the same tables) and the hash of the state
 /// follow from it.
 #include <algorithm>
@@ -34,7 +34,7 @@ struct CarriedValues {
   void hash(const Values&...) {}
 };
 
-/// Takes what tells two states apart into a hash.
+/// Takes what distinguishes two states into a hash.
 struct HashedValues {
   EntityHash sum;
   template <class... Values>

@@ -51,7 +51,7 @@ struct LostReport {
   Real time = kInfinity;         ///< [s]
   Real depth = 0;                ///< [m]
   std::array<Real, 3> point{};   ///< [m]
-  ContactKey key;                ///< its ordinal tells how
+  ContactKey key;                ///< its ordinal says how
   bool any() const { return let_go + from_behind + crossed > 0; }
 };
 

@@ -40,7 +40,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
 /// The same for the candidates of particles, row by row; F = k(d) + c closing speed,
 /// not below 0 (docs/theory/contact.md (C20), (C24)). Takes into part.step_limit the bounds of what
 /// touches, 2/sqrt(sum k/m), and of what closes in: (gap + r/2) over the closing speed, so r/2 over
-/// it where there is contact. Friction as on faces. loads  by particle, out; empty: nobody asks
+/// it where there is contact. Friction as on faces. loads  by particle, out; empty: not wanted
 template <int Dim>
 void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                         const Section& section, const EvaluationStep& step,
@@ -65,8 +65,9 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
                     const EvaluationStep& step, FrictionHistory<Dim>* history,
                     typename Records<Dim>::Part& part);
 
-/// Sets what the friction of two faces, of a particle and a face, or of two particles asks of the
-/// materials of both sides, where its options ask for it; sides and weights of the step are there.
+/// Sets what the friction of two faces, of a particle and a face, or of two particles needs to know
+/// of the materials of both sides, where its options need it; sides and weights of the step are
+/// there.
 template <int Dim>
 void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const ContactRecord<Dim>& record, FrictionStep<Dim>& step);
@@ -108,13 +109,13 @@ int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, s
 /// Appends the heat that the last friction of the part gives to two faces, to a particle and a
 /// face, or to two particles, and notes how much of it they take.
 template <int Dim>
-void warm_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+void heat_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                 const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
 template <int Dim>
-void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
+void heat_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
                    const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
 template <int Dim>
-void warm_pair(const ContactParticle& first, const ContactParticle& second,
+void heat_pair(const ContactParticle& first, const ContactParticle& second,
                const FrictionStep<Dim>& step, typename Records<Dim>::Part& part);
 
 }  // namespace brunt

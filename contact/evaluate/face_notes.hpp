@@ -39,7 +39,7 @@ void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
                        plane.point});
 }
 
-/// Where the faces of a plane push most of what they hold deep, remembers it and tells of it. What
+/// Where the faces of a plane push most of what they hold deep, remembers and reports it. What
 /// borders fade is held by the faces beside it; what opens from an overlap of time 0 was as deep
 /// without a force.
 template <int Dim>

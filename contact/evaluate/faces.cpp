@@ -204,7 +204,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   find_friction(entities.nodes, record, step, friction);
   const bool slid = friction.slips && candidate.laws.bond.breaks_by_slip();
   touch.slips = touch.slips || slid;
-  warm_faces(entities, candidate, step, part);
+  heat_faces(entities, candidate, step, part);
 }
 
 /// The first of planes 0 .. n - 1 that comes from behind; nullptr where none does.

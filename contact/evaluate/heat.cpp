@@ -1,4 +1,4 @@
-/// Where heat passes between what touches, and what friction warms.
+/// Where heat passes between what touches, and what friction heats.
 #include <algorithm>
 #include <cmath>
 
@@ -108,69 +108,70 @@ int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, s
 
 namespace {
 template <int Dim>
-void warm(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
-          const FrictionShares& shares, Friction<Dim>& friction,
-          std::vector<HeatFlow<Dim>>& flows) {
+void add_friction_heat(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
+                       const FrictionShares& shares, Friction<Dim>& friction,
+                       std::vector<HeatFlow<Dim>>& flows) {
   if (!(step.dt > 0)) return;
-  share_warmth(step, shares, friction);
-  if (friction.warmth > 0) flows.push_back(heat_of_friction(record, friction, step.dt));
+  share_heat(step, shares, friction);
+  if (friction.heat_share > 0) flows.push_back(heat_of_friction(record, friction, step.dt));
 }
 
 template <int Dim>
-WarmedSide side_of(const ContactFace<Dim>& face) {
+HeatedSide side_of(const ContactFace<Dim>& face) {
   return {face.body, face.capacity > 0, face.effusivity};
 }
 }  // namespace
 
 template <int Dim>
-void warm_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
+void heat_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                 const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
   const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
   const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
-  warm(part.face_on_face.back(), step,
-       friction_shares(*step.laws->friction_heat, side_of(lower), side_of(upper)),
-       part.frictions.back(), part.face_heat);
+  add_friction_heat(part.face_on_face.back(), step,
+                    friction_shares(*step.laws->friction_heat, side_of(lower), side_of(upper)),
+                    part.frictions.back(), part.face_heat);
 }
 
 template <int Dim>
-void warm_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
+void heat_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
                    const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
-  const WarmedSide upper{particle.body, particle.conductivity > 0, particle.effusivity};
-  warm(part.particle_on_face.back(), step,
-       friction_shares(*step.laws->friction_heat, side_of(face), upper), part.frictions.back(),
-       part.particle_heat);
+  const HeatedSide upper{particle.body, particle.conductivity > 0, particle.effusivity};
+  add_friction_heat(part.particle_on_face.back(), step,
+                    friction_shares(*step.laws->friction_heat, side_of(face), upper),
+                    part.frictions.back(), part.particle_heat);
 }
 
 template <int Dim>
-void warm_pair(const ContactParticle& first, const ContactParticle& second,
+void heat_pair(const ContactParticle& first, const ContactParticle& second,
                const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
-  const WarmedSide lower{first.body, first.conductivity > 0, first.effusivity};
-  const WarmedSide upper{second.body, second.conductivity > 0, second.effusivity};
+  const HeatedSide lower{first.body, first.conductivity > 0, first.effusivity};
+  const HeatedSide upper{second.body, second.conductivity > 0, second.effusivity};
   std::vector<HeatFlow<Dim>> flows;
-  warm(part.two_particles.back(), step, friction_shares(*step.laws->friction_heat, lower, upper),
-       part.frictions.back(), flows);
+  add_friction_heat(part.two_particles.back(), step,
+                    friction_shares(*step.laws->friction_heat, lower, upper), part.frictions.back(),
+                    flows);
   for (const auto& flow : flows) part.pair_heat.push_back({flow, 0, 0});
 }
 
-template void warm_pair<2>(const ContactParticle&, const ContactParticle&, const FrictionStep<2>&,
+template void heat_pair<2>(const ContactParticle&, const ContactParticle&, const FrictionStep<2>&,
                            Records<2>::Part&);
-template void warm_pair<3>(const ContactParticle&, const ContactParticle&, const FrictionStep<3>&,
+template void heat_pair<3>(const ContactParticle&, const ContactParticle&, const FrictionStep<3>&,
                            Records<3>::Part&);
 template void add_face_heat<2>(const Entities<2>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<2>::Part&);
 template int add_particle_heat<2>(const Entities<2>&, const ParticleRows&, std::size_t, PairFinder&,
                                   Real, const PartEnds&, Records<2>::Part&);
-template void warm_faces<2>(const Entities<2>&, const FaceCandidate&, const FrictionStep<2>&,
+template void heat_faces<2>(const Entities<2>&, const FaceCandidate&, const FrictionStep<2>&,
                             Records<2>::Part&);
-template void warm_particle<2>(const ContactParticle&, const ContactFace<2>&,
+template void heat_particle<2>(const ContactParticle&, const ContactFace<2>&,
                                const FrictionStep<2>&, Records<2>::Part&);
 template void add_face_heat<3>(const Entities<3>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<3>::Part&);
 template int add_particle_heat<3>(const Entities<3>&, const ParticleRows&, std::size_t, PairFinder&,
                                   Real, const PartEnds&, Records<3>::Part&);
-template void warm_faces<3>(const Entities<3>&, const FaceCandidate&, const FrictionStep<3>&,
+template void heat_faces<3>(const Entities<3>&, const FaceCandidate&, const FrictionStep<3>&,
                             Records<3>::Part&);
-template void warm_particle<3>(const ContactParticle&, const ContactFace<3>&,
+template void heat_particle<3>(const ContactParticle&, const ContactFace<3>&,
                                const FrictionStep<3>&, Records<3>::Part&);
 
 }  // namespace brunt

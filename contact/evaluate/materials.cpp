@@ -1,4 +1,4 @@
-/// What friction asks of the materials on both sides of a contact.
+/// What friction needs to know of the materials on both sides of a contact.
 #include <algorithm>
 
 #include "contact/evaluate/evaluate.hpp"

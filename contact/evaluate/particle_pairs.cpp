@@ -91,9 +91,9 @@ void add_friction(const Entities<Dim>& entities, const PresentPair<Dim>& pair, R
   step.lower = {0, 1, false};
   step.upper = {1, 2, false};
   step.weight[0] = step.weight[1] = 1;
-  // Torques are told on the pair's first body, and it feels the force at its particle.
-  const auto& told = first.body <= second.body ? first : second;
-  step.point = entities.nodes.x[static_cast<std::size_t>(told.node)];
+  // Torques are reported on the pair's first body, and it feels the force at its particle.
+  const auto& reported = first.body <= second.body ? first : second;
+  step.point = entities.nodes.x[static_cast<std::size_t>(reported.node)];
   step.area = 1;
   step.pressed = record.area;
   step.stiffness = spring.linear;
@@ -104,7 +104,7 @@ void add_friction(const Entities<Dim>& entities, const PresentPair<Dim>& pair, R
   step.before = history.of_faces(key_of(record), part.past);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   find_friction(entities.nodes, record, step, part.frictions.emplace_back());
-  warm_pair(first, second, step, part);
+  heat_pair(first, second, step, part);
 }
 
 /// The way of heat from the first to the second; its sides are not known yet.
@@ -206,11 +206,11 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
                                                  particle.radius + other.radius);
       const bool is_lower = row[c].particle < row[c].other;
       const Real coming = meeting.overlap + std::max(meeting.closing, 0.0) * step.dt;
-      const bool warm =
+      const bool conducts =
           touches_for_heat(row[c], meeting.overlap, 0.5 * (particle.radius + other.radius));
-      any = any || warm;
+      any = any || conducts;
       const bool near = -meeting.overlap <= meeting.closing * step.longest;
-      if (!(coming > 0) && !warm && !near) continue;
+      if (!(coming > 0) && !conducts && !near) continue;
       const auto pair = present<Dim>(entities, row[c], meeting, section);
       if (coming > 0 && pair.mass > 0 && !particle.held) {
         load.squared_frequency += pair.spring.tangent(coming) / pair.mass;
@@ -224,7 +224,7 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
         const auto& record = part.two_particles.emplace_back(record_of(entities, pair, damper));
         pressure = (record.spring + record.damping) / record.area;
       }
-      if (warm) part.pair_heat.push_back(heat_path(pair, starts[s] + c, pressure));
+      if (conducts) part.pair_heat.push_back(heat_path(pair, starts[s] + c, pressure));
       if (!(meeting.overlap > 0)) continue;
       if (row[c].laws.friction != nullptr && history != nullptr) {
         add_friction(entities, pair, damper, step.dt, *history, part);

@@ -4,9 +4,9 @@
 
 namespace brunt {
 
-/// Tells the hits of a surface on which side of a thin plate the particle came in: faces that look
-/// away from the one that held it are on the other. Where an evaluation is repeated, what it kept
-/// is that face.
+/// Says of the hits of a surface on which side of a thin plate the particle came in: faces that
+/// look away from the one that held it are on the other. Where an evaluation is repeated, what it
+/// kept is that face.
 template <int Dim>
 void recall_entries(const Entities<Dim>& entities, const ContactParticle& particle,
                     const TouchStep& step, std::vector<ParticleHit<Dim>>& hits);

@@ -239,7 +239,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
 }
 
 /// Keeps a contact that pushes a centre behind its face, if the next step may bring that farther
-/// than it is held. Where it was then is told by the next evaluation (contact/contacts/lost.hpp).
+/// than it is held. The next evaluation reports where it was then (contact/contacts/lost.hpp).
 /// longest  [s] that the next step may be
 template <int Dim>
 void note_deep(const Entities<Dim>& entities, const ParticleHit<Dim>& hit, Real longest,
@@ -281,7 +281,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
   auto& friction = part.frictions.emplace_back();
   find_friction(entities.nodes, record, step, friction);
   friction.body = face.body, friction.piece = face.piece;
-  warm_particle(now.particle, face, step, part);
+  heat_particle(now.particle, face, step, part);
 }
 
 template <int Dim>

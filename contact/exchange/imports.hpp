@@ -58,7 +58,7 @@ class ContactImports {
                   const std::function<void(GlobalId, GlobalId, const PairSide&)>& take) const;
   /// Brings the temperatures [K] of nodes that others own up to date. Collective among neighbours.
   void refresh_temperatures(std::vector<Real>& temperature) const;
-  /// Brings what friction asks of the materials behind faces that others own up to date.
+  /// Brings what friction needs to know of the materials behind faces that others own up to date.
   /// Collective among neighbours.
   void refresh_materials(std::vector<SurfaceMaterial>& materials) const;
   /// Brings the tractions of the faces that others own up to date. Collective among neighbours.

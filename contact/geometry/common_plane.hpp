@@ -99,7 +99,7 @@ struct PlaneNeeds {
   /// and the force acts at the middle. A bond needs it.
   bool whole = false;
   /// They push: pressure fades between borders, and follows its potential (overlap_push.hpp). Else
-  /// they are where the faces lie over each other, which is what heat asks.
+  /// they are where the faces lie over each other, which is what heat needs.
   bool pushes = true;
   FaceBarrier barrier = {};
 };

@@ -3,7 +3,7 @@
 
 namespace brunt {
 
-/// Edges as sharp as a blade: bit 4 + c of a facet's borders tells so of its edge c (3D).
+/// Edges as sharp as a blade: bit 4 + c of a facet's borders marks its edge c (3D).
 inline constexpr unsigned kBladeBits = 4;
 
 /// Where blades cross, none of their faces oppose each other: the edges push each other themselves.

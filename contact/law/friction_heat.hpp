@@ -13,7 +13,7 @@ struct FrictionHeat {
 };
 
 inline void describe(Schema& s, FrictionHeat& heat) {
-  s.real({"fraction", "share of it that warms the bodies; the rest leaves the scene"},
+  s.real({"fraction", "share of it that heats the bodies; the rest leaves the scene"},
          heat.fraction, {"1", between(0, 1)});
   s.real_or_word({"split",
                   "share of that for the body that `between` names first, in `default` the first "

@@ -58,7 +58,7 @@ class PairTable {
   std::optional<std::size_t> find(Label a, Label b) const;
   /// The name of a pair, as history.csv uses it: the deck's, or "a-b".
   std::string name(std::size_t pair) const;
-  /// The body of a pair on which history.csv tells the force: the first that the deck names.
+  /// The body of a pair on which history.csv reports the force: the first that the deck names.
   Label reported_body(std::size_t pair) const;
   /// Places of the pairs with columns in history.csv: all, or where they are more than
   /// kMostReportedPairs those that the deck names.

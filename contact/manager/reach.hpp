@@ -36,7 +36,7 @@ struct ContactTouch {
 };
 
 /// What contact of a whole scene would ask of ranks if its points were partitioned: for tools that
-/// tell what a run on so many ranks would send.
+/// say what a run on so many ranks would send.
 template <int Dim>
 struct ContactReaches {
   std::vector<ContactReach<Dim>> faces, particles;  ///< in the order of ids

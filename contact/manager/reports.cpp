@@ -14,12 +14,12 @@ namespace brunt {
 
 namespace {
 /// Temperatures of both sides of contacts, where they keep one.
-struct Warmth {
+struct MeanTemperature {
   ExactSum area;              // [m^2] of both sides
   ExactSum area_temperature;  // [m^2 K]
   Real hottest = 0;           // [K]
 
-  void add(const Warmth& other) {
+  void add(const MeanTemperature& other) {
     area.add(other.area);
     area_temperature.add(other.area_temperature);
     hottest = std::max(hottest, other.hottest);
@@ -27,13 +27,13 @@ struct Warmth {
 };
 
 struct PairSums {
-  std::array<ExactSum, 3> force;   // [N]
-  std::array<ExactSum, 3> torque;  // [N m]
-  ExactSum area;                   // [m^2]
-  ExactSum heat;                   // [W] of friction
-  ExactSum through;                // [W]
-  Warmth touching, passing;        // of contacts with force; of those through which heat passes
-  Real max_penetration = 0;        // [m]
+  std::array<ExactSum, 3> force;      // [N]
+  std::array<ExactSum, 3> torque;     // [N m]
+  ExactSum area;                      // [m^2]
+  ExactSum heat;                      // [W] of friction
+  ExactSum through;                   // [W]
+  MeanTemperature touching, passing;  // of contacts with force; of those through which heat passes
+  Real max_penetration = 0;           // [m]
   std::int64_t planes = 0;
 };
 
@@ -113,7 +113,7 @@ Vec3 torque_of(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
 /// temperature  [K] by node
 template <class Contact>
 void add_temperatures(const Contact& contact, const std::vector<Real>& temperature,
-                      Warmth& warmth) {
+                      MeanTemperature& mean) {
   Real side[2] = {0, 0};
   for (std::size_t k = 0; k < static_cast<std::size_t>(contact.n_nodes); ++k) {
     const Real w = contact.weight[k];
@@ -121,9 +121,9 @@ void add_temperatures(const Contact& contact, const std::vector<Real>& temperatu
   }
   for (const Real T : side) {
     if (!(T > 0)) continue;
-    warmth.area.add(contact.area);
-    warmth.area_temperature.add(contact.area * T);
-    warmth.hottest = std::max(warmth.hottest, T);
+    mean.area.add(contact.area);
+    mean.area_temperature.add(contact.area * T);
+    mean.hottest = std::max(mean.hottest, T);
   }
 }
 
@@ -160,10 +160,10 @@ PairReport report_of(const PairSums& sums, const std::string& name) {
   report.heat_rate = sums.through.value();
   report.friction_heat = sums.heat.value();
   const bool passes = sums.passing.area.value() > 0;
-  const Warmth& warmth = passes ? sums.passing : sums.touching;
-  report.temperature_max = warmth.hottest;
-  if (const Real area = warmth.area.value(); area > 0) {
-    report.temperature_mean = warmth.area_temperature.value() / area;
+  const MeanTemperature& mean = passes ? sums.passing : sums.touching;
+  report.temperature_max = mean.hottest;
+  if (const Real area = mean.area.value(); area > 0) {
+    report.temperature_mean = mean.area_temperature.value() / area;
   }
   report.max_penetration = sums.max_penetration;
   report.planes = sums.planes;
@@ -192,8 +192,8 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     auto& sum = sums[known->second];
     // A body exerts no force on itself as a whole.
-    const Label told = own.setup.pairs.reported_body(reported[known->second]);
-    const Real sign = first == second ? 0.0 : (record.upper_body == told ? 1.0 : -1.0);
+    const Label reported_on = own.setup.pairs.reported_body(reported[known->second]);
+    const Real sign = first == second ? 0.0 : (record.upper_body == reported_on ? 1.0 : -1.0);
     const Vec<Dim> force = force_of(nodes, whole);
     for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
     if (own.setup.section.geometry != Geometry::axisymmetric) {
@@ -217,8 +217,8 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     if (known == place.end()) return;
     if (flow.h_area > 0) add_temperatures(flow, temperature, sums[known->second].passing);
     if (first == second) return;
-    const Label told = own.setup.pairs.reported_body(reported[known->second]);
-    sums[known->second].through.add(flow.upper_body == told ? flow.through : -flow.through);
+    const Label reported_on = own.setup.pairs.reported_body(reported[known->second]);
+    sums[known->second].through.add(flow.upper_body == reported_on ? flow.through : -flow.through);
   });
   own.setup.ranks.all->reduce_all(std::span(sums),
                                   [](PairSums& into, const PairSums& from) { merge(into, from); });

@@ -74,7 +74,7 @@ LookAhead ContactSearch<Dim>::renew_if_needed(Real dt) {
   const bool complete = candidates_.complete(entities_, ahead.time, *setup_.ranks.all);
   const Real speed = candidates_.speed();
   // Without a step nobody knows how points have come to where they are.
-  const bool look = near_.due(speed * dt, speed * ahead.time) || dt == 0;
+  const bool look = near_.needs_look(speed * dt, speed * ahead.time) || dt == 0;
   const bool others = look && find_near_bodies(ahead.time);
   if (others || !complete || changed) {
     renew(ahead.time, true, true);

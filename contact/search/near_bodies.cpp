@@ -32,9 +32,9 @@ void NearBodies<Dim>::Reach::take(const Reach& other) {
 }
 
 template <int Dim>
-bool NearBodies<Dim>::due(Real way, Real ahead) {
+bool NearBodies<Dim>::needs_look(Real way, Real ahead) {
   come_ += way;
-  return !(come_ + ahead <= allowance_);  // one that is not a number is due as well
+  return !(come_ + ahead <= allowance_);  // one that is not a number needs a look too
 }
 
 template <int Dim>
@@ -43,7 +43,7 @@ std::vector<typename NearBodies<Dim>::Reach> NearBodies<Dim>::reaches(
     const Communicator& ranks) {
   std::vector<Reach> of(n_bodies, {SearchBox<Dim>::empty(), 0});
   const auto& nodes = entities.nodes;
-  // Those of other ranks are told there.
+  // Those of other ranks are counted there.
   const auto enclose = [&](Label body, LocalIndex node) {
     const auto i = static_cast<std::size_t>(node);
     if (nodes.point[i] < 0) return;

@@ -16,7 +16,7 @@ class NearBodies {
  public:
   /// Adds the way [m] that any two nodes have come in a step; true where bodies must be looked at
   /// again, since they may come `ahead` [m] before contact counts on this answer once more.
-  bool due(Real way, Real ahead);
+  bool needs_look(Real way, Real ahead);
   /// Compares the boxes of all bodies at their present positions. True where other bodies are near
   /// than before. Collective.
   bool look(const std::vector<Surface<Dim>*>& surfaces, const Entities<Dim>& entities,

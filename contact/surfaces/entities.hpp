@@ -112,7 +112,7 @@ struct Entities {
   std::vector<SearchBox<Dim>> boxes;         ///< of planes
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing has friction
-  /// Behind each face, as of the step's start; empty where no friction asks for it.
+  /// Behind each face, as of the step's start; empty where no friction needs it.
   std::vector<SurfaceMaterial> materials;
   std::vector<char> conducts;   ///< by surface: its points keep the temperature
   StepLimit constant_limit;     ///< bound from the springs of particles
@@ -143,7 +143,7 @@ struct Entities {
     const std::size_t at = face_with(id);
     return at < faces.size() && faces[at].id == id;
   }
-  /// Takes what friction asks of materials from the groups, for the faces that are here.
+  /// Takes what friction needs to know of materials from the groups, for the faces that are here.
   void read_materials(const std::vector<Surface<Dim>*>& surfaces);
   /// Takes over what the same faces remember in an older table.
   void inherit_tractions(const Entities& old);

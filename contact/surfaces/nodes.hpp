@@ -49,9 +49,9 @@ struct ContactNodes {
   bool holds = false;               ///< some pair is tied or a joint; else `joint_loss` is empty
   std::vector<Real> joint_loss;     ///< [J] that joints have used up, booked since time 0
   bool turns = false;           ///< particles have friction with particles; else `spin` is empty
-  std::vector<Vec3> spin;       ///< [rad/s] of the material, where its surface tells it
+  std::vector<Vec3> spin;       ///< [rad/s] of the material, where its surface gives it
   bool needs_material = false;  ///< some friction does; else `material` is empty
-  std::vector<SurfaceMaterial> material;  ///< of a particle, where its surface tells it
+  std::vector<SurfaceMaterial> material;  ///< of a particle, where its surface gives it
   bool conduct = false;                   ///< some points conduct; else the fields below are empty
   std::vector<Real> temperature;          ///< [K] at the end of the step, but for contact
   std::vector<Real> capacity;             ///< [J/K], or [kg] where it varies; 0: takes no heat

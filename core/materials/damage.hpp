@@ -17,10 +17,10 @@ struct DamagePoint {
   V temperature;  ///< [K]
   V pressure;     ///< [Pa] positive in compression
   V von_mises;    ///< [Pa]
-  V largest;      ///< [Pa] largest principal stress, where the law asks for it
+  V largest;      ///< [Pa] largest principal stress, where the law needs it
 };
 
-/// What Softening asks of a law, a plain struct of parameters.
+/// What Softening needs of a law, a plain struct of parameters.
 template <class Law>
 concept DamageLaw = requires(const Law& law, const DamagePoint<Real>& at) {
   /// The index after a step that began with another: at least that one.

@@ -20,7 +20,7 @@ class LinearEquation final : public EquationOfState {
   explicit LinearEquation(Real bulk) : bulk_(bulk) {}
   void update(MaterialTile& tile, const Real* deviatoric_work) const override;
   bool needs_energy() const override { return false; }
-  void isentropic_warming(const MaterialTile& tile, Real, Real* logarithm) const override {
+  void isentropic_heating(const MaterialTile& tile, Real, Real* logarithm) const override {
     std::fill_n(logarithm, tile.count, 0.0);  // it has no energy, and no gamma
   }
   Real bulk_modulus() const override { return bulk_; }

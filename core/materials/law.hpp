@@ -14,7 +14,7 @@ struct FlowStress {
   V d_temperature;  ///< [Pa/K]
 };
 
-/// What RadialReturn asks of a law, a plain struct of parameters; its functions are templates on
+/// What RadialReturn needs of a law, a plain struct of parameters; its functions are templates on
 /// V = Real or Pack. Units as in FlowStress; rate is the equivalent plastic strain rate [1/s].
 template <class Law>
 concept FlowLaw = requires(const Law& law, Real eps_p, Real rate, Real T) {
@@ -56,7 +56,7 @@ struct PressureState : FlowState<N> {
   typename ValueOf<N>::Type relative_density;  ///< [1] rho/rho0
 };
 
-/// What PressureReturn asks of a law.
+/// What PressureReturn needs of a law.
 template <class Law>
 concept PressureLaw = requires(Law law, const Law& made, const PressureState<Real>& at) {
   /// The formula as printed.

@@ -101,7 +101,7 @@ MaterialState Material::initial_state(std::size_t n, Real temperature, bool adia
   if (adiabatic && thermal) {
     state.temperature.assign(size, temperature);
     if (yields()) state.heat.assign(size, 0.0);
-    if (warms_by_compression()) state.compression_heat.assign(size, 0.0);
+    if (heats_by_compression()) state.compression_heat.assign(size, 0.0);
     if (expansion != 0) {
       state.expansion.assign(size, 1.0);
       state.expansion_work.assign(size, 0.0);
@@ -219,28 +219,28 @@ void Material::find_stress_after_pressure(MaterialTile& tile, Real dt,
 void Material::add_compression_heat(MaterialTile& tile) const {
   MaterialState& state = *tile.state;
   alignas(32) Real logarithm[kTile];
-  eos->isentropic_warming(tile, tensile_cutoff, logarithm);
+  eos->isentropic_heating(tile, tensile_cutoff, logarithm);
   const bool varies = specific_heat.varies();
   const Real capacity = varies ? 1.0 : density * specific_heat.at(0);  // [J/m^3/K reference]
   for (int i = 0; i < tile.count; i += kLanes) {
     const std::size_t at = tile.first + static_cast<std::size_t>(i);
     const Pack T = load(state.temperature.data() + at), viscous = load(tile.viscous_work + i);
     const Pack half = vexp(0.5 * load(logarithm + i));
-    Pack warmed = (half * T + (1.0 / capacity) * viscous) * half;
-    Pack heat = capacity * (warmed - T);
+    Pack heated = (half * T + (1.0 / capacity) * viscous) * half;
+    Pack heat = capacity * (heated - T);
     for (std::size_t lane = 0; varies && lane < kLanes; ++lane) {
       Real middle = half[lane] * T[lane];
       if (viscous[lane] != 0) {
         middle =
             specific_heat.temperature(specific_heat.enthalpy(middle) + viscous[lane] / density);
       }
-      warmed[lane] = middle * half[lane];
+      heated[lane] = middle * half[lane];
       heat[lane] =
-          density * (specific_heat.enthalpy(warmed[lane]) - specific_heat.enthalpy(T[lane]));
+          density * (specific_heat.enthalpy(heated[lane]) - specific_heat.enthalpy(T[lane]));
     }
     Real* sum = state.compression_heat.data() + at;
     store(sum, load(sum) + heat);
-    if (tile.adiabatic) store(state.temperature.data() + at, warmed);
+    if (tile.adiabatic) store(state.temperature.data() + at, heated);
   }
 }
 

@@ -113,7 +113,7 @@ class EquationOfState {
   /// Writes ln(T_new/T_old) [1] of the step at constant entropy, tile-indexed; asked only of laws
   /// with an energy, after the cut-off. cutoff [Pa] of the tension: what opens there expands
   /// nothing.
-  virtual void isentropic_warming(const MaterialTile&, Real cutoff, Real* logarithm) const = 0;
+  virtual void isentropic_heating(const MaterialTile&, Real cutoff, Real* logarithm) const = 0;
 };
 
 struct BeforeDamage;
@@ -162,9 +162,9 @@ struct Material {
   /// caller's.
   MaterialState initial_state(std::size_t n, Real temperature, bool adiabatic) const;
   /// True where compression changes the temperature of points that have one.
-  bool warms_by_compression() const { return thermal && eos->needs_energy(); }
+  bool heats_by_compression() const { return thermal && eos->needs_energy(); }
   /// True where a point's temperature is part of its state: it changes or moves the stress.
-  bool keeps_temperature() const { return yields() || warms_by_compression() || expansion != 0; }
+  bool keeps_temperature() const { return yields() || heats_by_compression() || expansion != 0; }
   /// One step of a tile: strength, then equation of state, then cut-off, then what compression and
   /// viscosity do to the temperature. A strength that sees the pressure comes after it.
   void update(MaterialTile& tile, Real dt) const;

@@ -32,7 +32,7 @@ void MieGruneisenEquation::update(MaterialTile& tile, const Real* deviatoric_wor
   }
 }
 
-void MieGruneisenEquation::isentropic_warming(const MaterialTile& tile, Real cutoff,
+void MieGruneisenEquation::isentropic_heating(const MaterialTile& tile, Real cutoff,
                                               Real* logarithm) const {
   const Pack densest = broadcast<Pack>(densest_ratio_);
   for (int i = 0; i < tile.count; i += kLanes) {

@@ -47,7 +47,7 @@ class MieGruneisenEquation final : public EquationOfState {
   Real densest_ratio() const override { return densest_ratio_; }
   /// gamma0 (eta_new - eta_old), eta held as in p_cold, and at the cut-off where V/V0 has reached
   /// what p = -cutoff has at this energy.
-  void isentropic_warming(const MaterialTile& tile, Real cutoff, Real* logarithm) const override;
+  void isentropic_heating(const MaterialTile& tile, Real cutoff, Real* logarithm) const override;
 
   /// Pressure at V/V0 and E = 0.
   template <class V>

@@ -40,7 +40,7 @@ V heating_at(const StrengthInputs& inputs, V T, V factor) {
 
 /// T [K] after heat [J/m^3 reference]: rho0 (h(after) - h(T)) is that heat.
 template <class V>
-V warmed(const StrengthInputs& inputs, V T, V heat) {
+V heated(const StrengthInputs& inputs, V T, V heat) {
   if (inputs.specific_heat == nullptr) return T + heat * (1.0 / inputs.heat_capacity);
   const SpecificHeat& cp = *inputs.specific_heat;
   for (int lane = 0; lane < lanes_of<V>; ++lane) {
@@ -63,7 +63,7 @@ BRUNT_INLINE void add_plastic_heat(const StrengthInputs& inputs, MaterialTile& t
   store(state.heat.data() + at, load_as<V>(state.heat.data() + at) + heat);
   if (tile.adiabatic && heats(inputs, tile) && !state.temperature.empty()) {
     Real* T = state.temperature.data() + at;
-    store(T, warmed(inputs, load_as<V>(T), heat));
+    store(T, heated(inputs, load_as<V>(T), heat));
   }
 }
 

@@ -29,7 +29,7 @@ struct PorousPoint {
   std::array<Real, n_own> own{};  ///< what the law keeps, before the step; after it
 };
 
-/// What PorousReturn asks of a law, a plain struct of parameters.
+/// What PorousReturn needs of a law, a plain struct of parameters.
 template <class Law>
 concept PorousLaw = requires(Law law, const Law& made, PorousPoint<Law::kOwn>& at) {
   /// Computes, once, what the formulas have from the parameters.

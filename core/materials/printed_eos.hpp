@@ -1,6 +1,6 @@
 #pragma once
 /// Equations of state that are no more than their printed formula: pressure, energy, stiffness and
-/// warming follow from it, slopes by dual numbers. docs/theory/materials.md (M25) to (M28)
+/// heating follow from it, slopes by dual numbers. docs/theory/materials.md (M25) to (M28)
 #include <concepts>
 
 #include "core/materials/dual.hpp"
@@ -16,7 +16,7 @@ struct EosState {
   N energy;            ///< [J/m^3 reference] internal energy; 0 where the law needs none
 };
 
-/// What PrintedEquation asks of a law, a plain struct of parameters that derives from PrintedEos.
+/// What PrintedEquation needs of a law, a plain struct of parameters that derives from PrintedEos.
 template <class Law>
 concept EosFormula = requires(Law law, const Law& made, const EosState<Real>& at,
                               const EosInputs& inputs) {
@@ -76,15 +76,15 @@ class PrintedEquation final : public EquationOfState {
   Real initial_pressure() const override { return initial_pressure_; }
   /// d ln T = -Gamma d ln V, Gamma = (V/V0) dp/dE, by the mean Gamma of the step; none where the
   /// tension is cut off.
-  void isentropic_warming(const MaterialTile& tile, Real cutoff, Real* logarithm) const override {
+  void isentropic_heating(const MaterialTile& tile, Real cutoff, Real* logarithm) const override {
     for (int i = 0; i < tile.count; i += kLanes) {
       const std::size_t at = tile.first + static_cast<std::size_t>(i);
       const Pack old = load(tile.ratio_old + i), now = load(tile.ratio + i);
       const Pack gamma =
           0.5 * (old * slopes(old, Pack{}).slope[1] + now * slopes(now, Pack{}).slope[1]);
-      const Pack warming = gamma * vlog(old / now);
+      const Pack heating = gamma * vlog(old / now);
       const auto opens = load(tile.state->pressure.data() + at) <= broadcast<Pack>(-cutoff);
-      store(logarithm + i, select(opens, Pack{}, warming));
+      store(logarithm + i, select(opens, Pack{}, heating));
     }
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Flow laws that are no more than their printed formula: all that RadialReturn asks of a law
+/// Flow laws that are no more than their printed formula: all that RadialReturn needs of a law
 /// follows from it, slopes by dual numbers. A law that is called often may bring its own instead
 /// (johnson_cook.hpp).
 #include "core/materials/law.hpp"

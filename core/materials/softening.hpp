@@ -68,7 +68,7 @@ template <DamageLaw Law>
 void Softening<Law>::scale_heat(MaterialTile& tile, const BeforeDamage& before) const {
   MaterialState& state = *tile.state;
   if (state.heat.empty()) return;
-  const bool warms = tile.adiabatic && !state.temperature.empty();
+  const bool heats = tile.adiabatic && !state.temperature.empty();
   for (int i = 0; i < tile.count; i += kLanes) {
     const std::size_t at = tile.first + static_cast<std::size_t>(i);
     const Pack left = 1.0 - load(state.damage.data() + at);
@@ -77,7 +77,7 @@ void Softening<Law>::scale_heat(MaterialTile& tile, const BeforeDamage& before) 
       store(field.data() + at, was + left * (load(field.data() + at) - was));
     };
     scale(state.heat, before.heat);
-    if (warms) scale(state.temperature, before.temperature);
+    if (heats) scale(state.temperature, before.temperature);
   }
 }
 

@@ -14,7 +14,7 @@ bool is_name_character(char c);
 /// Why the parser must not see a text, or "".
 std::string form_problem(const std::string& body);
 
-/// Tells the parser what it must know before it gets an expression.
+/// Gives the parser what it must know before it gets an expression.
 void prepare(mu::Parser& parser);
 
 /// Throws mu::ParserError where there are several.

@@ -89,7 +89,7 @@ class Reader final : public Schema {
     std::vector<std::string> known;  ///< keys of the schema so far
     std::vector<Key> missing;        ///< required and not there
     std::size_t problems_before = 0;
-    std::string choice_missing;    ///< what to tell where no alternative stands
+    std::string choice_missing;    ///< what to say where no alternative stands
     bool unsettled = false;        ///< which alternative is meant is not known, nor what it asks
     bool value_taken = false;      ///< a bare value was read
     bool words_are_flags = false;  ///< the name of a flag is its value too: [damage]
@@ -104,7 +104,7 @@ class Reader final : public Schema {
   const Node* find(const Key& key);
   void open_scope(const Node* node, const std::string& path);
   void close_scope();
-  /// Tells the keys of a map that are not known, and those that are missing.
+  /// Reports the keys of a map that are not known, and those that are missing.
   void tell_unknown_and_missing(const Scope& closed);
   /// The one alternative among the keys of a map, or null after a problem.
   const Entry* chosen_alternative(const Key& key, const Node& node, const std::string& path,

@@ -18,7 +18,7 @@ struct Dimension {
   std::array<int, kBases> exponent{};
   bool operator==(const Dimension&) const = default;
   bool is_number() const { return *this == Dimension{}; }
-  /// The same with the angle left out: what an expression can tell.
+  /// The same with the angle left out: what an expression can know.
   Dimension without_angle() const;
   /// "kg m^-1 s^-2", or "1".
   std::string text() const;

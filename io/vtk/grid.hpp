@@ -20,7 +20,7 @@ vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view);
 vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time);
 
 /// The same of a rank's piece of a body or of the contacts, with what it takes to merge pieces: the
-/// point array vtkGhostType, which says which points are copies, where the view tells; and the cell
+/// point array vtkGhostType, which says which points are copies, where the view knows; and the cell
 /// array "key" of contacts.
 vtkSmartPointer<vtkUnstructuredGrid> to_grid_piece(const BodyView& view);
 vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real time);

@@ -2,9 +2,9 @@
 // between 100 and 0 degC (B1.10), k2 = k1/1e6: q = 100 K/(L/k1 + 1/h + L/k2), 0.474 W/m^2. The poor
 // conductor has a heat capacity as small, so that it settles as fast: exp(-2.4 alpha t/L^2) is
 // 1e-12 after 300 s. On the way no temperature may leave what the ends are held at (maximum
-// principle), and a poor conductor that is not light, of which only a skin warms, is watched for 20
-// s as well. Held particles have their temperature half a spacing inside, and the rods are as much
-// shorter. A rod of few particles across conducts less than its material: the lattice sum of
+// principle), and a poor conductor that is not light, of which only a skin heats up, is watched for
+// 20 s as well. Held particles have their temperature half a spacing inside, and the rods are as
+// much shorter. A rod of few particles across conducts less than its material: the lattice sum of
 // docs/theory/heat.md (H7) over an endless rod of n x n particles is 0.970, 0.975, 0.980, 0.989 of
 // it for n = 4, 6, 8, 16, or 1 - 0.18/n. Edges conduct 90 %, faces 95 %, what is next to a face
 // 100.3 %. A strip of n particles across in plane strain has two sides, and its sum is 1 - 0.09/n:

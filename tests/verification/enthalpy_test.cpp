@@ -1,6 +1,6 @@
 // Heat where cp varies with temperature: h(T) = int cp dT.
 //   Two insulated bodies in contact end where  m1 (h1(T) - h1(T1)) + m2 (h2(T) - h2(T2)) = 0.
-//   Plastic work warms a body that does not conduct to  rho (h(T) - h(T0)) = plastic heat/volume.
+//   Plastic work heats a body that does not conduct to  rho (h(T) - h(T0)) = plastic heat/volume.
 //   A melt at Ti freezes on a mould at T0, half-spaces in perfect contact (Schwarz 1931; Carslaw &
 //   Jaeger 1959, 11.2), e = sqrt(k rho cp), one alpha for solid and melt. The front is at x = 2 l
 //   sqrt(alpha t), the contact at Ts:

@@ -53,7 +53,7 @@ TEST(RigidHeat, AMotionHoldsItsTemperature) {
   EXPECT_NEAR(whole.last("contact.aluminium-steel.heat_rate"), -rate, 5e-3 * rate);
 }
 
-// A block slides over a rigid steel block that has a prescribed motion and conducts: friction warms
+// A block slides over a rigid steel block that has a prescribed motion and conducts: friction heats
 // both, and heat adds up. Bits are those of any threads, skin and restart.
 TEST(RigidHeat, AMovingToolIsWarmedByFriction) {
   const auto overrides =

@@ -91,10 +91,10 @@ void expect_same_bits(const std::string& name, const std::vector<std::string>& o
 
 TEST(StorageOrder, OfElementsAndFacets) {
   for (const char* element : {"{integration: one-point}", "{integration: q1p0}"}) {
-    expect_same_bits("taylor-bar",
-                     {"parameters.size=0.9 mm", "time.end=3 us",
-                      std::string("bodies.bar.element=") + element},
-                     "contact.bar-anvil.planes");
+    expect_same_bits(
+        "taylor-bar",
+        {"parameters.size=0.9 mm", "time.end=3 us", std::string("bodies.bar.element=") + element},
+        "contact.bar-anvil.planes");
   }
 }
 

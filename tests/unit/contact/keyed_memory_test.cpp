@@ -108,10 +108,10 @@ TEST(KeyedMemory, CarriesFriction) {
   friction.normal = {0, 1}, friction.point = {0.1, 0.2};
   friction.traction = {1e6, 0}, friction.drag = {2e5, 0};
   friction.area = 1e-4, friction.stiffness = 1e12, friction.n_nodes = 4;
-  friction.slips = true, friction.warmth = 0.9, friction.heat = 0.7;
+  friction.slips = true, friction.heat_share = 0.9, friction.heat = 0.7;
   for (std::size_t k = 0; k < friction.force.size(); ++k) {
     friction.force[k] = Vec<2>(1.0 + static_cast<Real>(k), 2);
-    friction.warms[k] = 0.1 * static_cast<Real>(k);
+    friction.heat_shares[k] = 0.1 * static_cast<Real>(k);
   }
   KeyedMemory<Friction<2>> all;
   all.add(friction);
@@ -124,9 +124,9 @@ TEST(KeyedMemory, CarriesFriction) {
   EXPECT_EQ(one.point, friction.point);
   EXPECT_EQ(one.resultant(), friction.resultant());
   EXPECT_EQ(one.energy(), friction.energy());
-  EXPECT_TRUE(one.warmth == 0.9 && one.heat == 0.7);
+  EXPECT_TRUE(one.heat_share == 0.9 && one.heat == 0.7);
   EXPECT_EQ(one.force, friction.force);
-  EXPECT_EQ(one.warms, friction.warms);
+  EXPECT_EQ(one.heat_shares, friction.heat_shares);
 }
 
 TEST(KeyedMemory, CarriesLostContacts) {

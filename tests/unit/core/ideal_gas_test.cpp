@@ -61,7 +61,7 @@ TEST(IdealGas, WarmsAsItIsCompressed) {
   EosTile tile(air(), kDensity);
   std::fill_n(tile.points.tile.ratio, kTile, 0.25);
   alignas(32) Real logarithm[kTile];
-  tile.eos->isentropic_warming(tile.points.at_first(), kInfinity, logarithm);
+  tile.eos->isentropic_heating(tile.points.at_first(), kInfinity, logarithm);
   EXPECT_NEAR(logarithm[3], 0.4 * std::log(4), 1e-14);
 }
 
