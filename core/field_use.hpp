@@ -62,7 +62,7 @@ auto copied_in(const F& f) {
 constexpr std::size_t width_of(Real) { return 1; }
 template <int Dim>
 constexpr std::size_t width_of(const Vec<Dim>&) {
-  return static_cast<std::size_t>(Dim);
+  return slot_of(Dim);
 }
 inline Real* write_value(Real value, Real* out) {
   *out = value;

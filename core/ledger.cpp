@@ -7,7 +7,7 @@ std::string_view column_name(Column column) {
       "kinetic",           "internal",       "plastic_heat",    "hourglass",        "viscosity",
       "artificial_stress", "contact.spring", "contact.damping", "contact.friction", "contact.pairs",
       "boundary",          "damping",        "eroded",          "expansion",        "integration"};
-  return names[static_cast<std::size_t>(column)];
+  return names[slot_of(column)];
 }
 
 }  // namespace brunt

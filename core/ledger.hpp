@@ -111,8 +111,8 @@ void add_in_shares(std::size_t n, Totals<Dim>& totals, const Add& add) {
     Totals<Dim> part;
     part.hashes = totals.hashes;
     part.bodies.resize(totals.bodies.size());
-    const auto threads = static_cast<std::size_t>(omp_get_num_threads());
-    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+    const auto threads = slot_of(omp_get_num_threads());
+    const auto thread = slot_of(omp_get_thread_num());
     add(n * thread / threads, n * (thread + 1) / threads, part);
 #pragma omp critical(brunt_totals)
     add_totals(part, totals);

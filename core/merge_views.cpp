@@ -38,8 +38,7 @@ std::vector<Field> merge_fields(const std::vector<BodyView>& parts,
   for (const auto& place : places) {
     const auto& from = parts[place.part].*fields;
     for (std::size_t f = 0; f < merged.size(); ++f) {
-      append(merged[f].values, from[f].values, place.index,
-             static_cast<std::size_t>(merged[f].components));
+      append(merged[f].values, from[f].values, place.index, slot_of(merged[f].components));
     }
   }
   return merged;
@@ -73,7 +72,7 @@ std::vector<Place> all_cells(const std::vector<BodyView>& parts) {
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (parts[p].corners == 0) continue;
     const auto& ids = ids_of(parts[p].cell_fields);
-    const std::size_t n = parts[p].connectivity.size() / static_cast<std::size_t>(parts[p].corners);
+    const std::size_t n = parts[p].connectivity.size() / slot_of(parts[p].corners);
     for (std::size_t i = 0; i < n; ++i) {
       cells.push_back({ids.empty() ? static_cast<Real>(i) : ids[i], p, i});
     }
@@ -86,7 +85,7 @@ std::vector<Place> all_cells(const std::vector<BodyView>& parts) {
 std::int64_t merged_number(std::int64_t local, const std::vector<Real>& ids,
                            const std::vector<Place>& points) {
   if (local < 0) return local;
-  const Place wanted{ids.at(static_cast<std::size_t>(local)), 0, 0};
+  const Place wanted{ids.at(slot_of(local)), 0, 0};
   return std::lower_bound(points.begin(), points.end(), wanted) - points.begin();
 }
 }  // namespace
@@ -109,7 +108,7 @@ BodyView merge_views(const std::vector<BodyView>& parts) {
   for (const auto& cell : cells) {
     const auto& part = parts[cell.part];
     const auto& ids = ids_of(part.point_fields);
-    const auto corners = static_cast<std::size_t>(part.corners);
+    const auto corners = slot_of(part.corners);
     for (std::size_t c = cell.index * corners; c < (cell.index + 1) * corners; ++c) {
       view.connectivity.push_back(merged_number(part.connectivity[c], ids, points));
     }

@@ -15,7 +15,7 @@ using Edge = std::pair<LocalIndex, LocalIndex>;
 /// at corner c.
 template <int Dim, class Visit>
 void for_edges(const Facet<Dim>& facet, const Visit& visit) {
-  const auto n = static_cast<std::size_t>(facet.n_nodes());
+  const auto n = slot_of(facet.n_nodes());
   for (std::size_t c = 0; c < n; ++c) {
     const LocalIndex a = facet.node[c], b = Dim == 3 ? facet.node[(c + 1) % n] : a;
     visit(Edge(std::minmax(a, b)), c);

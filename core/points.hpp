@@ -49,7 +49,7 @@ struct Points {
   std::vector<Real> start_enthalpy;         ///< [J/kg] of specific_heats at start_temperature
 
   LocalIndex size() const { return static_cast<LocalIndex>(x.size()); }
-  std::size_t owned() const { return static_cast<std::size_t>(n_owned); }
+  std::size_t owned() const { return slot_of(n_owned); }
 
   /// Hands each field that the points have to f(field, use). All that is done with every field
   /// reads it here: a new one is declared above and listed here. Rows of a checkpoint have this
@@ -95,7 +95,7 @@ struct Points {
   /// Makes room for n points, all owned; what is new is zero.
   void resize(LocalIndex n) {
     n_owned = n;
-    fit(static_cast<std::size_t>(n));
+    fit(slot_of(n));
   }
 
   /// Moves point i by dx [m]; what rounding leaves out goes with the next move (Kahan, 1965).

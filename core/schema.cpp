@@ -11,7 +11,7 @@ Real Varying::at(Real s) const {
   if (s <= abscissa.front()) return ordinate.front();
   if (s >= abscissa.back()) return ordinate.back();
   const auto next = std::upper_bound(abscissa.begin(), abscissa.end(), s);
-  const auto i = static_cast<std::size_t>(next - abscissa.begin());
+  const auto i = slot_of(next - abscissa.begin());
   const Real fraction = (s - abscissa[i - 1]) / (abscissa[i] - abscissa[i - 1]);
   return ordinate[i - 1] + fraction * (ordinate[i] - ordinate[i - 1]);
 }

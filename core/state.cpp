@@ -14,7 +14,7 @@ StateRows::StateRows(std::vector<const StateTable*> parts) {
   if (parts.empty()) return;
   name_ = parts.front()->name;
   width_ = parts.front()->width;
-  const auto width = static_cast<std::size_t>(width_);
+  const auto width = slot_of(width_);
   for (const StateTable* part : parts) {
     if (part->width != width_ || width_ < 1 || part->value.size() != part->id.size() * width) {
       throw StateError(quoted(name_) + " has rows of different lengths");
@@ -37,7 +37,7 @@ StateRows::StateRows(std::vector<const StateTable*> parts) {
 }
 
 std::span<const Real> StateRows::row(GlobalId id, std::size_t width) const {
-  if (width != static_cast<std::size_t>(width_)) {
+  if (width != slot_of(width_)) {
     throw StateError(quoted(name_) + " has " + std::to_string(width_) + " values an entity, not " +
                      std::to_string(width));
   }

@@ -101,7 +101,7 @@ class StateCounter {
   }
   template <int Dim>
   void operator()(const Eigen::Matrix<Real, Dim, 1>&) {
-    count += static_cast<std::size_t>(Dim);
+    count += slot_of(Dim);
   }
 };
 

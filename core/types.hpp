@@ -3,8 +3,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace brunt {
 
@@ -12,6 +15,12 @@ using Real = double;
 using GlobalId = std::uint64_t;   ///< from the deck, never from a counter that depends on ranks
 using LocalIndex = std::int32_t;  ///< position in an array of this rank
 using Label = std::uint32_t;      ///< body or piece
+
+/// Where an entry stands in a std::vector or an array: an index that is signed or narrow, or an
+/// enumerator, as their own type. An index below 0 becomes one beyond any end.
+template <class Index>
+requires std::integral<Index> || std::is_enum_v<Index>
+constexpr std::size_t slot_of(Index index) noexcept { return static_cast<std::size_t>(index); }
 
 template <int Dim>
 using Vec = Eigen::Matrix<Real, Dim, 1>;

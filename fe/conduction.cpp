@@ -20,7 +20,7 @@ BRUNT_INLINE Real take_mechanical_heat(ElementBlock<Dim>& block, std::size_t k, 
 
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step) {
-  const auto n = static_cast<std::size_t>(block.corners);
+  const auto n = slot_of(block.corners);
   for (std::size_t k = e; k < e + kLanes; ++k) {
     const Real rate = take_mechanical_heat(block, k, step.inverse_dt);
     if (rate == 0) continue;
@@ -33,7 +33,7 @@ void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const Conducti
 template <int Dim>
 void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
                           Real* corner_heat) {
-  const auto n = static_cast<std::size_t>(block.corners);
+  const auto n = slot_of(block.corners);
   for (std::size_t k = e; k < e + kLanes; ++k) {
     const Real rate = take_mechanical_heat(block, k, inverse_dt);
     for (std::size_t I = k * n; I < (k + 1) * n; ++I) corner_heat[I] = rate * block.heat_share[I];

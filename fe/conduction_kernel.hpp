@@ -48,7 +48,7 @@ BRUNT_INLINE void exchange_heat(ElementBlock<Dim>& block, std::size_t e,
   for (int I = 0; I < N; ++I) {
     const Pack conductance = 0.5 * (all[I] + vabs(sum[I]));  // K_II = - sum of the others
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      Real* out = step.corner_heat + 2 * ((e + lane) * N + static_cast<std::size_t>(I));
+      Real* out = step.corner_heat + 2 * ((e + lane) * N + slot_of(I));
       out[0] = heat[I][lane], out[1] = conductance[lane];
     }
   }

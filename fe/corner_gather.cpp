@@ -15,7 +15,7 @@ void CornerGather::add(const Real* value, std::vector<Vec<W>>& out) const {
   for (LocalIndex node = 0; node < n; ++node) {
     Real sum[W] = {};
     for (std::int64_t k = offset[node]; k < offset[node + 1]; ++k) {
-      const Real* from = value + static_cast<std::size_t>(place[k]) * W;
+      const Real* from = value + slot_of(place[k]) * W;
       for (int i = 0; i < W; ++i) sum[i] += from[i];
     }
     for (int i = 0; i < W; ++i) out[node][i] += sum[i];
@@ -25,7 +25,7 @@ void CornerGather::add(const Real* value, std::vector<Vec<W>>& out) const {
 template <int Dim>
 CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_nodes) {
   CornerGather gather;
-  gather.offset.assign(static_cast<std::size_t>(n_nodes) + 1, 0);
+  gather.offset.assign(slot_of(n_nodes) + 1, 0);
   std::vector<std::pair<GlobalId, std::pair<LocalIndex, LocalIndex>>> order;  // id, block, element
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
@@ -37,13 +37,13 @@ CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, Lo
   }
   std::sort(order.begin(), order.end());
   for (LocalIndex k = 0; k < n_nodes; ++k) gather.offset[k + 1] += gather.offset[k];
-  gather.place.resize(static_cast<std::size_t>(gather.offset.back()));
+  gather.place.resize(slot_of(gather.offset.back()));
   std::vector<std::int64_t> next(gather.offset.begin(), gather.offset.end() - 1);
   for (const auto& [id, where] : order) {
     const ElementBlock<Dim>& block = blocks[where.first];
-    const auto n = static_cast<std::size_t>(block.corners);
+    const auto n = slot_of(block.corners);
     for (std::size_t I = 0; I < n; ++I) {
-      const std::size_t corner = static_cast<std::size_t>(where.second) * n + I;
+      const std::size_t corner = slot_of(where.second) * n + I;
       const LocalIndex node = block.corner[corner];
       if (node >= n_nodes) continue;
       gather.place[next[node]++] = static_cast<LocalIndex>(block.first_corner + corner);

@@ -24,8 +24,8 @@ Hourglass resolved(const Hourglass& hourglass, const Material& material) {
 
 template <int Dim>
 void copy_elements(const ElementSet<Dim>& set, ElementBlock<Dim>& block) {
-  const auto n = static_cast<std::size_t>(block.corners);
-  const auto padded = static_cast<std::size_t>(block.n_padded);
+  const auto n = slot_of(block.corners);
+  const auto padded = slot_of(block.n_padded);
   block.corner.resize(padded * n);
   block.id.resize(padded);
   block.body.resize(padded);
@@ -61,8 +61,8 @@ ElementSet<Dim> in_order(const ElementSet<Dim>& set) {
 template <int Dim>
 void measure_elements(const Points<Dim>& points, const Thickness& thickness,
                       ElementBlock<Dim>& block) {
-  const auto padded = static_cast<std::size_t>(block.n_padded);
-  block.reference_volume.resize(padded * static_cast<std::size_t>(block.gauss));
+  const auto padded = slot_of(block.n_padded);
+  block.reference_volume.resize(padded * slot_of(block.gauss));
   block.element_volume.resize(padded);
   block.reference_size.resize(padded);
   block.mass.resize(padded);
@@ -132,12 +132,12 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   if (block.n == 0) return block;
   copy_elements(set, block);
   block.owned = set.owned;
-  block.owned.resize(static_cast<std::size_t>(block.n), 1);
+  block.owned.resize(slot_of(block.n), 1);
   measure_elements(points, thickness, block);
-  const auto padded = static_cast<std::size_t>(block.n_padded);
+  const auto padded = slot_of(block.n_padded);
   const bool heats = set.material->yields() || set.material->heats_by_compression();
   block.state = set.material->initial_state(
-      padded * static_cast<std::size_t>(block.gauss), set.temperature,
+      padded * slot_of(block.gauss), set.temperature,
       set.adiabatic || (set.conducts && set.material->keeps_temperature()));
   for (LocalIndex e = 0; e < block.n_padded && !block.state.length.empty(); ++e) {
     for (int g = 0; g < block.gauss; ++g) {
@@ -167,7 +167,7 @@ std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim
   const int n = block.corners;
   std::vector<Real> shares(block.corner.size());
   for (LocalIndex e = 0; e < block.n_padded; ++e) {
-    Real* share = shares.data() + static_cast<std::size_t>(e) * static_cast<std::size_t>(n);
+    Real* share = shares.data() + slot_of(e) * slot_of(n);
     const Real whole = block.formulation->add_corner_volumes(corner_positions(block, e, points),
                                                              thickness, 1, share);
     for (int I = 0; I < n; ++I) share[I] /= whole;
@@ -178,17 +178,17 @@ std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim
 template <int Dim>
 std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim>& points,
                                 const Thickness& thickness) {
-  const auto n = static_cast<std::size_t>(block.corners);
-  std::vector<Real> mass(static_cast<std::size_t>(block.n) * n);
+  const auto n = slot_of(block.corners);
+  std::vector<Real> mass(slot_of(block.n) * n);
   for (LocalIndex e = 0; e < block.n; ++e) {
-    Real* share = mass.data() + static_cast<std::size_t>(e) * n;
+    Real* share = mass.data() + slot_of(e) * n;
     std::fill_n(share, n, block.mass[e] / block.corners);
     if (block.gauss == 1 || thickness.radial == 0) continue;
     std::fill_n(share, n, 0.0);
     block.formulation->add_corner_volumes(corner_positions(block, e, points), thickness,
                                           block.material->density, share);
     if (block.mass_scale.empty()) continue;
-    const Real scale = block.mass_scale[static_cast<std::size_t>(e)];
+    const Real scale = block.mass_scale[slot_of(e)];
     for (std::size_t I = 0; I < n; ++I) share[I] *= scale;
   }
   return mass;

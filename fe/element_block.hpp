@@ -116,11 +116,11 @@ struct ElementBlock {
   int elements_per_tile() const { return kTile / gauss; }
   int n_tiles() const { return n_padded / elements_per_tile(); }
   std::size_t point(LocalIndex e, int g) const {
-    return static_cast<std::size_t>(e / kLanes) * kLanes * gauss + kLanes * g + e % kLanes;
+    return slot_of(e / kLanes) * kLanes * gauss + kLanes * g + e % kLanes;
   }
   std::span<const LocalIndex> corners_of(LocalIndex e) const {
-    const auto n_corners = static_cast<std::size_t>(corners);
-    return {corner.data() + static_cast<std::size_t>(e) * n_corners, n_corners};
+    const auto n_corners = slot_of(corners);
+    return {corner.data() + slot_of(e) * n_corners, n_corners};
   }
 };
 

@@ -189,7 +189,7 @@ BRUNT_INLINE void store_stable_step(ElementBlock<Element::kDim>& block, std::siz
                                     const OperatorNorm<Pack>& norm, Pack rho, Pack bulk,
                                     Pack rate) {
   const Real shear = block.material->shear;
-  const Real* pressure = block.state.pressure.data() + e * static_cast<std::size_t>(block.gauss);
+  const Real* pressure = block.state.pressure.data() + e * slot_of(block.gauss);
   Pack tension = -load(pressure);
   for (int g = 1; g < block.gauss; ++g) tension = vmax(tension, -load(pressure + kLanes * g));
   Pack dt =
@@ -221,7 +221,7 @@ BRUNT_INLINE void store_strain(const Pack (&L)[Dim][Dim], Pack hoop, int at, Mat
 template <int Dim>
 void open_tile(ElementBlock<Dim>& block, int index, MaterialTile& tile) {
   tile.state = &block.state;
-  tile.first = static_cast<std::size_t>(index) * kTile;
+  tile.first = slot_of(index) * kTile;
   tile.count = kTile;
   tile.fixed_temperature = block.temperature;
   tile.adiabatic = block.adiabatic;

@@ -11,8 +11,7 @@ void visit_element(Block& block, std::size_t e, const F& f) {
   for (int g = 0; g < block.gauss; ++g) {
     visit_material_point(block.state, block.point(static_cast<LocalIndex>(e), g), kSaved, f);
   }
-  for (std::size_t k = e; k < block.hourglass.size();
-       k += static_cast<std::size_t>(block.n_padded)) {
+  for (std::size_t k = e; k < block.hourglass.size(); k += slot_of(block.n_padded)) {
     f(block.hourglass[k], kState);
   }
   f(block.viscous_pressure[e], kState);

@@ -194,7 +194,7 @@ BodyView FiniteElements<Dim>::view(Label body, const WantedFields& wanted) const
   add_state_field("tensile_strength", &MaterialState::tensile_strength, cells, fields);
   if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, fields);
   const std::size_t n = cells.size();
-  view.connectivity.reserve(n * static_cast<std::size_t>(view.corners));
+  view.connectivity.reserve(n * slot_of(view.corners));
   view.cell_volume.reserve(n);
   for (const Cell<Dim>& cell : cells) {
     const ElementBlock<Dim>& block = *cell.block;

@@ -136,7 +136,7 @@ std::unique_ptr<ErosionState<Dim>> erosion_at_start(const std::vector<ElementBlo
       if (erodes(block)) state->to[block.body[e]] = block.options.erosion->to;
       state->start_step.take({block.stable_step[e], "element", block.body[e], block.id[e]});
     }
-    state->n_alive += static_cast<std::size_t>(block.n);
+    state->n_alive += slot_of(block.n);
   }
   return state;
 }

@@ -18,10 +18,10 @@ BRUNT_INLINE void fetch(const std::vector<T>& field, std::size_t first, std::siz
 template <int Dim>
 void fetch_tile(const ElementBlock<Dim>& block, int tile, const Vec<Dim>* x, const Vec<Dim>* v) {
   if (tile >= block.n_tiles()) return;
-  const auto n = static_cast<std::size_t>(block.elements_per_tile());
-  const std::size_t point = static_cast<std::size_t>(tile) * kTile;
-  const std::size_t e = static_cast<std::size_t>(tile) * n;
-  const auto corners = static_cast<std::size_t>(block.corners);
+  const auto n = slot_of(block.elements_per_tile());
+  const std::size_t point = slot_of(tile) * kTile;
+  const std::size_t e = slot_of(tile) * n;
+  const auto corners = slot_of(block.corners);
   const LocalIndex* corner = block.corner.data() + e * corners;
   for (std::size_t k = 0; k < n; ++k, corner += corners) {
     // Two that lie across: others are theirs, or near them in memory.
@@ -42,7 +42,7 @@ void fetch_tile(const ElementBlock<Dim>& block, int tile, const Vec<Dim>* x, con
                             &block.hourglass_work, &block.viscous_work, &block.stable_step}) {
     fetch(*field, e, n);
   }
-  const auto padded = static_cast<std::size_t>(block.n_padded);
+  const auto padded = slot_of(block.n_padded);
   for (std::size_t k = 0; k < block.hourglass.size(); k += padded) {
     fetch(block.hourglass, k + e, n);
   }

@@ -35,7 +35,7 @@ void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather
 template <int Dim>
 std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
   EntityHash hash(block.id[e]);
-  visit_element(block, static_cast<std::size_t>(e), [&](Real value, FieldUse use) {
+  visit_element(block, slot_of(e), [&](Real value, FieldUse use) {
     if (use.hashed) hash.add(value);
   });
   return hash.value();
@@ -163,9 +163,7 @@ class ElementSums {
   void give(Label body, bool conducts, Totals<Dim>& totals) {
     const ExactSum &stress_work = sums_.sum(0), &hourglass = sums_.sum(1), &viscous = sums_.sum(2);
     const ExactSum &heat = sums_.sum(3), &compression = sums_.sum(4), &expansion = sums_.sum(5);
-    const auto column = [&](Column which) -> ExactSum& {
-      return totals.columns[static_cast<std::size_t>(which)];
-    };
+    const auto column = [&](Column which) -> ExactSum& { return totals.columns[slot_of(which)]; };
     const auto add_to = [&](ExactSum& internal, ExactSum& of_hourglass) {
       internal.add(stress_work), internal.subtract(heat), internal.add(expansion);
       of_hourglass.add(hourglass);
@@ -208,7 +206,7 @@ void add_elements(const ElementBlock<Dim>& block, std::size_t first, std::size_t
 template <int Dim>
 void FiniteElements<Dim>::add_totals(Totals<Dim>& totals) const {
   for (const auto& block : blocks_) {
-    const auto n = static_cast<std::size_t>(block.n);
+    const auto n = slot_of(block.n);
     add_in_shares(n, totals, [&](std::size_t first, std::size_t last, Totals<Dim>& part) {
       add_elements(block, first, last, part);
     });
@@ -250,7 +248,7 @@ template <int Dim>
 std::size_t FiniteElements<Dim>::n_elements() const {
   std::size_t n = 0;
   for (const auto& block : blocks_) {
-    n += static_cast<std::size_t>(std::count(block.owned.begin(), block.owned.end(), 1));
+    n += slot_of(std::count(block.owned.begin(), block.owned.end(), 1));
   }
   return n;
 }

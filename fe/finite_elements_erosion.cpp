@@ -196,7 +196,7 @@ template <int Dim>
 void FiniteElements<Dim>::rebuild(bool with_state) {
   const auto left = erosion_->left();
   erosion_->n_alive = 0;
-  for (const auto& block : left) erosion_->n_alive += static_cast<std::size_t>(block.n);
+  for (const auto& block : left) erosion_->n_alive += slot_of(block.n);
   erosion_->any_born = with_state;
   auto sets = elements_of(left, erosion_->owner, erosion_->rank);
   auto facets = outer_facets(left, erosion_->start, erosion_->axis);
@@ -313,7 +313,7 @@ void FiniteElements<Dim>::load_eroded(const StateTables& tables) {
         if (!rows.has(block.id[e])) continue;
         auto& one = erosion_->eroded.emplace_back();
         one.id = block.id[e], one.body = block.body[e], one.conducts = block.conducts;
-        StateReader row(rows.row(one.id, static_cast<std::size_t>(rows.width())));
+        StateReader row(rows.row(one.id, slot_of(rows.width())));
         visit_eroded(row, one);
       }
     }

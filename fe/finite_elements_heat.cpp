@@ -16,8 +16,8 @@ void FiniteElements<Dim>::set_capacities() {
   std::vector<Real> at_start(points_.x.size(), 0.0);
   std::vector<Real> share(n_corners_, 0.0);
   for (const auto& block : blocks_) {
-    const auto n = static_cast<std::size_t>(block.corners);
-    for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
+    const auto n = slot_of(block.corners);
+    for (std::size_t e = 0; e < slot_of(block.n); ++e) {
       const Real capacity =
           block.material_mass(e) * block.material->specific_heat.at(block.temperature);
       for (std::size_t I = e * n; I < (e + 1) * n; ++I) {
@@ -49,8 +49,8 @@ void FiniteElements<Dim>::vary_capacities() {
     std::vector<Real> share(n_corners_, 0.0);
     for (const auto& block : blocks_) {
       if (block.material != material) continue;
-      const auto n = static_cast<std::size_t>(block.corners);
-      for (std::size_t I = 0; I < static_cast<std::size_t>(block.n) * n; ++I) {
+      const auto n = slot_of(block.corners);
+      for (std::size_t I = 0; I < slot_of(block.n) * n; ++I) {
         share[block.first_corner + I] = block.material_mass(I / n) * block.heat_share[I];
       }
     }
@@ -103,7 +103,7 @@ void FiniteElements<Dim>::interpolate_temperatures() {
     const int n = block.n_padded / kLanes;
 #pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
-      block.formulation->interpolate_temperature(block, static_cast<std::size_t>(k) * kLanes,
+      block.formulation->interpolate_temperature(block, slot_of(k) * kLanes,
                                                  points_.temperature.data());
     }
   }
@@ -118,7 +118,7 @@ void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
     const int n = block.n_padded / kLanes;
 #pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
-      block.formulation->conduct(block, static_cast<std::size_t>(k) * kLanes, step);
+      block.formulation->conduct(block, slot_of(k) * kLanes, step);
     }
   }
   node_heat_.assign(points_.x.size(), Vec<2>::Zero());
@@ -158,7 +158,7 @@ void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
     const int n = block.n_padded / kLanes;
 #pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
-      give_mechanical_heat(block, static_cast<std::size_t>(k) * kLanes, inverse_dt, rates);
+      give_mechanical_heat(block, slot_of(k) * kLanes, inverse_dt, rates);
     }
   }
   node_mechanical_.assign(points_.x.size(), Vec<1>::Zero());

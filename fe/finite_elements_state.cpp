@@ -22,7 +22,7 @@ void FiniteElements<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_points(points_, tables);
   for (const auto& block : blocks_) {
     std::vector<std::size_t> owned;
-    for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
+    for (std::size_t e = 0; e < slot_of(block.n); ++e) {
       if (block.owned[e]) owned.push_back(e);
     }
     save_rows(
@@ -39,8 +39,7 @@ void FiniteElements<Dim>::load_state(const StateTables& tables) {
   if (erosion_) load_eroded(tables);
   for (auto& block : blocks_) {
     load_rows(
-        table_of(block), static_cast<std::size_t>(block.n_padded),
-        [&](std::size_t e) { return block.id[e]; },
+        table_of(block), slot_of(block.n_padded), [&](std::size_t e) { return block.id[e]; },
         [&](auto& row, std::size_t e) { visit_element(block, e, saved_in(row)); }, tables);
   }
 }

@@ -21,7 +21,7 @@ void FiniteElements<Dim>::start_volumes() {
   for (const auto& block : blocks_) {
     if (!averages(block)) continue;
     for (std::size_t k = 0; k < block.corner.size(); ++k) {
-      const std::size_t e = k / static_cast<std::size_t>(block.corners);
+      const std::size_t e = k / slot_of(block.corners);
       corner_volume_[block.first_corner + k] = block.element_volume[e] / block.corners;
     }
   }

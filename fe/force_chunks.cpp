@@ -18,7 +18,7 @@ ForceChunks<Dim>::ForceChunks(const std::vector<ElementBlock<Dim>>& blocks, Loca
 template <int Dim>
 std::size_t ForceChunks<Dim>::shared_row_of(const ElementBlock<Dim>& block, std::size_t b,
                                             std::size_t element) {
-  const auto per_tile = static_cast<std::size_t>(block.elements_per_tile());
+  const auto per_tile = slot_of(block.elements_per_tile());
   const std::size_t tile = element / per_tile, rows = per_tile * corners_[b];
   if (shared_.empty() || shared_.back().block != b ||
       shared_.back().tile != static_cast<int>(tile)) {
@@ -34,16 +34,16 @@ template <int Dim>
 void ForceChunks<Dim>::cut(const std::vector<ElementBlock<Dim>>& blocks) {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const ElementBlock<Dim>& block = blocks[b];
-    const auto n = static_cast<std::size_t>(block.n);
-    const auto per_tile = static_cast<std::size_t>(block.elements_per_tile());
-    corners_.push_back(static_cast<std::size_t>(block.corners));
+    const auto n = slot_of(block.n);
+    const auto per_tile = slot_of(block.elements_per_tile());
+    corners_.push_back(slot_of(block.corners));
     for (std::size_t e = 0; e < n;) {
       Chunk chunk;
       chunk.block = b, chunk.first = e;
       while (e < n && block.id[e] / kChunkIds == block.id[chunk.first] / kChunkIds) ++e;
       chunk.last = e;
       const std::size_t from = (chunk.first + per_tile - 1) / per_tile;
-      const std::size_t to = e == n ? static_cast<std::size_t>(block.n_tiles()) : e / per_tile;
+      const std::size_t to = e == n ? slot_of(block.n_tiles()) : e / per_tile;
       if (from < to) {
         chunk.first_tile = static_cast<int>(from), chunk.last_tile = static_cast<int>(to);
       }
@@ -63,9 +63,9 @@ void ForceChunks<Dim>::cut(const std::vector<ElementBlock<Dim>>& blocks) {
 template <int Dim>
 void ForceChunks<Dim>::number_nodes(const std::vector<ElementBlock<Dim>>& blocks,
                                     LocalIndex n_owned, LocalIndex n_points) {
-  std::vector<std::size_t> in_chunk(static_cast<std::size_t>(n_points), 0);  // its number + 1
-  std::vector<std::uint16_t> row(static_cast<std::size_t>(n_points), 0);
-  std::vector<std::size_t> count(static_cast<std::size_t>(n_owned), 0);
+  std::vector<std::size_t> in_chunk(slot_of(n_points), 0);  // its number + 1
+  std::vector<std::uint16_t> row(slot_of(n_points), 0);
+  std::vector<std::size_t> count(slot_of(n_owned), 0);
   for (const auto& block : blocks) {
     first_place_.push_back(place_.size());
     place_.resize(place_.size() + block.corner.size(), 0);
@@ -125,7 +125,7 @@ void ForceChunks<Dim>::hand_over(const Chunk& chunk, const Real* sum, std::vecto
     if (to != nullptr) {
       for (int i = 0; i < Dim; ++i) to[i] += sum[i];
     } else {
-      std::copy_n(sum, kRow, border_row_.data() + static_cast<std::size_t>(~node[k]) * kRow);
+      std::copy_n(sum, kRow, border_row_.data() + slot_of(~node[k]) * kRow);
     }
   }
 }
@@ -137,7 +137,7 @@ void ForceChunks<Dim>::add_borders(std::vector<Vec<Dim>>& f) const {
   for (std::size_t k = 0; k < n; ++k) {
     Real sum[Dim] = {};
     for (std::size_t r = border_[k]; r < border_[k + 1]; ++r) {
-      for (int i = 0; i < Dim; ++i) sum[i] += border_row_[r * kRow + static_cast<std::size_t>(i)];
+      for (int i = 0; i < Dim; ++i) sum[i] += border_row_[r * kRow + slot_of(i)];
     }
     for (int i = 0; i < Dim; ++i) f[border_node_[k]][i] += sum[i];
   }

@@ -289,7 +289,7 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
   MaterialTile tile;
   open_tile(block, index, tile);
   const auto group = [&](int k) {
-    const std::size_t e = static_cast<std::size_t>(index) * kGroups * kLanes;
+    const std::size_t e = slot_of(index) * kGroups * kLanes;
     return Group<Dim>{block, step, e + k * kLanes, tile.first + k * kPoints, k * kPoints, mean};
   };
   for (int k = 0; k < kGroups; ++k) kinematics(group(k), tile, work[k]);
@@ -299,7 +299,7 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
 
 template <int Dim>
 void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step) {
-  const std::size_t first = static_cast<std::size_t>(index) * block.elements_per_tile();
+  const std::size_t first = slot_of(index) * block.elements_per_tile();
   for (int k = 0; k < block.elements_per_tile(); k += kLanes) {
     const std::size_t e = first + k;
     const Group<Dim> group{block, step, e, e * block.gauss, 0, false};

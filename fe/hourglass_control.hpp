@@ -87,7 +87,7 @@ BRUNT_INLINE void resist_rates(const OnePointLane<Dim>& lane, Real coefficient,
                                OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
   const auto kept = [&](int a, int i) {
-    return block.hourglass.data() + static_cast<std::size_t>(a * Dim + i) * block.n_padded + lane.e;
+    return block.hourglass.data() + slot_of(a * Dim + i) * block.n_padded + lane.e;
   };
   HourglassModes<Dim> q, Q;
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {

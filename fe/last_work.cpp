@@ -38,15 +38,15 @@ ElementSet<Dim> set_of(const ElementBlock<Dim>& block, const std::vector<ErodedE
 
 template <int Dim>
 std::vector<Real> taken_in_step(ElementBlock<Dim>& block, ElementStep<Dim>& step) {
-  const auto corners = static_cast<std::size_t>(block.corners);
-  const auto per_tile = static_cast<std::size_t>(block.elements_per_tile());
+  const auto corners = slot_of(block.corners);
+  const auto per_tile = slot_of(block.elements_per_tile());
   std::vector<std::uint16_t> place(per_tile * corners);
   for (std::size_t c = 0; c < place.size(); ++c) {
     place[c] = static_cast<std::uint16_t>(c * kSumRow<Dim>);
   }
   std::vector<Real> row(place.size() * kSumRow<Dim>), taken;
   for (int tile = 0; tile < block.n_tiles(); ++tile) {
-    const std::size_t first = static_cast<std::size_t>(tile) * per_tile;
+    const std::size_t first = slot_of(tile) * per_tile;
     std::fill(row.begin(), row.end(), 0.0);
     step.sums = {place.data(), first, row.data()};
     block.formulation->advance(block, tile, step);
@@ -72,10 +72,9 @@ void copy_state(const ElementBlock<Dim>& from, ElementBlock<Dim>& to) {
     const auto at = std::lower_bound(begin, end, to.id[e]);
     if (at == end || *at != to.id[e]) continue;
     row.clear();
-    visit_element(from, static_cast<std::size_t>(at - begin),
-                  [&](Real value, FieldUse) { row.push_back(value); });
+    visit_element(from, slot_of(at - begin), [&](Real value, FieldUse) { row.push_back(value); });
     const Real* next = row.data();
-    visit_element(to, static_cast<std::size_t>(e), [&](Real& value, FieldUse) { value = *next++; });
+    visit_element(to, slot_of(e), [&](Real& value, FieldUse) { value = *next++; });
   }
 }
 

@@ -30,7 +30,7 @@ AddedMass added_mass(const std::vector<ElementBlock<Dim>>& blocks, Label body) {
   AddedMass sums;
   ExactSum added, material;
   for (const auto& block : blocks) {
-    for (std::size_t e = 0; e < static_cast<std::size_t>(block.n); ++e) {
+    for (std::size_t e = 0; e < slot_of(block.n); ++e) {
       if (block.body[e] != body || !block.owned[e]) continue;
       const Real own = block.material_mass(e);
       ++sums.n;

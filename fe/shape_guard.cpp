@@ -191,7 +191,7 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
   constexpr int n = Shape<Dim>::kCorners;
   Places<Dim> start, now, old;
   for (int I = 0; I < n; ++I) {
-    const LocalIndex node = block.corner[e * n + static_cast<std::size_t>(I)];
+    const LocalIndex node = block.corner[e * n + slot_of(I)];
     start[I] = step.x_start[node], now[I] = step.x[node];
     old[I] = now[I] - step.dt * step.v[node];
   }

@@ -55,7 +55,7 @@ BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e,
   if (!any(~safe)) return;
   for (int lane = 0; lane < kLanes; ++lane) {
     if (lane_of(safe, lane)) continue;
-    guard_shape(block, e + static_cast<std::size_t>(lane), step, lane, node);
+    guard_shape(block, e + slot_of(lane), step, lane, node);
   }
 }
 

@@ -27,7 +27,7 @@ std::size_t write_all(int descriptor, std::string_view bytes) {
     const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) break;
-    done += static_cast<std::size_t>(n);
+    done += slot_of(n);
   }
   return done;
 }
@@ -136,7 +136,7 @@ std::string read_file(const std::filesystem::path& path) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail("read", path, errno);
     if (n == 0) return bytes;
-    bytes.append(buffer.data(), static_cast<std::size_t>(n));
+    bytes.append(buffer.data(), slot_of(n));
   }
 }
 

@@ -158,7 +158,7 @@ void write_content(hid_t file, CheckpointContent& content) {
   const Group tables = Group::made(file, "tables"), texts = Group::made(file, "texts");
   std::size_t number = 0;
   for (auto& table : content.tables) {
-    const auto width = static_cast<std::size_t>(table.width);
+    const auto width = slot_of(table.width);
     need(width > 0 && table.value.size() == width * table.id.size(), "a table has ragged rows");
     if (table.id.empty()) continue;
     const Group group = Group::made(tables, std::to_string(number++));

@@ -89,7 +89,7 @@ std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     Extent extent{Vec<Dim>::Constant(kInfinity), Vec<Dim>::Constant(-kInfinity), 0};
     for (LocalIndex k = member_begin_[z]; k < member_begin_[z + 1]; ++k) {
-      const auto i = static_cast<std::size_t>(member_[k]);
+      const auto i = slot_of(member_[k]);
       for (int d = 0; d < Dim; ++d) {
         const Real u = points.x[i][d] - x_[i][d];
         if (!(extent.lower[d] <= u)) extent.lower[d] = u;  // takes in what is not a number

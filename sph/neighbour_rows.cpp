@@ -18,8 +18,8 @@ void NeighbourRows<Dim>::assign(NeighbourList list) {
     first_[i] = next;
     next += (list_.offset[i + 1] - list_.offset[i] + kLanes - 1) / kLanes * kLanes;
   }
-  near_.resize(static_cast<std::size_t>(next));
-  weight_.resize(static_cast<std::size_t>(next));
+  near_.resize(slot_of(next));
+  weight_.resize(slot_of(next));
 }
 
 /// Which of four pairs (i, j) interact.
@@ -44,7 +44,7 @@ void NeighbourRows<Dim>::merge_copies(std::span<const GlobalId> id, LocalIndex n
 
 template <int Dim>
 void NeighbourRows<Dim>::refresh(const MotionRecord<Dim>* records, LocalIndex i) {
-  const auto k = static_cast<std::size_t>(i);
+  const auto k = slot_of(i);
   const LocalIndex* candidate = list_.neighbour.data() + list_.offset[k];
   const auto n = static_cast<int>(list_.offset[k + 1] - list_.offset[k]);
   const Real* own = records[i].data;

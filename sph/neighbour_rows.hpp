@@ -23,8 +23,8 @@ class NeighbourRows {
 
   /// Places of the true neighbours of i, padded by i.
   std::span<const LocalIndex> row(LocalIndex i) const {
-    const auto k = static_cast<std::size_t>(i);
-    const auto padded = static_cast<std::size_t>((count_[k] + kLanes - 1) / kLanes * kLanes);
+    const auto k = slot_of(i);
+    const auto padded = slot_of((count_[k] + kLanes - 1) / kLanes * kLanes);
     return {near_.data() + first_[k], padded};
   }
   /// What the first pass leaves to the second of each pair of the row, beside row(i).

@@ -259,7 +259,7 @@ BRUNT_INLINE void add_viscosity(const ForceRecords<Dim>& records, LocalIndex i, 
     sums.add(pairs[p], own_sound_speed, own_density, part[Record::kSoundSpeed - g],
              part[Record::kDensity - g], options);
     tense.pack[found] = static_cast<std::uint32_t>(p);
-    found += static_cast<std::size_t>(own_tension | int{any(part[Record::kTension - g] != 0.0)});
+    found += slot_of(own_tension | int{any(part[Record::kTension - g] != 0.0)});
   }
   tense.n = found;
   viscous = sums;

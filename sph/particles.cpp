@@ -48,7 +48,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
   for (auto& set : sets) {
     const Material& material = *set.material;
     for (const LocalIndex i : set.particle) {
-      const auto k = static_cast<std::size_t>(i);
+      const auto k = slot_of(i);
       block_of_[k] = static_cast<std::uint16_t>(blocks_.size());
       auto& state = state_[k];
       state.spacing = spacing[k];
@@ -66,12 +66,12 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
         material.initial_state(set.particle.size(), set.temperature,
                                set.adiabatic || (set.conducts && material.keeps_temperature()));
     for (std::size_t slot = 0; slot < set.particle.size() && !state.length.empty(); ++slot) {
-      state.length[slot] = spacing[static_cast<std::size_t>(set.particle[slot])];
+      state.length[slot] = spacing[slot_of(set.particle[slot])];
     }
     std::vector<Real> given;
     if (set.conducts && heats) given.assign(set.particle.size(), 0.0);
     blocks_.push_back({std::move(set), std::move(state), std::move(given)});
-    for (const LocalIndex i : blocks_.back().set.particle) set_size(static_cast<std::size_t>(i));
+    for (const LocalIndex i : blocks_.back().set.particle) set_size(slot_of(i));
   }
 }
 
@@ -196,7 +196,7 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
                                 1.0 / Kernel::value(1.0 / options.smoothing)};
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
-        const auto k = static_cast<std::size_t>(i);
+        const auto k = slot_of(i);
         const auto sums = sum_forces<Dim, Kernel>(records, i, rows_.row(i), rows_.weights(i), pair);
         auto& state = state_[k];
         const Real volume = depth_ * motion_[k].data[MotionRecord<Dim>::kVolume];

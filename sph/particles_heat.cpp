@@ -13,7 +13,7 @@ void SphParticles<Dim>::set_capacities() {
   points_.conduct(std::vector<Real>(points_.x.size(), 0.0));
   for (const auto& block : blocks_) {
     for (const LocalIndex point : block.set.particle) {
-      const auto i = static_cast<std::size_t>(point);
+      const auto i = slot_of(point);
       points_.temperature[i] = points_.start_temperature[i] = block.set.temperature;
       points_.capacity[i] =
           points_.mass[i] * block.set.material->specific_heat.at(block.set.temperature);
@@ -41,7 +41,7 @@ void SphParticles<Dim>::vary_capacities() {
     const auto at = std::find(varying.begin(), varying.end(), block.set.material);
     if (at == varying.end()) continue;
     for (const LocalIndex point : block.set.particle) {
-      const auto i = static_cast<std::size_t>(point);
+      const auto i = slot_of(point);
       points_.vary_capacity(i, static_cast<std::int32_t>(at - varying.begin()), points_.mass[i]);
     }
   }
@@ -63,7 +63,7 @@ void SphParticles<Dim>::take_temperatures() {
   for (auto& block : blocks_) {
     if (block.state.temperature.empty()) continue;
     for_each(block.set.particle.size(), [&](std::size_t slot) {
-      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      const auto i = slot_of(block.set.particle[slot]);
       block.state.temperature[slot] = points_.temperature[i];
     });
   }
@@ -76,7 +76,7 @@ void SphParticles<Dim>::refresh_heat() {
   for (const auto& block : blocks_) {
     const Varying& k = block.set.material->conductivity;
     for_each(block.set.particle.size(), [&](std::size_t slot) {
-      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      const auto i = slot_of(block.set.particle[slot]);
       Real* record = heat_[i].data;
       record[HeatRecord<Dim>::kTemperature] = points_.temperature[i];
       record[HeatRecord<Dim>::kConductivity] = k.at(points_.temperature[i]);
@@ -98,7 +98,7 @@ void SphParticles<Dim>::conduct(std::vector<Real>& rate, std::vector<Real>& cond
   for (auto& block : blocks_) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex point = block.set.particle[slot];
-      const auto i = static_cast<std::size_t>(point);
+      const auto i = slot_of(point);
       const PairHeat sums =
           sum_heat(motion_.data(), heat_.data(), point, rows_.row(point), rows_.weights(point));
       const Real volume = depth_ * motion_[i].data[MotionRecord<Dim>::kVolume];
@@ -113,7 +113,7 @@ void SphParticles<Dim>::give_mechanical_heat(Real inverse_dt) {
   for (auto& block : blocks_) {
     if (block.heat_given.empty()) continue;
     for_each(block.set.particle.size(), [&](std::size_t slot) {
-      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      const auto i = slot_of(block.set.particle[slot]);
       Real heat = 0;
       for (const auto* part : {&block.state.heat, &block.state.compression_heat}) {
         if (!part->empty()) heat += (*part)[slot] * state_[i].start_volume;

@@ -36,7 +36,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
   sums_.erase(std::unique(sums_.begin(), sums_.end()), sums_.end());
   std::vector<LocalIndex> kept, place(whole.points_.x.size(), -1);
   for (LocalIndex i = 0; i < whole.points_.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = slot_of(i);
     if (partition.of(whole.points_.id[k]) != ranks.rank()) continue;
     place[k] = static_cast<LocalIndex>(kept.size());
     kept.push_back(i);
@@ -194,7 +194,7 @@ bool SphParticles<Dim>::sums_hold(bool mine_hold) const {
   for (std::size_t i = 0; i < n_owned(); ++i) {
     if (sleeps(i)) continue;
     const auto sum = std::lower_bound(sums_.begin(), sums_.end(), sum_[i]);
-    Real* own = extremes.data() + static_cast<std::size_t>(sum - sums_.begin()) * width;
+    Real* own = extremes.data() + slot_of(sum - sums_.begin()) * width;
     for (int c = 0; c < Dim; ++c) {
       const Real u = points_.x[i][c] - watch_.x()[i][c];
       own[2 * c] = std::max(own[2 * c], -u);

@@ -98,7 +98,7 @@ void SphParticles<Dim>::add_tension(const ParticleBlock& block, std::size_t i,
 
 template <int Dim>
 std::uint64_t SphParticles<Dim>::slot_hash(const ParticleBlock& block, std::size_t slot) const {
-  const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+  const auto i = slot_of(block.set.particle[slot]);
   EntityHash hash(points_.id[i]);
   const auto add = [&](const auto& value, FieldUse use) {
     if constexpr (std::is_same_v<decltype(value), const Real&>) {
@@ -117,12 +117,12 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
                                   Totals<Dim>& totals) const {
   const auto &heat = block.state.heat, &compression = block.state.compression_heat;
   const auto& expansion = block.state.expansion_work;
-  const Label label = points_.body[static_cast<std::size_t>(block.set.particle[first])];
+  const Label label = points_.body[slot_of(block.set.particle[first])];
   BodySums<Dim>* body = label < totals.bodies.size() ? &totals.bodies[label] : nullptr;
   enum { internal, plastic, compressed, stress_work, viscous, artificial, expanded, kSums };
   ExactColumns<kSums> sums;
   for (std::size_t slot = first; slot < last; ++slot) {
-    const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+    const auto i = slot_of(block.set.particle[slot]);
     const auto& state = state_[i];
     if (sleeps(i)) continue;
     const Real plastic_heat = heat.empty() ? 0.0 : heat[slot] * state.start_volume;
@@ -135,10 +135,10 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
     if (totals.hashes) totals.state_hash += slot_hash(block, slot);
   }
   const auto give = [&](Column column, int from) {
-    totals.columns[static_cast<std::size_t>(column)].add(sums.sum(from));
+    totals.columns[slot_of(column)].add(sums.sum(from));
   };
   give(Column::internal, internal), give(Column::plastic_heat, plastic);
-  totals.columns[static_cast<std::size_t>(Column::expansion)].subtract(sums.sum(expanded));
+  totals.columns[slot_of(Column::expansion)].subtract(sums.sum(expanded));
   give(Column::viscosity, viscous), give(Column::artificial_stress, artificial);
   if (points_.conducts) {
     totals.heat.plastic.add(sums.sum(plastic)), totals.heat.compression.add(sums.sum(compressed));
@@ -174,7 +174,7 @@ void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_na
   };
   for (const auto& block : blocks_) {
     for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
-      const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+      const auto i = slot_of(block.set.particle[slot]);
       const Real density = block.set.material->density / state_[i].ratio;
       if (!(density > 0) || !is_finite(density)) {
         fail(i, "density [kg/m^3]", density,
@@ -195,7 +195,7 @@ template <int Dim>
 template <class Fields>
 void SphParticles<Dim>::add_fields(const ParticleBlock& block, std::size_t slot,
                                    Fields& fields) const {
-  const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+  const auto i = slot_of(block.set.particle[slot]);
   fields.template add<Dim>("displacement", points_.x[i] - points_.x_start[i]);
   fields.template add<Dim>("velocity", points_.v[i]);
   fields.template add<Dim>("acceleration", points_.a[i]);
@@ -212,10 +212,10 @@ template <int Dim>
 BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
   BodyView view;
   const auto most = std::count(points_.body.begin(), points_.body.begin() + points_.n_owned, body);
-  FieldList fields(wanted, static_cast<std::size_t>(most));
-  view.position.reserve(3 * static_cast<std::size_t>(most));
-  view.point_mass.reserve(static_cast<std::size_t>(most));
-  view.point_radius.reserve(static_cast<std::size_t>(most));
+  FieldList fields(wanted, slot_of(most));
+  view.position.reserve(3 * slot_of(most));
+  view.point_mass.reserve(slot_of(most));
+  view.point_radius.reserve(slot_of(most));
   const auto visit = [&](const auto& show) {
     for (const auto& block : blocks_) {
       for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
@@ -224,7 +224,7 @@ BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
     }
   };
   visit([&](const ParticleBlock& block, std::size_t slot) {
-    const auto i = static_cast<std::size_t>(block.set.particle[slot]);
+    const auto i = slot_of(block.set.particle[slot]);
     if (sleeps(i)) return;
     for (int d = 0; d < 3; ++d) view.position.push_back(d < Dim ? points_.x[i][d] : 0.0);
     add_fields(block, slot, fields);

@@ -28,7 +28,7 @@ bool SphParticles<Dim>::tile_sleeps(const ParticleBlock& block, std::size_t firs
   const auto& particle = block.set.particle;
   const std::size_t last = std::min(particle.size(), first + kTile);
   for (std::size_t slot = first; slot < last; ++slot) {
-    if (!sleeps(static_cast<std::size_t>(particle[slot]))) return false;
+    if (!sleeps(slot_of(particle[slot]))) return false;
   }
   return true;
 }
@@ -47,7 +47,7 @@ bool SphParticles<Dim>::take_over() {
   for (const ConvertedShare& share : carrier_->converted()) {
     const auto at = std::lower_bound(node_id_.begin(), node_id_.end(), share.point);
     assert(at != node_id_.end() && *at == share.point);
-    take_share(static_cast<std::size_t>(at - node_id_.begin()), share);
+    take_share(slot_of(at - node_id_.begin()), share);
   }
   return carrier_->any_converted();
 }
@@ -91,7 +91,7 @@ void SphParticles<Dim>::follow_nodes() {
   const Points<Dim>& nodes = carrier_->carrying_points();
   for_each(n_owned(), [&](std::size_t i) {
     if (sleeps(i)) return;
-    const auto k = static_cast<std::size_t>(node_[i]);
+    const auto k = slot_of(node_[i]);
     points_.x[i] = nodes.x[k], points_.x_rest[i] = nodes.x_rest[k], points_.v[i] = nodes.v[k];
     if (points_.conducts) points_.temperature[i] = nodes.temperature[k];
   });

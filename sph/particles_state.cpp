@@ -24,8 +24,8 @@ void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
   for (const auto& block : blocks_) {
     // Ghosts come last among the points, so their slots come last among the slots of a block.
     const auto& particle = block.set.particle;
-    const auto owned = static_cast<std::size_t>(
-        std::lower_bound(particle.begin(), particle.end(), points_.n_owned) - particle.begin());
+    const auto owned = slot_of(std::lower_bound(particle.begin(), particle.end(), points_.n_owned) -
+                               particle.begin());
     save_rows(
         table_of(block), owned, [&](std::size_t slot) { return points_.id[particle[slot]]; },
         [&](auto& row, std::size_t slot) { visit_slot(block, slot, saved_in(row)); }, tables);

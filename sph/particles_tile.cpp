@@ -31,7 +31,7 @@ template <int Dim>
 BRUNT_INLINE void load_stress(const MaterialState& state, std::size_t at, Pack (&sigma)[Dim][Dim]) {
   const Pack p = load(state.pressure.data() + at);
   const auto component = [&](std::size_t k) { return load(state.deviator[k].data() + at); };
-  for (int i = 0; i < Dim; ++i) sigma[i][i] = component(static_cast<std::size_t>(i)) - p;
+  for (int i = 0; i < Dim; ++i) sigma[i][i] = component(slot_of(i)) - p;
   sigma[0][1] = sigma[1][0] = component(xy);
   if constexpr (Dim == 3) {
     sigma[1][2] = sigma[2][1] = component(yz);
@@ -96,7 +96,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
   tile.adiabatic = block.set.adiabatic;
   const ParticleState<Dim> resting;
   for (int slot = 0; slot < kTile; ++slot) {
-    const std::size_t k = first + static_cast<std::size_t>(slot);
+    const std::size_t k = first + slot_of(slot);
     const auto& state = k < n ? state_[block.set.particle[k]] : resting;
     for (int c = 0; c < Dim * Dim; ++c) {
       stress.gradient[c][slot] = dt * state.velocity_gradient[c];
@@ -107,7 +107,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     tile.viscous_work[slot] = works ? dt * state.viscous_power / state.start_volume : 0.0;
   }
   for (int i = 0; i < kTile; i += kLanes) {
-    const std::size_t at = first + static_cast<std::size_t>(i);
+    const std::size_t at = first + slot_of(i);
     Pack end[Dim][Dim], s[6], strain[6];
     for (int c = 0; c < Dim * Dim; ++c) end[c / Dim][c % Dim] = load(stress.gradient[c] + i);
     for (std::size_t c = 0; c < 6; ++c) s[c] = load(block.state.deviator[c].data() + at);
@@ -122,7 +122,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
   }
   material.update(tile, dt);
   for (int i = 0; i < kTile; i += kLanes) {
-    const std::size_t at = first + static_cast<std::size_t>(i);
+    const std::size_t at = first + slot_of(i);
     Pack sigma[Dim][Dim];
     load_stress<Dim>(block.state, at, sigma);
     form_pair_stress<Dim>(sigma, block.set.options.artificial_stress, stress, i);
@@ -139,7 +139,7 @@ void SphParticles<Dim>::publish(ParticleBlock& block, std::size_t first, const T
   const bool artificial = block.set.options.artificial_stress != 0;
   const std::size_t n = std::min(block.set.particle.size() - first, std::size_t{kTile});
   for (std::size_t slot = 0; slot < n; ++slot) {
-    const auto i = static_cast<std::size_t>(block.set.particle[first + slot]);
+    const auto i = slot_of(block.set.particle[first + slot]);
     auto& state = state_[i];
     state.ratio *= tile.growth[slot];
     state.volume = state.start_volume * state.ratio;
@@ -172,7 +172,7 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
-        const auto k = static_cast<std::size_t>(i);
+        const auto k = slot_of(i);
         rows_.refresh(motion_.data(), i);
         const auto mean =
             mean_velocity<Dim, Kernel>(motion_.data(), stress_.data(), i, rows_.row(i));

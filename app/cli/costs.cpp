@@ -16,8 +16,7 @@ template <int Dim>
 void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary) {
   const auto seconds = [&](Phase phase) { return scene.phases.of(phase).seconds; };
   for (int p = 0; p < kPhases; ++p) {
-    summary.phases.emplace_back(kPhaseNames[static_cast<std::size_t>(p)],
-                                seconds(static_cast<Phase>(p)));
+    summary.phases.emplace_back(kPhaseNames[slot_of(p)], seconds(static_cast<Phase>(p)));
   }
   summary.points = static_cast<std::int64_t>(scene.n_points());
   summary.elements = static_cast<std::int64_t>(scene.n_elements());

@@ -43,8 +43,7 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
       for (const Label label : solid->points().body) points += label == b;
     }
     const BodyView view = scene.view(static_cast<Label>(b), kNoFields);
-    if (view.corners > 0)
-      elements = view.connectivity.size() / static_cast<std::size_t>(view.corners);
+    if (view.corners > 0) elements = view.connectivity.size() / slot_of(view.corners);
     if (body.rigid) {
       const bool conducts = heat_mode(loaded.deck, body, scene.body_names[b]) == HeatMode::conducts;
       std::printf("  %-16s rigid, %s: %zu %s%s\n", scene.body_names[b].c_str(),

@@ -42,10 +42,10 @@ std::string last_line(std::ifstream& file) {
   const std::streamoff size = file.tellg();
   for (std::streamoff part = 1 << 14;; part *= 4) {
     const std::streamoff from = std::max<std::streamoff>(0, size - part);
-    std::string text(static_cast<std::size_t>(size - from), '\0');
+    std::string text(slot_of(size - from), '\0');
     file.seekg(from);
     file.read(text.data(), size - from);
-    text.resize(static_cast<std::size_t>(file.gcount()));
+    text.resize(slot_of(file.gcount()));
     file.clear();
     const auto end = text.rfind('\n');
     if (end == std::string::npos && from > 0) continue;

@@ -13,7 +13,7 @@ const Levers& levers_of(Quality quality) {
       {PairOptions{}.stiffness, ElementOptions{}.integration, SphOptions{}.smoothing},
       {2, Integration::automatic, 1.7},
   }};
-  return kLevers[static_cast<std::size_t>(quality)];
+  return kLevers[slot_of(quality)];
 }
 
 Quality quality_of(const Node& root) {

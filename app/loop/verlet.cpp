@@ -9,7 +9,7 @@ void predict(Points<Dim>& points, Real dt, Real dt_last) {
   const Real change = (dt * dt - dt_last * dt_last) / 8;
 #pragma omp parallel for schedule(static)
   for (LocalIndex i = 0; i < points.n_owned; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = slot_of(i);
     points.integration[k] += change * points.mass[k] * points.a[k].squaredNorm();
     points.v[k] += 0.5 * dt * points.a[k];
     points.move(k, dt * points.v[k]);
@@ -25,7 +25,7 @@ template <int Dim>
 void correct(Points<Dim>& points, Real dt) {
 #pragma omp parallel for schedule(static)
   for (LocalIndex i = 0; i < points.n_owned; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = slot_of(i);
     if (points.mass[k] == 0) continue;
     points.a[k] = points.f[k] / points.mass[k];
     points.v[k] += 0.5 * dt * points.a[k];
@@ -33,7 +33,7 @@ void correct(Points<Dim>& points, Real dt) {
   if (!points.conducts) return;
 #pragma omp parallel for schedule(static)
   for (LocalIndex i = 0; i < points.n_owned; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = slot_of(i);
     points.heat[k] += dt * points.heat_rate[k];
     points.temperature[k] = points.temperature_with(k, points.heat[k]);
   }

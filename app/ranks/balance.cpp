@@ -31,7 +31,7 @@ Partition partition_of(const std::vector<Weighted<Dim>>& mine, const Communicato
     std::vector<Weighted<Dim>> points;
     Unpacker(bytes) >> points;
     for (const auto& point : points) {
-      const auto at = static_cast<std::size_t>(point.id);
+      const auto at = slot_of(point.id);
       if (at >= x.size()) x.resize(at + 1, Vec<Dim>::Zero()), weight.resize(at + 1, 0.0);
       x[at] = Vec<Dim>(point.x);
       weight[at] = point.weight;

@@ -177,7 +177,7 @@ std::vector<CurveChart> charts_of(const History& history) {
       {"Heat of bodies", "J", largest(scalars(history, "body.", ".heat"), 0)},
       {"Time step", "s", {}}};
   if (const int step = history.index("dt"); step >= 0) {
-    charts.back().curves.push_back({"dt", column(history, static_cast<std::size_t>(step))});
+    charts.back().curves.push_back({"dt", column(history, slot_of(step))});
   }
   std::erase_if(charts, [](const CurveChart& chart) { return chart.curves.empty(); });
   return charts;

@@ -16,13 +16,13 @@ int component(const Field& field, const std::string& suffix) {
 }
 
 std::vector<Real> pick(const Field& field, const std::string& suffix) {
-  const auto n = field.values.size() / static_cast<std::size_t>(field.components);
+  const auto n = field.values.size() / slot_of(field.components);
   if (field.components == 1) return field.values;
   std::vector<Real> values(n);
   const bool magnitude = suffix == "magnitude" || suffix.empty();
   const int c = magnitude ? 0 : component(field, suffix);
   for (std::size_t i = 0; i < n; ++i) {
-    const Real* v = &field.values[i * static_cast<std::size_t>(field.components)];
+    const Real* v = &field.values[i * slot_of(field.components)];
     if (!magnitude) {
       values[i] = v[c];
       continue;
@@ -36,7 +36,7 @@ std::vector<Real> pick(const Field& field, const std::string& suffix) {
 }  // namespace
 
 std::size_t nearest_entity(const BodyView& start, const std::vector<Real>& at, bool cells) {
-  const auto corners = static_cast<std::size_t>(cells ? start.corners : 1);
+  const auto corners = slot_of(cells ? start.corners : 1);
   const std::size_t n = cells ? start.connectivity.size() / corners : start.position.size() / 3;
   std::size_t best = 0;
   Real smallest = kInfinity;
@@ -45,7 +45,7 @@ std::size_t nearest_entity(const BodyView& start, const std::vector<Real>& at, b
     for (std::size_t c = 0; c < at.size(); ++c) {
       Real x = 0;
       for (std::size_t k = 0; k < corners; ++k) {
-        const auto p = cells ? static_cast<std::size_t>(start.connectivity[e * corners + k]) : e;
+        const auto p = cells ? slot_of(start.connectivity[e * corners + k]) : e;
         x += start.position[3 * p + c] / static_cast<Real>(corners);
       }
       square += (x - at[c]) * (x - at[c]);

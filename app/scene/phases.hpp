@@ -26,8 +26,8 @@ struct Phases {
   const Communicator* ranks = &lone_rank();
   std::array<WallTime, kPhases> time{};
 
-  WallTime& of(Phase phase) { return time[static_cast<std::size_t>(phase)]; }
-  const WallTime& of(Phase phase) const { return time[static_cast<std::size_t>(phase)]; }
+  WallTime& of(Phase phase) { return time[slot_of(phase)]; }
+  const WallTime& of(Phase phase) const { return time[slot_of(phase)]; }
 };
 
 /// Adds its life time to a phase.

@@ -41,9 +41,9 @@ std::optional<std::array<Real, N>> solved(std::array<std::array<Real, N>, N> a,
 /// Weights of the corners of an element at a place; nothing where it does not hold the place.
 std::optional<std::vector<Real>> weights_in(const BodyView& view, const ElementType& type,
                                             std::size_t cell, const std::vector<Real>& at) {
-  const std::size_t dim = at.size(), corners = static_cast<std::size_t>(view.corners);
+  const std::size_t dim = at.size(), corners = slot_of(view.corners);
   const auto x = [&](std::size_t I, std::size_t c) {
-    return view.position[3 * static_cast<std::size_t>(view.connectivity[cell * corners + I]) + c];
+    return view.position[3 * slot_of(view.connectivity[cell * corners + I]) + c];
   };
   for (std::size_t c = 0; c < dim; ++c) {
     Real low = kInfinity, high = -kInfinity;
@@ -126,12 +126,12 @@ bool weigh_particles(const BodyView& view, const std::vector<Real>& at, Real rea
 }
 
 Real centre_distance(const BodyView& view, std::size_t cell, const std::vector<Real>& at) {
-  const auto corners = static_cast<std::size_t>(view.corners);
+  const auto corners = slot_of(view.corners);
   Real square = 0;
   for (std::size_t c = 0; c < at.size(); ++c) {
     Real x = 0;
     for (std::size_t I = 0; I < corners; ++I) {
-      const auto p = static_cast<std::size_t>(view.connectivity[cell * corners + I]);
+      const auto p = slot_of(view.connectivity[cell * corners + I]);
       x += view.position[3 * p + c] / static_cast<Real>(corners);
     }
     square += (x - at[c]) * (x - at[c]);
@@ -142,7 +142,7 @@ Real centre_distance(const BodyView& view, std::size_t cell, const std::vector<R
 
 Place find_place(const BodyView& start, const std::vector<Real>& at) {
   Place place;
-  const auto corners = static_cast<std::size_t>(start.corners);
+  const auto corners = slot_of(start.corners);
   const std::size_t nearest = nearest_entity(start, at, false);
   const auto dimension = static_cast<int>(at.size());
   const ElementType* type =
@@ -153,7 +153,7 @@ Place find_place(const BodyView& start, const std::vector<Real>& at) {
       if (!weights) continue;
       place.cell = cell, place.weights = *weights;
       for (std::size_t I = 0; I < corners; ++I) {
-        place.points.push_back(static_cast<std::size_t>(start.connectivity[cell * corners + I]));
+        place.points.push_back(slot_of(start.connectivity[cell * corners + I]));
       }
       return place;
     }

@@ -205,7 +205,7 @@ Totals<Dim> Scene<Dim>::totals(Real dt, bool hashes) const {
     solid->add_totals(totals);
   }
   for (const auto& body : totals.bodies) {  // so far of points, once for both
-    totals.columns[static_cast<std::size_t>(Column::integration)].add(body.integration);
+    totals.columns[slot_of(Column::integration)].add(body.integration);
   }
   if (contact) contact->add_totals(totals);
   rigid_motions.add_totals(totals);
@@ -375,7 +375,7 @@ void Scene<Dim>::load_state(const StateTables& tables) {
 template <int Dim>
 std::size_t Scene<Dim>::n_points() const {
   std::size_t n = 0;
-  for (const auto& solid : solids) n += static_cast<std::size_t>(solid->points().n_owned);
+  for (const auto& solid : solids) n += slot_of(solid->points().n_owned);
   return ranks->sum(n);
 }
 

@@ -17,7 +17,7 @@ struct BodyElements {
   std::span<const int> operator[](std::size_t e) const { return {&corner[e * n()], n()}; }
 
  private:
-  std::size_t n() const { return static_cast<std::size_t>(type->corners); }
+  std::size_t n() const { return slot_of(type->corners); }
 };
 
 /// Points of a body by the name that its mesh file gives them.

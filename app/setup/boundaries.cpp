@@ -46,7 +46,7 @@ struct Choose {
     return where([&](LocalIndex i) {
       bool inside = true;
       for (int c = 0; c < Dim; ++c) {
-        const auto k = static_cast<std::size_t>(c);
+        const auto k = slot_of(c);
         inside = inside && place(i)[c] >= box.min[k] - tolerance &&
                  place(i)[c] <= box.max[k] + tolerance;
       }
@@ -68,7 +68,7 @@ struct Choose {
     });
     if (set == sets.end()) return {};
     return where([&](LocalIndex i) {
-      const GlobalId id = points.id[static_cast<std::size_t>(i)];
+      const GlobalId id = points.id[slot_of(i)];
       return std::binary_search(set->points.begin(), set->points.end(), id);
     });
   }

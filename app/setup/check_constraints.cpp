@@ -91,7 +91,7 @@ void check_pair(const LoadedDeck& loaded, const MotionSupport<Dim>& a, const Mot
   if (window.empty()) return;
   const auto shared = shared_points(a.patch, b.patch);
   for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
+    const auto k = slot_of(c);
     if (!a.velocity[k] || !b.velocity[k]) continue;
     for (const LocalIndex point : some_of(shared)) {
       for (const Real time : window.times()) {

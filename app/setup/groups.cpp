@@ -28,7 +28,7 @@ template <int Dim>
 Vec<Dim> start_velocity(const deck::Body& body, const Vec<Dim>& absolute) {
   Vec<Dim> v = vector_of<Dim>(body.velocity);
   for (int c = 0; deck::has_velocity_field(body) && c < Dim; ++c) {
-    const Varying& given = *(*body.start_velocity)[static_cast<std::size_t>(c)];
+    const Varying& given = *(*body.start_velocity)[slot_of(c)];
     Vec3 place = Vec3::Zero();
     place.template head<Dim>() = absolute;
     v[c] = function_of(given)(0, place);
@@ -104,7 +104,7 @@ void add_sets(const BodyGeometry<Dim>& body, const std::vector<LocalIndex>& plac
   for (const NamedPoints& named : body.sets) {
     PointSet& set = sets.emplace_back(PointSet{body.label, named.name, {}});
     for (const int i : named.points) {
-      const auto place = static_cast<std::size_t>(place_of[static_cast<std::size_t>(i)]);
+      const auto place = slot_of(place_of[slot_of(i)]);
       set.points.push_back(points.id[place]);
     }
     std::sort(set.points.begin(), set.points.end());
@@ -313,7 +313,7 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
       facet.temperature =
           loaded.deck.bodies[facet.body].value.temperature.value_or(loaded.deck.ambient);
       for (int c = 0; c < facet.n_nodes(); ++c) {
-        const auto node = static_cast<std::size_t>(facet.node[c]);
+        const auto node = slot_of(facet.node[c]);
         gathered.points.piece[node] = facet.piece;
       }
       if (heated) facet.capacity = kInfinity;

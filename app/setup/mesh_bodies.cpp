@@ -33,8 +33,8 @@ Taken take_cells(const deck::Body& body, const MeshFile& mesh, std::vector<int> 
   Taken taken;
   std::vector<int> place(mesh.nodes.size(), -1);
   for (const int cell : cells) {
-    for (const int node : mesh.corners(static_cast<std::size_t>(cell))) {
-      place[static_cast<std::size_t>(node)] = 0;
+    for (const int node : mesh.corners(slot_of(cell))) {
+      place[slot_of(node)] = 0;
     }
   }
   for (std::size_t node = 0; node < place.size(); ++node) {
@@ -44,8 +44,8 @@ Taken take_cells(const deck::Body& body, const MeshFile& mesh, std::vector<int> 
     taken.cells.nodes.push_back(body.scale * mesh.nodes[node]);
   }
   for (const int cell : cells) {
-    for (const int node : mesh.corners(static_cast<std::size_t>(cell))) {
-      taken.cells.corner.push_back(place[static_cast<std::size_t>(node)]);
+    for (const int node : mesh.corners(slot_of(cell))) {
+      taken.cells.corner.push_back(place[slot_of(node)]);
     }
   }
   taken.cell = std::move(cells);
@@ -59,13 +59,13 @@ void flatten(const MeshFile& mesh, Taken& taken) {
   for (const Vec3& x : nodes) extent = std::max(extent, (x - nodes[0]).cwiseAbs().maxCoeff());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (std::fabs(nodes[i][2] - nodes[0][2]) <= 1e-9 * extent) continue;
-    refuse_mesh(mesh.node_name(static_cast<std::size_t>(taken.node[i])) +
+    refuse_mesh(mesh.node_name(slot_of(taken.node[i])) +
                 " lies beside the plane of the others: a body in two dimensions lies in a plane of "
                 "constant z");
   }
   for (std::size_t e = 0; e < taken.cells.corner.size() / 4; ++e) {
     int* corner = &taken.cells.corner[4 * e];
-    const auto at = [&](int c) { return nodes[static_cast<std::size_t>(corner[c])]; };
+    const auto at = [&](int c) { return nodes[slot_of(corner[c])]; };
     const Vec3 a = at(2) - at(0), b = at(3) - at(1);
     if (a[0] * b[1] - a[1] * b[0] < 0) std::swap(corner[1], corner[3]);
   }
@@ -86,8 +86,8 @@ CellFindings sound_cells(const deck::Body& body, const MeshFile& mesh, const Tak
   CellFindings findings = check_cells(taken.cells);
   if (findings.sound()) return findings;
   const auto name = [&](int cell) {
-    const auto in_file = taken.cell[static_cast<std::size_t>(cell)];
-    return mesh.cell_name(static_cast<std::size_t>(in_file));
+    const auto in_file = taken.cell[slot_of(cell)];
+    return mesh.cell_name(slot_of(in_file));
   };
   const auto group = [&](const auto& cells) {
     std::string text;
@@ -121,8 +121,8 @@ CellFindings sound_cells(const deck::Body& body, const MeshFile& mesh, const Tak
 void add_notes(const MeshFile& mesh, const Taken& taken, const CellFindings& findings,
                std::vector<std::string>& notes) {
   const auto name = [&](int node) {
-    const auto in_file = taken.node[static_cast<std::size_t>(node)];
-    return mesh.node_name(static_cast<std::size_t>(in_file));
+    const auto in_file = taken.node[slot_of(node)];
+    return mesh.node_name(slot_of(in_file));
   };
   if (!findings.hinges.empty()) {
     notes.push_back("elements hang together at single nodes or edges, and turn about them: " +
@@ -140,17 +140,17 @@ void add_notes(const MeshFile& mesh, const Taken& taken, const CellFindings& fin
 void name_points(const MeshFile& mesh, const Taken& taken, std::vector<NamedPoints>& sets) {
   std::vector<int> place(mesh.nodes.size(), -1);
   for (std::size_t i = 0; i < taken.node.size(); ++i) {
-    place[static_cast<std::size_t>(taken.node[i])] = static_cast<int>(i);
+    place[slot_of(taken.node[i])] = static_cast<int>(i);
   }
   for (const MeshSet& set : mesh.sets) {
     NamedPoints named{set.name, {}};
     const auto add = [&](int node) {
-      const int point = place[static_cast<std::size_t>(node)];
+      const int point = place[slot_of(node)];
       if (point >= 0) named.points.push_back(point);
     };
     for (const int node : set.nodes) add(node);
     for (const int cell : set.cells) {
-      for (const int node : mesh.corners(static_cast<std::size_t>(cell))) add(node);
+      for (const int node : mesh.corners(slot_of(cell))) add(node);
     }
     std::sort(named.points.begin(), named.points.end());
     named.points.erase(std::unique(named.points.begin(), named.points.end()), named.points.end());
@@ -170,7 +170,7 @@ template <int Dim>
 Taken take_elements_of(const deck::Body& body, const MeshFile& mesh, CellFindings& findings) {
   const auto cells = elements_among(body, mesh, cells_of(body, mesh), Dim);
   Taken taken = take_cells(body, mesh, cells);
-  const CellKind kind = mesh.kind[static_cast<std::size_t>(cells.front())];
+  const CellKind kind = mesh.kind[slot_of(cells.front())];
   taken.cells.type = element_type(Dim, info(kind).corners);
   if constexpr (Dim == 2) flatten(mesh, taken);
   findings = sound_cells(body, mesh, taken);
@@ -196,7 +196,7 @@ void take_mesh_elements(const deck::Body& body, const MeshFile& mesh, int max_ce
     elements.corner = taken.cells.corner;
     piece.assign(findings.component.begin(), findings.component.end());
   }
-  if (elements.size() > static_cast<std::size_t>(max_cells)) {
+  if (elements.size() > slot_of(max_cells)) {
     refuse_mesh(part_name(body) + " has " + std::to_string(elements.size()) +
                 " elements, more than max_cells, " + std::to_string(max_cells) +
                 "; where so many are meant, raise max_cells");
@@ -220,7 +220,7 @@ template <int Dim>
 std::vector<std::array<int, 4>> faces_of(const deck::Body& body, const MeshFile& mesh,
                                          Taken& taken) {
   const auto cells = cells_of(body, mesh);
-  const auto dim = [&](int cell) { return info(mesh.kind[static_cast<std::size_t>(cell)]).dim; };
+  const auto dim = [&](int cell) { return info(mesh.kind[slot_of(cell)]).dim; };
   if (std::any_of(cells.begin(), cells.end(), [&](int cell) { return dim(cell) >= Dim; })) {
     CellFindings findings;
     taken = take_elements_of<Dim>(body, mesh, findings);
@@ -229,22 +229,21 @@ std::vector<std::array<int, 4>> faces_of(const deck::Body& body, const MeshFile&
   std::vector<int> chosen;
   for (const int cell : cells) {
     if (dim(cell) != Dim - 1) continue;
-    const CellKind kind = mesh.kind[static_cast<std::size_t>(cell)];
+    const CellKind kind = mesh.kind[slot_of(cell)];
     if (info(kind).corners == 0) {
       refuse_mesh(part_name(body) + " has " + info(kind).name + ": " + instead_of(kind, Dim));
     }
     chosen.push_back(cell);
   }
   if (chosen.empty()) {
-    refuse_mesh(part_name(body) + " has " +
-                info(mesh.kind[static_cast<std::size_t>(cells[0])]).name +
+    refuse_mesh(part_name(body) + " has " + info(mesh.kind[slot_of(cells[0])]).name +
                 ": a rigid body is made of solid elements or of the faces about it");
   }
   taken = take_cells(body, mesh, chosen);
   std::vector<std::array<int, 4>> faces;
   const int* corner = taken.cells.corner.data();
   for (const int cell : chosen) {
-    const int n = info(mesh.kind[static_cast<std::size_t>(cell)]).corners;
+    const int n = info(mesh.kind[slot_of(cell)]).corners;
     std::array<int, 4> face{-1, -1, -1, -1};
     std::copy_n(corner, n, face.begin());
     faces.push_back(face);
@@ -276,10 +275,10 @@ void take_mesh_facets(const deck::Body& body, const MeshFile& mesh, BodyGeometry
     for (std::size_t c = 0; c < facet.size(); ++c) {
       facet[c] = -1;
       if (face[c] < 0) continue;
-      int& at = place[static_cast<std::size_t>(face[c])];
+      int& at = place[slot_of(face[c])];
       if (at < 0) {
         at = static_cast<int>(nodes.size());
-        nodes.push_back(taken.cells.nodes[static_cast<std::size_t>(face[c])]);
+        nodes.push_back(taken.cells.nodes[slot_of(face[c])]);
       }
       facet[c] = at;
     }

@@ -79,7 +79,7 @@ bool is_element(CellKind kind, int dim) {
 std::vector<int> elements_among(const deck::Body& body, const MeshFile& mesh,
                                 const std::vector<int>& cells, int dim) {
   std::vector<int> chosen;
-  const auto kind = [&](int cell) { return mesh.kind[static_cast<std::size_t>(cell)]; };
+  const auto kind = [&](int cell) { return mesh.kind[slot_of(cell)]; };
   for (const int cell : cells) {
     if (info(kind(cell)).dim == dim) chosen.push_back(cell);
   }
@@ -94,12 +94,11 @@ std::vector<int> elements_among(const deck::Body& body, const MeshFile& mesh,
   for (const int cell : chosen) {
     if (!is_element(kind(cell), dim)) {
       refuse_mesh(part_name(body) + " has " + info(kind(cell)).name + ", as " +
-                  mesh.cell_name(static_cast<std::size_t>(cell)) + ": " +
-                  instead_of(kind(cell), dim));
+                  mesh.cell_name(slot_of(cell)) + ": " + instead_of(kind(cell), dim));
     }
     if (kind(cell) != kind(chosen.front())) {
       refuse_mesh(part_name(body) + " has " + info(kind(chosen.front())).name + " and " +
-                  info(kind(cell)).name + ", as " + mesh.cell_name(static_cast<std::size_t>(cell)) +
+                  info(kind(cell)).name + ", as " + mesh.cell_name(slot_of(cell)) +
                   ": a body has elements of one kind; make two bodies of two sets");
     }
   }

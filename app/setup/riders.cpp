@@ -50,7 +50,7 @@ std::vector<Seat> find_seats(const FiniteElements<Dim>& elements, std::vector<Pa
         auto& seat = seats[node];
         seat.size += factor * block.reference_size[e];
         ++seat.elements;
-        seat.set = static_cast<std::size_t>(set - sets.begin());
+        seat.set = slot_of(set - sets.begin());
       }
     }
   }
@@ -82,7 +82,7 @@ std::unique_ptr<SphParticles<Dim>> make_riders(const LoadedDeck& loaded, const S
   points.resize(static_cast<LocalIndex>(on.size()));
   Label last = 0;
   for (std::size_t i = 0; i < on.size(); ++i) {
-    const auto k = static_cast<std::size_t>(places[i]);
+    const auto k = slot_of(places[i]);
     points.id[i] = next.point++;
     points.body[i] = nodes.body[k], points.piece[i] = nodes.piece[k];
     points.x[i] = points.x_start[i] = nodes.x[k];

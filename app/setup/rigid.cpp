@@ -75,7 +75,7 @@ Real mean_compliance_of(const FreeBody<Dim>& made, const Points<Dim>& points,
     const int n = facet.n_nodes();
     std::array<Vec3, Facet<Dim>::kNodes> arm;
     Vec3 middle = Vec3::Zero();
-    for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
+    for (std::size_t c = 0; c < slot_of(n); ++c) {
       arm[c] = -made.center;
       arm[c].template head<Dim>() += points.x_start[facet.node[c]];
       middle += arm[c] / n;
@@ -84,7 +84,7 @@ Real mean_compliance_of(const FreeBody<Dim>& made, const Points<Dim>& points,
                       : n == 3 ? 0.5 * (arm[1] - arm[0]).cross(arm[2] - arm[0]).norm()
                                : 0.5 * (arm[2] - arm[0]).cross(arm[n - 1] - arm[1]).norm();
     const Real toward = n == 3 ? 0.5 : 1 / std::sqrt(3.0);  // the corners, from the middle
-    for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
+    for (std::size_t c = 0; c < slot_of(n); ++c) {
       springs.add(middle + toward * (arm[c] - middle), area / n);
     }
   }
@@ -106,7 +106,7 @@ void set_facets(const Material& material, const MassProperties& properties,
     facet.compliance = 1 / made.state.mass;
     facet.mean_compliance = mean;
     for (int c = 0; c < facet.n_nodes() && made.turns; ++c) {
-      const auto node = static_cast<std::size_t>(facet.node[c]);
+      const auto node = slot_of(facet.node[c]);
       Vec3 arm = -made.center;
       arm.template head<Dim>() += points.x_start[node];
       facet.compliance = std::max(facet.compliance,

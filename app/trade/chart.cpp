@@ -214,7 +214,7 @@ Drawing trade_chart(const Trade& trade) {
                            false, false, kBlack});
   for (int k = 0; k < panels; ++k) {
     const int row = k / columns, column = k % columns;
-    draw_panel(drawing, trade, trade.fronts[static_cast<std::size_t>(k)], column * kPanelWidth,
+    draw_panel(drawing, trade, trade.fronts[slot_of(k)], column * kPanelWidth,
                kTitle + row * kPanelHeight);
   }
   return drawing;

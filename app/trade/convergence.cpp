@@ -188,8 +188,8 @@ Convergence fit_convergence(std::vector<SizedValue> values) {
 std::vector<Real> effective_sizes(const std::vector<Real>& nominal,
                                   const std::vector<Real>& cells) {
   const auto [low, high] = std::minmax_element(nominal.begin(), nominal.end());
-  const auto fine = static_cast<std::size_t>(low - nominal.begin());
-  const auto coarse = static_cast<std::size_t>(high - nominal.begin());
+  const auto fine = slot_of(low - nominal.begin());
+  const auto coarse = slot_of(high - nominal.begin());
   if (!(*low > 0) || !(*high > *low) || !(cells[fine] > cells[coarse])) return nominal;
   const Real exponent = std::log(cells[fine] / cells[coarse]) / std::log(*high / *low);
   const Real directions = std::round(exponent);

@@ -136,7 +136,7 @@ void add_bounds(const std::vector<Variant>& variants, const StudyResult& study,
     runs.push_back(&study.runs[v].summary);
   }
   const auto least = std::min_element(sizes.begin(), sizes.end()) - sizes.begin();
-  const RunSummary& finest = *runs[static_cast<std::size_t>(least)];
+  const RunSummary& finest = *runs[slot_of(least)];
   for (auto& measure : summary.measures) {
     const auto found = convergence_of(sizes, runs, measure.name);
     if (!found) {

@@ -12,7 +12,7 @@ using Lines = std::vector<std::vector<std::string>>;
 
 /// Characters that a terminal shows.
 std::size_t shown_width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+  return slot_of(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
 }

@@ -137,7 +137,7 @@ void add_fits(const std::vector<Variant>& variants, const std::vector<Vary>& var
     }
     if (sizes.size() < 2) continue;
     const auto least = std::min_element(sizes.begin(), sizes.end()) - sizes.begin();
-    fit.finest = fit.rows[static_cast<std::size_t>(least)];
+    fit.finest = fit.rows[slot_of(least)];
     for (fit.measure = 0; fit.measure < trade.measures.size(); ++fit.measure) {
       const auto found = convergence_of(sizes, runs, trade.measures[fit.measure]);
       if (!found) continue;

@@ -122,7 +122,7 @@ std::string label_of_choices(const std::vector<Vary>& varies, const std::vector<
   for (std::size_t k = 0; k < varies.size(); ++k) {
     if (choices[k] < 0) continue;
     if (!label.empty()) label += ", ";
-    label += varies[k].label + " " + varies[k].values[static_cast<std::size_t>(choices[k])];
+    label += varies[k].label + " " + varies[k].values[slot_of(choices[k])];
   }
   return label.empty() ? "as it stands" : label;
 }
@@ -185,8 +185,7 @@ std::vector<Variant> make_variants(const std::string& deck,
     for (std::size_t k = 0; k < varies.size(); ++k) {
       if (choices[k] < 0) continue;
       for (const auto& key : varies[k].keys) {
-        variant.overrides.push_back(key + "=" +
-                                    varies[k].values[static_cast<std::size_t>(choices[k])]);
+        variant.overrides.push_back(key + "=" + varies[k].values[slot_of(choices[k])]);
       }
     }
     std::vector<DeckProblem> found;

@@ -29,7 +29,7 @@ std::string_view source_name(EnergySource source) {
   static constexpr std::array<std::string_view, kEnergySources> names = {
       "artificial_stress", "integration",     "hourglass",        "viscosity", "stress_work",
       "contact.pairs",     "contact.damping", "contact.friction", "damping"};
-  return names[static_cast<std::size_t>(source)];
+  return names[slot_of(source)];
 }
 
 template <int Dim>

@@ -18,7 +18,7 @@ struct EnergyLook {
   std::array<Real, kColumns> columns{};
   std::vector<Body> bodies;
 
-  Real column(Column which) const { return columns[static_cast<std::size_t>(which)]; }
+  Real column(Column which) const { return columns[slot_of(which)]; }
 };
 /// sum_of_body  by label, the body that stands for all whose particles share one sum: what these do
 /// to each other is no work of either

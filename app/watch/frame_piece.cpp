@@ -23,7 +23,7 @@ void keep_rows(std::vector<Value>& values, const std::vector<char>& keep, std::s
 /// Without copies of points that none of the cells touches.
 void drop_idle_copies(BodyView& view) {
   std::vector<char> keep = view.point_owned;
-  for (const auto corner : view.connectivity) keep.at(static_cast<std::size_t>(corner)) = 1;
+  for (const auto corner : view.connectivity) keep.at(slot_of(corner)) = 1;
   std::vector<std::int64_t> number(keep.size());
   std::int64_t n = 0;
   for (std::size_t i = 0; i < keep.size(); ++i) number[i] = keep[i] ? n++ : -1;
@@ -33,7 +33,7 @@ void drop_idle_copies(BodyView& view) {
   keep_rows(view.point_radius, keep, 1);
   keep_rows(view.point_owned, keep, 1);
   for (auto& field : view.point_fields) {
-    keep_rows(field.values, keep, static_cast<std::size_t>(field.components));
+    keep_rows(field.values, keep, slot_of(field.components));
   }
 }
 
@@ -89,7 +89,7 @@ BodyView frame_piece(const BodyView& mine, const Partition& partition, const Com
   if (!view.point_owned.empty()) drop_idle_copies(view);
   const Copies copies = find_copies(view, partition, ranks);
   std::size_t width = 3;
-  for (const auto& field : view.point_fields) width += static_cast<std::size_t>(field.components);
+  for (const auto& field : view.point_fields) width += slot_of(field.components);
   const auto each = [&view](const auto& what) {
     what(view.position, 3);
     for (auto& field : view.point_fields) what(field.values, field.components);
@@ -99,13 +99,13 @@ BodyView frame_piece(const BodyView& mine, const Partition& partition, const Com
       [&](std::size_t owned, Real* out) {
         const std::size_t at = copies.owned_place[owned];
         each([&](std::vector<Real>& values, int n) {
-          const auto components = static_cast<std::size_t>(n);
+          const auto components = slot_of(n);
           out = std::copy_n(&values[at * components], components, out);
         });
       },
       [&](std::size_t at, const Real* in) {
         each([&](std::vector<Real>& values, int n) {
-          const auto components = static_cast<std::size_t>(n);
+          const auto components = slot_of(n);
           std::copy_n(in, components, &values[at * components]);
           in += components;
         });

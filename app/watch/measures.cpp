@@ -19,7 +19,7 @@ constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
 Real extent(const BodyView& view, int axis) {
   Real low = kInfinity, high = -kInfinity;
   for (std::size_t i = 0; i < view.position.size() / 3; ++i) {
-    const Real x = view.position[3 * i + static_cast<std::size_t>(axis)];
+    const Real x = view.position[3 * i + slot_of(axis)];
     const Real radius = view.point_radius.empty() ? 0.0 : view.point_radius[i];
     low = std::min(low, x - radius), high = std::max(high, x + radius);
   }
@@ -32,7 +32,7 @@ Real reduce_history(const deck::HistoryMeasure& measure, const MeasureSource& so
   if (found == names.end()) {
     throw std::invalid_argument("there is no history column '" + measure.column + "'");
   }
-  const auto column = static_cast<std::size_t>(found - names.begin());
+  const auto column = slot_of(found - names.begin());
   Real sum = 0, low = kInfinity, high = -kInfinity, last = 0, integral = 0, before = 0;
   std::size_t count = 0;
   for (const auto& row : *source.rows) {
@@ -65,7 +65,7 @@ std::optional<std::size_t> entry_now(const std::vector<Field>& start, const std:
   const auto& ids = after->values;
   const auto found = std::find(ids.begin(), ids.end(), before->values[at]);
   if (found == ids.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - ids.begin());
+  return slot_of(found - ids.begin());
 }
 
 /// A place of time 0 among what is left by now; none where a part of it has eroded.

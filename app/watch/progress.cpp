@@ -25,8 +25,7 @@ std::size_t terminal_width() {
 
 std::string bar_of(double fraction, int width) {
   const int full = std::clamp(static_cast<int>(fraction * width), 0, width);
-  return "[" + std::string(static_cast<std::size_t>(full), '#') +
-         std::string(static_cast<std::size_t>(width - full), '.') + "] ";
+  return "[" + std::string(slot_of(full), '#') + std::string(slot_of(width - full), '.') + "] ";
 }
 }  // namespace
 

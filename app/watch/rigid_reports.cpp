@@ -67,7 +67,7 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
     const Vec3 force = in_space<Dim>(points.f[i]);
     const Vec3 torque = (in_space<Dim>(points.x[i]) - about[points.body[i]]).cross(force);
     for (int c = 0; c < 3; ++c) {
-      const auto k = static_cast<std::size_t>(c);
+      const auto k = slot_of(c);
       sums[found->second].sum[k].add(force[c]);
       sums[found->second].sum[3 + k].add(torque[c]);
     }

@@ -74,7 +74,7 @@ void Loads<Dim>::add_forces(Real time, Real dt) {
     const Real rate = time <= until_ ? rate_ : 0.0;
 #pragma omp parallel for schedule(static)
     for (LocalIndex point = 0; point < points.n_owned; ++point) {
-      const auto i = static_cast<std::size_t>(point);
+      const auto i = slot_of(point);
       if (has_gravity_) {
         const Vec<Dim> weight = points.mass[i] * gravity_;
         points.f[i] += weight;

@@ -41,7 +41,7 @@ void Patch<Dim>::take_facets(std::vector<Facet<Dim>> faces) {
   for (const auto& facet : facets) {
     auto& places = corners.emplace_back();
     places.fill(-1);
-    for (std::size_t c = 0; c < static_cast<std::size_t>(facet.n_nodes()); ++c) {
+    for (std::size_t c = 0; c < slot_of(facet.n_nodes()); ++c) {
       const auto at = std::lower_bound(chosen.begin(), chosen.end(), facet.node[c]);
       if (at == chosen.end() || *at != facet.node[c]) continue;
       places[c] = static_cast<LocalIndex>(at - chosen.begin());
@@ -96,8 +96,8 @@ constexpr Real kGauss = 0.57735026918962576451;
 
 /// An edge: a place of it is at radius x[0] where the section is axisymmetric.
 void add_points(const Patch<2>& patch, const Facet<2>& facet, FacetPoints<2>& to) {
-  const auto i = static_cast<std::size_t>(facet.node[0]);
-  const auto j = static_cast<std::size_t>(facet.node[1]);
+  const auto i = slot_of(facet.node[0]);
+  const auto j = slot_of(facet.node[1]);
   const auto& x = patch.points->x;
   const Vec<2> edge = x[j] - x[i];
   for (const Real at : {-kGauss, kGauss}) {
@@ -145,7 +145,7 @@ FacetPoints<Dim> facet_points(const Patch<Dim>& patch, const Facet<Dim>& facet) 
   for (std::size_t k = 0; k < all.n; ++k) {
     Vec<Dim> start = patch.origin;
     for (int c = 0; c < facet.n_nodes(); ++c) {
-      const auto corner = static_cast<std::size_t>(c);
+      const auto corner = slot_of(c);
       start += all.point[k].shape[corner] * patch.points->x_start[facet.node[corner]];
     }
     all.point[k].start = in_space<Dim>(start);

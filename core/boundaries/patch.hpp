@@ -31,7 +31,7 @@ struct Patch {
   bool acts(Real time) const { return time >= from && time <= to; }
   bool has_particles() const { return !spacing.empty(); }
   std::size_t size() const { return chosen.size(); }
-  std::size_t point(std::size_t k) const { return static_cast<std::size_t>(chosen[k]); }
+  std::size_t point(std::size_t k) const { return slot_of(chosen[k]); }
   /// [m] absolute place at time 0 of chosen point k.
   Vec3 place(std::size_t k) const { return in_space<Dim>(points->x_start[point(k)] + origin); }
   /// faces  all of whose points are chosen, by id

@@ -64,7 +64,7 @@ void RigidMotions<Dim>::impose(Real time, Real dt) {
     const LocalIndex n = points.size();  // copies have a prescribed motion too
 #pragma omp parallel for schedule(static)
     for (LocalIndex point = 0; point < n; ++point) {
-      const auto i = static_cast<std::size_t>(point);
+      const auto i = slot_of(point);
       if (rigid.motion_of_point[i] == kFree) continue;
       const auto& motion = rigid.motions[rigid.motion_of_point[i]];
       const Vec<Dim> now = motion.position(points.x_start[i], time);

@@ -105,15 +105,15 @@ void add_area(const Patch<3>& patch, const Facet<3>& facet, const To& to) {
   const Vec3 a = x(2) - x(0), b = n == 3 ? Vec3(x(1) - x(0)) : Vec3(x(3) - x(1));
   const Vec3 cross = a.cross(b);
   const Real share = 0.5 * std::sqrt(cross.dot(cross)) / n;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
+  for (std::size_t c = 0; c < slot_of(n); ++c) {
     if (Real* area = to(c)) *area += share;
   }
 }
 /// The same of an edge: int N_I (constant + radial r) ds.
 template <class To>
 void add_area(const Patch<2>& patch, const Facet<2>& facet, const To& to) {
-  const auto i = static_cast<std::size_t>(facet.node[0]);
-  const auto j = static_cast<std::size_t>(facet.node[1]);
+  const auto i = slot_of(facet.node[0]);
+  const auto j = slot_of(facet.node[1]);
   const auto& x = patch.points->x;
   const Real constant = patch.depth, radial = patch.depth > 0 ? 0 : 2 * kPi;
   const Vec<2> edge = x[j] - x[i];

@@ -34,7 +34,7 @@ constexpr void product_shape(const LocalPlace& at, ShapeValues& out) {
 /// False where the place lies outside of [-1, 1]^dim by more than slack; what lies within slack of
 /// a face is moved onto it.
 constexpr bool snap_to_box(LocalPlace& at, Real slack, int dim) {
-  for (std::size_t j = 0; j < static_cast<std::size_t>(dim); ++j) {
+  for (std::size_t j = 0; j < slot_of(dim); ++j) {
     const Real beyond = (at[j] < 0 ? -at[j] : at[j]) - 1;
     if (beyond > slack) return false;
     if (beyond > -slack) at[j] = at[j] > 0 ? 1 : -1;

@@ -14,17 +14,17 @@ struct CornerEdges {
 
 std::vector<CornerEdges> corner_edges(const ElementType& type) {
   std::vector<CornerEdges> edges;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(type.corners); ++c) {
+  for (std::size_t c = 0; c < slot_of(type.corners); ++c) {
     CornerEdges found{c, c, c, c};
     std::vector<std::size_t> neighbours;
-    for (std::size_t f = 0; f < static_cast<std::size_t>(type.faces); ++f) {
+    for (std::size_t f = 0; f < slot_of(type.faces); ++f) {
       const auto& face = type.face[f];
-      const auto n = static_cast<std::size_t>(
-          std::count_if(face.begin(), face.end(), [](int node) { return node >= 0; }));
+      const auto n =
+          slot_of(std::count_if(face.begin(), face.end(), [](int node) { return node >= 0; }));
       for (std::size_t k = 0; k < n; ++k) {
         if (face[k] != static_cast<int>(c)) continue;
-        const auto next = static_cast<std::size_t>(face[(k + 1) % n]);
-        const auto before = static_cast<std::size_t>(face[(k + n - 1) % n]);
+        const auto next = slot_of(face[(k + 1) % n]);
+        const auto before = slot_of(face[(k + n - 1) % n]);
         if (type.dim == 2) {
           (k == 0 ? found.next : found.before) = k == 0 ? next : before;
         } else {
@@ -45,7 +45,7 @@ std::vector<CornerEdges> corner_edges(const ElementType& type) {
 bool is_convex(const CellMesh& mesh, std::size_t cell, const std::vector<CornerEdges>& corners) {
   constexpr Real kFlat = 1e-9;  // of the volume of a cube of the same edges
   const auto nodes = mesh[cell];
-  const auto at = [&](std::size_t c) { return mesh.nodes[static_cast<std::size_t>(nodes[c])]; };
+  const auto at = [&](std::size_t c) { return mesh.nodes[slot_of(nodes[c])]; };
   for (const CornerEdges& edge : corners) {
     const Vec3 x = at(edge.corner);
     Vec3 next = at(edge.next) - x, before = at(edge.before) - x;
@@ -69,7 +69,7 @@ Face face_of(const CellMesh& mesh, std::size_t cell, std::size_t f) {
   Face face{-1, -1, -1, -1};
   for (std::size_t k = 0; k < face.size(); ++k) {
     const int local = mesh.type->face[f][k];
-    if (local >= 0) face[k] = mesh[cell][static_cast<std::size_t>(local)];
+    if (local >= 0) face[k] = mesh[cell][slot_of(local)];
   }
   return face;
 }
@@ -87,7 +87,7 @@ void for_equal(std::vector<Keyed<n>> all, std::size_t n_nodes, const Use& use) {
   // By the least node in one pass; few are of one.
   std::vector<std::size_t> start(n_nodes + 1, 0);
   const auto least = [](const Keyed<n>& one) {
-    return static_cast<std::size_t>(
+    return slot_of(
         *std::find_if(one.key.begin(), one.key.end(), [](int node) { return node >= 0; }));
   };
   for (const auto& one : all) ++start[least(one) + 1];
@@ -112,7 +112,7 @@ void for_equal(std::vector<Keyed<n>> all, std::size_t n_nodes, const Use& use) {
 /// All faces, index = cell * faces + face.
 std::vector<Keyed<4>> all_faces(const CellMesh& mesh) {
   std::vector<Keyed<4>> faces;
-  const auto per_cell = static_cast<std::size_t>(mesh.type->faces);
+  const auto per_cell = slot_of(mesh.type->faces);
   faces.reserve(mesh.size() * per_cell);
   for (std::size_t cell = 0; cell < mesh.size(); ++cell) {
     for (std::size_t f = 0; f < per_cell; ++f) {
@@ -129,16 +129,16 @@ class Components {
  public:
   explicit Components(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
   int root(int i) {
-    while (parent_[static_cast<std::size_t>(i)] != i) {
-      int& up = parent_[static_cast<std::size_t>(i)];
-      up = parent_[static_cast<std::size_t>(up)];
+    while (parent_[slot_of(i)] != i) {
+      int& up = parent_[slot_of(i)];
+      up = parent_[slot_of(up)];
       i = up;
     }
     return i;
   }
   void join(int a, int b) {
     a = root(a), b = root(b);
-    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    parent_[slot_of(std::max(a, b))] = std::min(a, b);
   }
 
  private:
@@ -148,15 +148,15 @@ class Components {
 /// Nodes about which cells are joined by no chain of faces. across[cell * faces + face]: the cell
 /// behind it, -1: none.
 std::vector<int> find_hinges(const CellMesh& mesh, const std::vector<int>& across) {
-  const auto per_cell = static_cast<std::size_t>(mesh.type->faces);
-  const auto corners = static_cast<std::size_t>(mesh.type->corners);
+  const auto per_cell = slot_of(mesh.type->faces);
+  const auto corners = slot_of(mesh.type->corners);
   std::vector<std::size_t> start(mesh.nodes.size() + 1, 0);
-  for (const int node : mesh.corner) ++start[static_cast<std::size_t>(node) + 1];
+  for (const int node : mesh.corner) ++start[slot_of(node) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<int> about(mesh.corner.size());
   std::vector<std::size_t> next(start.begin(), start.end() - 1);
   for (std::size_t i = 0; i < mesh.corner.size(); ++i) {
-    about[next[static_cast<std::size_t>(mesh.corner[i])]++] = static_cast<int>(i / corners);
+    about[next[slot_of(mesh.corner[i])]++] = static_cast<int>(i / corners);
   }
   std::vector<int> hinges;
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
@@ -165,7 +165,7 @@ std::vector<int> find_hinges(const CellMesh& mesh, const std::vector<int>& acros
     Components joined(cells.size());
     std::size_t separate = cells.size();
     for (std::size_t k = 0; k < cells.size() && separate > 1; ++k) {
-      const auto cell = static_cast<std::size_t>(cells[k]);
+      const auto cell = slot_of(cells[k]);
       for (std::size_t f = 0; f < per_cell; ++f) {
         const int other = across[cell * per_cell + f];
         if (other < cells[k]) continue;  // joined from there, or none
@@ -189,7 +189,7 @@ void find_components(const CellMesh& mesh, CellFindings& findings) {
   }
   std::vector<int> number(mesh.nodes.size(), -1);
   for (std::size_t cell = 0; cell < mesh.size(); ++cell) {
-    int& place = number[static_cast<std::size_t>(joined.root(mesh[cell][0]))];
+    int& place = number[slot_of(joined.root(mesh[cell][0]))];
     if (place < 0) place = findings.n_components++;
     findings.component.push_back(place);
   }
@@ -228,14 +228,14 @@ CellFindings check_cells(const CellMesh& mesh) {
   }
   find_repeated(mesh, findings);
   if (!findings.sound()) return findings;
-  const auto per_cell = static_cast<std::size_t>(mesh.type->faces);
+  const auto per_cell = slot_of(mesh.type->faces);
   std::vector<int> across(mesh.size() * per_cell, -1);
   for_equal(all_faces(mesh), mesh.nodes.size(), [&](auto same) {
     const auto cell = [&](std::size_t k) { return same[k].index / mesh.type->faces; };
     if (same.size() > 2) findings.crowded.push_back({cell(0), cell(1), cell(2)});
     if (same.size() != 2) return;
-    across[static_cast<std::size_t>(same[0].index)] = cell(1);
-    across[static_cast<std::size_t>(same[1].index)] = cell(0);
+    across[slot_of(same[0].index)] = cell(1);
+    across[slot_of(same[1].index)] = cell(0);
   });
   if (!findings.sound()) return findings;
   findings.hinges = find_hinges(mesh, across);
@@ -251,22 +251,22 @@ std::vector<std::array<int, 2>> coincident_nodes(const std::vector<Vec3>& nodes)
   const Real near = 1e-9 * (high - low).maxCoeff();
   std::vector<int> order(nodes.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto at = [&](int i) -> const Vec3& { return nodes[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) -> const Vec3& { return nodes[slot_of(i)]; };
   // Along an axis that few nodes share: neighbours of a plane of nodes are many.
   const Vec3 along = Vec3(0.5412, 0.6314, 0.5555);
   std::vector<Real> place(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) place[i] = along.dot(nodes[i] - low);
-  const auto place_of = [&](int i) { return place[static_cast<std::size_t>(i)]; };
+  const auto place_of = [&](int i) { return place[slot_of(i)]; };
   std::sort(order.begin(), order.end(), [&](int a, int b) {
     return place_of(a) != place_of(b) ? place_of(a) < place_of(b) : a < b;
   });
   std::vector<bool> taken(nodes.size(), false);
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (taken[static_cast<std::size_t>(order[k])]) continue;
+    if (taken[slot_of(order[k])]) continue;
     for (std::size_t m = k + 1;
          m < order.size() && place_of(order[m]) - place_of(order[k]) <= 2 * near; ++m) {
       if ((at(order[m]) - at(order[k])).cwiseAbs().maxCoeff() > near) continue;
-      taken[static_cast<std::size_t>(order[m])] = true;
+      taken[slot_of(order[m])] = true;
       pairs.push_back({std::min(order[k], order[m]), std::max(order[k], order[m])});
     }
   }
@@ -277,13 +277,13 @@ std::vector<std::array<int, 2>> coincident_nodes(const std::vector<Vec3>& nodes)
 Real shortest_edge(const CellMesh& mesh) {
   Real square = kInfinity;
   for (std::size_t cell = 0; cell < mesh.size(); ++cell) {
-    for (std::size_t f = 0; f < static_cast<std::size_t>(mesh.type->faces); ++f) {
+    for (std::size_t f = 0; f < slot_of(mesh.type->faces); ++f) {
       const Face face = face_of(mesh, cell, f);
-      const auto n = static_cast<std::size_t>(
-          std::count_if(face.begin(), face.end(), [](int node) { return node >= 0; }));
+      const auto n =
+          slot_of(std::count_if(face.begin(), face.end(), [](int node) { return node >= 0; }));
       for (std::size_t k = 0; k < n; ++k) {
-        const Vec3& a = mesh.nodes[static_cast<std::size_t>(face[k])];
-        const Vec3& b = mesh.nodes[static_cast<std::size_t>(face[(k + 1) % n])];
+        const Vec3& a = mesh.nodes[slot_of(face[k])];
+        const Vec3& b = mesh.nodes[slot_of(face[(k + 1) % n])];
         square = std::min(square, (b - a).squaredNorm());
       }
     }
@@ -292,10 +292,10 @@ Real shortest_edge(const CellMesh& mesh) {
 }
 
 std::vector<std::array<int, 4>> outer_faces(const CellMesh& mesh) {
-  const auto per_cell = static_cast<std::size_t>(mesh.type->faces);
+  const auto per_cell = slot_of(mesh.type->faces);
   std::vector<bool> outer(mesh.size() * per_cell, false);
   for_equal(all_faces(mesh), mesh.nodes.size(), [&](auto same) {
-    if (same.size() == 1) outer[static_cast<std::size_t>(same[0].index)] = true;
+    if (same.size() == 1) outer[slot_of(same[0].index)] = true;
   });
   std::vector<std::array<int, 4>> faces;
   for (std::size_t i = 0; i < outer.size(); ++i) {

@@ -17,7 +17,7 @@ struct CellMesh {
   std::span<const int> operator[](std::size_t cell) const { return {&corner[cell * n()], n()}; }
 
  private:
-  std::size_t n() const { return static_cast<std::size_t>(type->corners); }
+  std::size_t n() const { return slot_of(type->corners); }
 };
 
 /// What elements cannot be made of, by cells and nodes.

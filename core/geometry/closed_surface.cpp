@@ -111,7 +111,7 @@ void ClosedSurface::require_closed() const {
 }
 
 std::size_t ClosedSurface::column_of(Real x, int axis) const {
-  const auto c = static_cast<std::size_t>(axis);
+  const auto c = slot_of(axis);
   const Real steps = std::floor((x - low_[axis]) / width_[c]);
   return static_cast<std::size_t>(std::clamp(steps, 0.0, static_cast<Real>(count_[c] - 1)));
 }
@@ -119,7 +119,7 @@ std::size_t ClosedSurface::column_of(Real x, int axis) const {
 void ClosedSurface::sort_into_columns(Real cell) {
   constexpr Real kMost = 1000;  // columns along an axis
   for (int axis = 0; axis < 2; ++axis) {
-    const auto c = static_cast<std::size_t>(axis);
+    const auto c = slot_of(axis);
     const Real length = high_[axis] - low_[axis];
     const Real count = std::clamp(std::ceil(length / cell), 1.0, kMost);
     count_[c] = static_cast<std::size_t>(count);

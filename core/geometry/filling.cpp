@@ -29,7 +29,7 @@ std::vector<Vec<Dim>> lattice_points(const Vec<Dim>& low, const Vec<Dim>& high,
   std::array<int, 3> n{1, 1, 1};
   Real d[3] = {0, 0, 0};
   for (int c = 0; c < Dim; ++c) {
-    const Real h = spacing[std::min<std::size_t>(static_cast<std::size_t>(c), spacing.size() - 1)];
+    const Real h = spacing[std::min<std::size_t>(slot_of(c), spacing.size() - 1)];
     std::tie(n[c], d[c]) = layers(high[c] - low[c], h * factor[c]);
   }
   std::vector<Vec<Dim>> points;
@@ -203,7 +203,7 @@ struct Filler2 {
 template <int Dim>
 void require_room_for_particles(const Vec<Dim>& edges, const std::vector<Real>& spacing) {
   for (int c = 0; c < Dim; ++c) {
-    const Real h = spacing[std::min<std::size_t>(static_cast<std::size_t>(c), spacing.size() - 1)];
+    const Real h = spacing[std::min<std::size_t>(slot_of(c), spacing.size() - 1)];
     if (edges[c] >= 0.5 * h) continue;
     std::ostringstream message;
     message << "the shape is " << edges[c] << " m thick along its axis "

@@ -30,7 +30,7 @@ Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max,
       for (int i = 0; i < n[0]; ++i) {
         std::array<int, Shape<Dim>::kCorners> corners;
         for (int layer = 0; layer < Dim - 1; ++layer) {
-          const auto at = static_cast<std::size_t>(4 * layer);
+          const auto at = slot_of(4 * layer);
           corners[at] = index(i, j, k + layer), corners[at + 1] = index(i + 1, j, k + layer);
           corners[at + 2] = index(i + 1, j + 1, k + layer);
           corners[at + 3] = index(i, j + 1, k + layer);
@@ -246,7 +246,7 @@ Mesh<2> transfinite_grid(const std::array<std::vector<Vec<2>>, 4>& sides,
   for (int j = 0; j <= n[1]; ++j) {
     for (int i = 0; i <= n[0]; ++i) {
       const Real u = layers[0].between(0, 1, i), v = layers[1].between(0, 1, j);
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      const auto a = slot_of(i), b = slot_of(j);
       const Vec<2> corners = (1 - u) * (1 - v) * bottom.front() + u * (1 - v) * bottom.back() +
                              u * v * top.back() + (1 - u) * v * top.front();
       Vec<2> x = (1 - v) * bottom[a] + v * top[a] + (1 - u) * left[b] + u * right[b] - corners;

@@ -20,8 +20,7 @@ Layers layers_along(const Sizing& sizing, std::size_t c, Real length,
   return {n, graded_layers(*grading, n)};
 }
 Layers layers_along(const Sizing& sizing, int axis, Real length) {
-  return layers_along(sizing, static_cast<std::size_t>(axis), length,
-                      turned(sizing.along(axis), false));
+  return layers_along(sizing, slot_of(axis), length, turned(sizing.along(axis), false));
 }
 
 }  // namespace brunt

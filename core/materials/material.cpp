@@ -20,7 +20,7 @@ void find_deviatoric_work(const MaterialTile& tile, const DeviatorRows& before, 
 void cut_off(MaterialTile& tile, Real cutoff) {
   MaterialState& state = *tile.state;
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Pack p = load(state.pressure.data() + at);
     const Pack held = vmax(p, broadcast<Pack>(-cutoff));
     store(state.pressure.data() + at, held);
@@ -34,7 +34,7 @@ void cut_off(MaterialTile& tile, Real cutoff) {
 /// Sets `elastic` to volume ratios over the plastic volume and the opening of the state.
 void divide_by_plastic(const MaterialTile& tile, const Row& whole, Real* elastic) {
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Pack plastic =
         load(tile.state->plastic_volume.data() + at) * load(tile.state->opening.data() + at);
     store(elastic + i, load(whole.at + i) / plastic);
@@ -62,7 +62,7 @@ Row divide_by_expansion(MaterialTile& tile, Real alpha) {
   MaterialState& state = *tile.state;
   Row grown;
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Pack stretch =
         1.0 + alpha * (load(state.temperature.data() + at) - tile.fixed_temperature);
     const Pack before = load(state.expansion.data() + at), now = stretch * stretch * stretch;
@@ -78,7 +78,7 @@ Row divide_by_expansion(MaterialTile& tile, Real alpha) {
 void add_expansion_work(const MaterialTile& tile, const Row& pressure_old, const Row& grown) {
   MaterialState& state = *tile.state;
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Pack pressure = 0.5 * (load(pressure_old.at + i) + load(state.pressure.data() + at));
     const Pack elastic = 0.5 * (load(tile.ratio_old + i) + load(tile.ratio + i));
     const Pack work = pressure * elastic * load(grown.at + i);
@@ -223,7 +223,7 @@ void Material::add_compression_heat(MaterialTile& tile) const {
   const bool varies = specific_heat.varies();
   const Real capacity = varies ? 1.0 : density * specific_heat.at(0);  // [J/m^3/K reference]
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Pack T = load(state.temperature.data() + at), viscous = load(tile.viscous_work + i);
     const Pack half = vexp(0.5 * load(logarithm + i));
     Pack heated = (half * T + (1.0 / capacity) * viscous) * half;

@@ -13,7 +13,7 @@ MieGruneisenEquation::MieGruneisenEquation(const MieGruneisen& law, Real density
 
 void MieGruneisenEquation::update(MaterialTile& tile, const Real* deviatoric_work) const {
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     Real* pressure = tile.state->pressure.data() + at;
     Real* energy = tile.state->energy.data() + at;
     const Pack ratio = load(tile.ratio + i), change = ratio - load(tile.ratio_old + i);
@@ -40,8 +40,7 @@ void MieGruneisenEquation::isentropic_heating(const MaterialTile& tile, Real cut
          now = vmax(load(tile.ratio + i), densest);
     if (cutoff < kInfinity) {
       // p = K (V0/V - 1) + gamma0 E = -cutoff
-      const Pack energy =
-          load(tile.state->energy.data() + tile.first + static_cast<std::size_t>(i));
+      const Pack energy = load(tile.state->energy.data() + tile.first + slot_of(i));
       const Pack compression = 1.0 - (1.0 / bulk_) * (cutoff + law_.gamma0 * energy);
       const auto opens = Pack{} < compression;
       const Pack loosest = vmax(1.0 / select(opens, compression, broadcast<Pack>(1.0)), densest);

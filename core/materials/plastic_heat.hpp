@@ -58,7 +58,7 @@ template <class V>
 BRUNT_INLINE void add_plastic_heat(const StrengthInputs& inputs, MaterialTile& tile, int i,
                                    V work) {
   MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const V heat = heat_factor<V>(inputs, tile, i) * work;
   store(state.heat.data() + at, load_as<V>(state.heat.data() + at) + heat);
   if (tile.adiabatic && heats(inputs, tile) && !state.temperature.empty()) {

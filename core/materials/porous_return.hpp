@@ -126,7 +126,7 @@ Real PorousReturn<Law>::step_part(Point& at, const Real (&trial)[6], Real (&s)[6
 template <PorousLaw Law>
 void PorousReturn<Law>::update_point(MaterialTile& tile, int i, Real inverse_dt) const {
   MaterialState& state = *tile.state;
-  const std::size_t k = tile.first + static_cast<std::size_t>(i);
+  const std::size_t k = tile.first + slot_of(i);
   Point at = point(state, k);
   at.ratio = tile.ratio[i];
   const Real third = (tile.strain[xx][i] + tile.strain[yy][i] + tile.strain[zz][i]) * (1.0 / 3.0);

@@ -91,7 +91,7 @@ template <PressureLaw Law, class V>
 BRUNT_INLINE void PressureReturn<Law, V>::trial(MaterialTile& tile, int i,
                                                 PressurePoint<V>& p) const {
   const MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const V third = (load_as<V>(tile.strain[xx] + i) + load_as<V>(tile.strain[yy] + i) +
                    load_as<V>(tile.strain[zz] + i)) *
                   (1.0 / 3.0);
@@ -172,7 +172,7 @@ template <PressureLaw Law, class V>
 BRUNT_INLINE void PressureReturn<Law, V>::finish(MaterialTile& tile, int i, Real inverse_dt,
                                                  const PressurePoint<V>& p) const {
   MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
   const V q = vmax(p.q_trial - (3.0 * inputs_.shear) * p.increment, zero);
   const auto flows = zero < p.increment;

@@ -51,7 +51,7 @@ class PrintedEquation final : public EquationOfState {
   void update(MaterialTile& tile, const Real* deviatoric_work) const override {
     const bool energetic = law_.needs_energy();
     for (int i = 0; i < tile.count; i += kLanes) {
-      const std::size_t at = tile.first + static_cast<std::size_t>(i);
+      const std::size_t at = tile.first + slot_of(i);
       Real* pressure = tile.state->pressure.data() + at;
       const Pack ratio = load(tile.ratio + i);
       auto p = slopes(ratio, Pack{});
@@ -78,7 +78,7 @@ class PrintedEquation final : public EquationOfState {
   /// tension is cut off.
   void isentropic_heating(const MaterialTile& tile, Real cutoff, Real* logarithm) const override {
     for (int i = 0; i < tile.count; i += kLanes) {
-      const std::size_t at = tile.first + static_cast<std::size_t>(i);
+      const std::size_t at = tile.first + slot_of(i);
       const Pack old = load(tile.ratio_old + i), now = load(tile.ratio + i);
       const Pack gamma =
           0.5 * (old * slopes(old, Pack{}).slope[1] + now * slopes(now, Pack{}).slope[1]);

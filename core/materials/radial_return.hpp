@@ -132,7 +132,7 @@ class RadialReturn final : public Strength {
 template <FlowLaw Law, class V>
 void RadialReturn<Law, V>::trial(MaterialTile& tile, int i, Candidates& candidates) const {
   MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const V third = (load_as<V>(tile.strain[xx] + i) + load_as<V>(tile.strain[yy] + i) +
                    load_as<V>(tile.strain[zz] + i)) *
                   (1.0 / 3.0);
@@ -224,7 +224,7 @@ template <FlowLaw Law, class V>
 void RadialReturn<Law, V>::finish(MaterialTile& tile, int i, Real inverse_dt,
                                   const Returned& returned) const {
   MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const V scale = load_as<V>(returned.scale + i), increment = load_as<V>(returned.increment + i);
   for (auto& component : state.deviator) {
     store(component.data() + at, load_as<V>(component.data() + at) * scale);

@@ -53,7 +53,7 @@ void Softening<Law>::begin(MaterialTile& tile, BeforeDamage& before) const {
   keep(state.heat, before.heat);
   keep(state.temperature, before.temperature);
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Pack left = 1.0 - load(state.damage.data() + at);
     const Pack inverse =
         select(left > 0.0, 1.0 / vmax(left, broadcast<Pack>(1e-300)), broadcast<Pack>(0.0));
@@ -70,7 +70,7 @@ void Softening<Law>::scale_heat(MaterialTile& tile, const BeforeDamage& before) 
   if (state.heat.empty()) return;
   const bool heats = tile.adiabatic && !state.temperature.empty();
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Pack left = 1.0 - load(state.damage.data() + at);
     const auto scale = [&](std::vector<Real>& field, const Row& old) {
       const Pack was = load(old.at + i);
@@ -85,7 +85,7 @@ template <DamageLaw Law>
 void Softening<Law>::end(MaterialTile& tile, const BeforeDamage& before) const {
   MaterialState& state = *tile.state;
   for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + static_cast<std::size_t>(i);
+    const std::size_t at = tile.first + slot_of(i);
     const Four four = effective(tile, before, i);
     const Pack index_before = load(state.damage_index.data() + at);
     const Pack index = vmax(index_before, index_of(tile, before, four, i));
@@ -98,7 +98,7 @@ template <DamageLaw Law>
 typename Softening<Law>::Four Softening<Law>::effective(const MaterialTile& tile,
                                                         const BeforeDamage& before, int i) const {
   const MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   Four four;
   for (std::size_t c = 0; c < 6; ++c) four.deviator[c] = load(state.deviator[c].data() + at);
   four.pressure = load(state.pressure.data() + at);
@@ -115,7 +115,7 @@ template <DamageLaw Law>
 Pack Softening<Law>::index_of(const MaterialTile& tile, const BeforeDamage& before,
                               const Four& four, int i) const {
   const MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const Pack zero = broadcast<Pack>(0.0);
   const auto& s = four.deviator;
   const Pack square = 1.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) +
@@ -148,7 +148,7 @@ template <DamageLaw Law>
 Pack Softening<Law>::soften(const MaterialTile& tile, const Four& four, Pack index_before,
                             Pack index, int i) const {
   MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const Pack zero = broadcast<Pack>(0.0), one = broadcast<Pack>(1.0);
   const auto begun = index >= 1.0, fresh = begun & (index_before < 1.0);
   const Pack damage = load(state.damage.data() + at);
@@ -184,7 +184,7 @@ template <DamageLaw Law>
 void Softening<Law>::store_nominal(MaterialTile& tile, const BeforeDamage& before, const Four& four,
                                    Pack damage, int i) const {
   MaterialState& state = *tile.state;
-  const std::size_t at = tile.first + static_cast<std::size_t>(i);
+  const std::size_t at = tile.first + slot_of(i);
   const Pack left = 1.0 - damage;
   for (std::size_t c = 0; c < 6; ++c) {
     store(state.deviator[c].data() + at, left * four.deviator[c]);

@@ -10,7 +10,7 @@ namespace {
 /// The interval k .. k + 1 of ascending values that s lies in; s is between the first and the last.
 std::size_t interval_of(const std::vector<Real>& values, Real s) {
   const auto next = std::upper_bound(values.begin() + 1, values.end() - 1, s);
-  return static_cast<std::size_t>(next - values.begin()) - 1;
+  return slot_of(next - values.begin()) - 1;
 }
 }  // namespace
 

@@ -43,7 +43,7 @@ template <int Dim>
 std::vector<std::vector<LocalIndex>> who_wants(const Communicator& ranks,
                                                std::span<const SearchBox<Dim>> offered,
                                                std::span<const SearchBox<Dim>> wanted) {
-  std::vector<std::vector<LocalIndex>> lists(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::vector<LocalIndex>> lists(slot_of(ranks.size()));
   const auto shown = ranks.all_gather((Packer() << runs_of<Dim>(wanted)).take());
   for (std::size_t r = 0; r < lists.size(); ++r) {
     std::vector<SearchBox<Dim>> runs;

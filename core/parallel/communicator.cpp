@@ -82,7 +82,7 @@ void Communicator::trade(std::span<const Message> messages) const {
 
 std::vector<Bytes> Communicator::exchange(const std::vector<Bytes>& to) const {
   if (alone()) return to;
-  const auto n = static_cast<std::size_t>(size_);
+  const auto n = slot_of(size_);
   std::vector<std::uint64_t> sizes(n), coming(n);
   for (std::size_t r = 0; r < n; ++r) sizes[r] = to[r].size();
   {
@@ -126,11 +126,11 @@ std::vector<Bytes> Communicator::exchange(std::span<const int> peers,
 }
 
 std::vector<Bytes> Communicator::all_gather(const Bytes& mine) const {
-  return exchange(std::vector<Bytes>(static_cast<std::size_t>(size_), mine));
+  return exchange(std::vector<Bytes>(slot_of(size_), mine));
 }
 
 std::vector<Bytes> Communicator::gather(const Bytes& mine) const {
-  std::vector<Bytes> to(static_cast<std::size_t>(size_));
+  std::vector<Bytes> to(slot_of(size_));
   to[0] = mine;
   auto from = exchange(to);
   if (!is_root()) from.clear();

@@ -12,11 +12,11 @@ GhostPlan plan_ghosts(const Communicator& ranks, const std::vector<GlobalId>& id
                       std::span<const GlobalId> owned) {
   GhostPlan plan;
   if (ranks.alone()) return plan;
-  const auto n = static_cast<std::size_t>(ranks.size());
+  const auto n = slot_of(ranks.size());
   std::vector<std::vector<GlobalId>> wanted(n);
   std::vector<std::vector<LocalIndex>> fill(n);
   for (std::size_t k = 0; k < id.size(); ++k) {
-    const auto r = static_cast<std::size_t>(owner[k]);
+    const auto r = slot_of(owner[k]);
     wanted[r].push_back(id[k]);
     fill[r].push_back(place[k]);
   }

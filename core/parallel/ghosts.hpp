@@ -31,7 +31,7 @@ void refresh_ghosts(const Communicator& ranks, const GhostPlan& plan, std::size_
     out[p].resize(peer.send.size() * width);
     in[p].resize(peer.fill.size() * width);
     for (std::size_t k = 0; k < peer.send.size(); ++k) {
-      pack(static_cast<std::size_t>(peer.send[k]), out[p].data() + k * width);
+      pack(slot_of(peer.send[k]), out[p].data() + k * width);
     }
     messages.push_back({peer.rank, std::as_bytes(std::span<const Real>(out[p])),
                         std::as_writable_bytes(std::span<Real>(in[p]))});
@@ -40,7 +40,7 @@ void refresh_ghosts(const Communicator& ranks, const GhostPlan& plan, std::size_
   for (std::size_t p = 0; p < plan.peers.size(); ++p) {
     const auto& fill = plan.peers[p].fill;
     for (std::size_t k = 0; k < fill.size(); ++k) {
-      unpack(static_cast<std::size_t>(fill[k]), in[p].data() + k * width);
+      unpack(slot_of(fill[k]), in[p].data() + k * width);
     }
   }
 }

@@ -93,8 +93,8 @@ Partition make_partition(const Communicator& ranks, std::span<const Vec<Dim>> x,
   require(Zoltan_Initialize(0, nullptr, &version), "start");
   const std::unique_ptr<Zoltan_Struct, Destroy> zoltan(Zoltan_Create(MPI_COMM_WORLD));
   if (!zoltan) throw MachineError("Zoltan: no memory");
-  const auto n = static_cast<std::size_t>(ranks.size());
-  const auto r = static_cast<std::size_t>(ranks.rank());
+  const auto n = slot_of(ranks.size());
+  const auto r = slot_of(ranks.rank());
   const std::size_t first = x.size() * r / n, last = x.size() * (r + 1) / n;
   Slice<Dim> slice{x, weight, {}};
   for (std::size_t i = first; i < last; ++i) {

@@ -84,7 +84,7 @@ void FreeBodies<Dim>::place_points(const Velocity& velocity) {
     auto& points = *group.points;
 #pragma omp parallel for schedule(static) if (group.chosen.size() > kWorthThreads)
     for (std::size_t k = 0; k < group.chosen.size(); ++k) {
-      const auto i = static_cast<std::size_t>(group.chosen[k]);
+      const auto i = slot_of(group.chosen[k]);
       const std::size_t b = group.body_of[k];
       const auto& body = bodies_[b];
       const Vec3 start = in_space<Dim>(points.x_start[i]) - body.center;
@@ -159,7 +159,7 @@ void FreeBodies<Dim>::add_forces(Real dt, Group& group, std::vector<Sums>& sums)
   const auto& points = *group.points;
   for (std::size_t k = 0; k < group.chosen.size(); ++k) {
     if (group.chosen[k] >= points.n_owned) continue;
-    const auto i = static_cast<std::size_t>(group.chosen[k]);
+    const auto i = slot_of(group.chosen[k]);
     const Vec<Dim>& f = points.f[i];
     group.work[k] += 0.5 * dt * points.v[i].dot(group.last_force[k] + f);
     group.last_force[k] = f;

@@ -37,7 +37,7 @@ Vec<Dim> corner_of(const Facet<Dim>& facet, std::span<const Vec<Dim>> x, std::si
 template <int Dim>
 SearchBox<Dim> box_of(const Facet<Dim>& facet, std::span<const Vec<Dim>> x) {
   auto box = SearchBox<Dim>::about(corner_of(facet, x, 0), 0);
-  for (std::size_t c = 1; c < static_cast<std::size_t>(facet.n_nodes()); ++c) {
+  for (std::size_t c = 1; c < slot_of(facet.n_nodes()); ++c) {
     box.enclose(SearchBox<Dim>::about(corner_of(facet, x, c), 0));
   }
   return box;
@@ -137,10 +137,10 @@ void follow(std::span<const Vec<Dim>> x, Real length, std::size_t n_boxes,
       boxes.back().enclose(at(k + 1));
     }
   }
-  const auto ray_of = [&](LocalIndex box) { return (static_cast<std::size_t>(box) - n) / n_boxes; };
+  const auto ray_of = [&](LocalIndex box) { return (slot_of(box) - n) / n_boxes; };
   const auto admits = [&](LocalIndex i, LocalIndex j) {
-    const auto f = static_cast<std::size_t>(i);
-    if (f >= n || static_cast<std::size_t>(j) < n) return false;
+    const auto f = slot_of(i);
+    if (f >= n || slot_of(j) < n) return false;
     const std::size_t own = rays[ray_of(j)].facet;
     return own != f && facets[own].body == facets[f].body && facets[own].piece == facets[f].piece;
   };

@@ -40,7 +40,7 @@ void for_simplices(const Points<2>& points, const Facet<2>& facet, const Vec<2>&
 template <class Take>
 void for_simplices(const Points<3>& points, const Facet<3>& facet, const Vec3& from,
                    const Take& take) {
-  const auto n = static_cast<std::size_t>(facet.n_nodes());
+  const auto n = slot_of(facet.n_nodes());
   std::array<Vec3, 4> x;
   Vec3 middle = Vec3::Zero();
   for (std::size_t c = 0; c < n; ++c) {

@@ -31,7 +31,7 @@ std::unique_ptr<Solid<Dim>> RigidSurfaces<Dim>::part(const Partition& partition,
   LocalIndex n_owned = 0;
   for (const bool owned : {true, false}) {
     for (LocalIndex i = 0; i < points_.size(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const auto k = slot_of(i);
       if ((partition.of(points_.id[k]) == ranks.rank()) != owned) continue;
       place[k] = static_cast<LocalIndex>(order.size());
       order.push_back(i);

@@ -151,7 +151,7 @@ void CellGrid<Dim>::insert_all(std::span<const Vec<Dim>> anchor, std::span<const
     if (cell >= 0) ++member_begin_[cell + 1];
   }
   accumulate_rows(member_begin_);
-  members_.resize(static_cast<std::size_t>(member_begin_.back()));
+  members_.resize(slot_of(member_begin_.back()));
   std::vector<LocalIndex> next(member_begin_.begin(), member_begin_.end() - 1);
   for (LocalIndex i = 0; i < n; ++i) {
     if (cell_of[i] >= 0) members_[next[cell_of[i]]++] = i;
@@ -232,7 +232,7 @@ template <int Dim>
 void CellGrid<Dim>::link_cells(std::span<const int> levels) {
   constexpr LocalIndex kChunk = 512;
   const LocalIndex n_chunks = (n_cells() + kChunk - 1) / kChunk;
-  std::vector<std::vector<LocalIndex>> found(static_cast<std::size_t>(n_chunks));
+  std::vector<std::vector<LocalIndex>> found(slot_of(n_chunks));
   forward_begin_.assign(cells_.size() + 1, 0);
 #pragma omp parallel for schedule(dynamic, 1) if (n_chunks > 4)
   for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
@@ -244,7 +244,7 @@ void CellGrid<Dim>::link_cells(std::span<const int> levels) {
     }
   }
   accumulate_rows(forward_begin_);
-  forward_.reserve(static_cast<std::size_t>(forward_begin_.back()));
+  forward_.reserve(slot_of(forward_begin_.back()));
   for (const auto& part : found) forward_.insert(forward_.end(), part.begin(), part.end());
 
   backward_begin_.assign(cells_.size() + 1, 0);
@@ -252,7 +252,7 @@ void CellGrid<Dim>::link_cells(std::span<const int> levels) {
     for (const LocalIndex other : forward(cell)) backward_begin_[other + 1] += other != cell;
   }
   accumulate_rows(backward_begin_);
-  backward_.resize(static_cast<std::size_t>(backward_begin_.back()));
+  backward_.resize(slot_of(backward_begin_.back()));
   std::vector<LocalIndex> next(backward_begin_.begin(), backward_begin_.end() - 1);
   for (LocalIndex cell = 0; cell < n_cells(); ++cell) {
     for (const LocalIndex other : forward(cell)) {

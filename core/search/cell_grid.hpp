@@ -48,8 +48,8 @@ class CellGrid {
 
   static std::span<const LocalIndex> row(const std::vector<LocalIndex>& begin,
                                          const std::vector<LocalIndex>& entries, LocalIndex cell) {
-    const auto first = static_cast<std::size_t>(begin[cell]);
-    return {entries.data() + first, static_cast<std::size_t>(begin[cell + 1]) - first};
+    const auto first = slot_of(begin[cell]);
+    return {entries.data() + first, slot_of(begin[cell + 1]) - first};
   }
   static std::uint64_t hash(const Coords& coords, int level);
   LevelChoice choose_levels(std::span<const Vec<Dim>> anchor, std::span<const Real> extent) const;

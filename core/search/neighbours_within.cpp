@@ -156,7 +156,7 @@ std::size_t select_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& 
 void sort_indices(std::vector<LocalIndex>& index, std::vector<LocalIndex>& spare) {
   constexpr int kBits = 8, kBins = 1 << kBits;
   const auto digit = [](LocalIndex i, int shift) {
-    return static_cast<std::size_t>(static_cast<std::uint32_t>(i) >> shift & (kBins - 1));
+    return slot_of(static_cast<std::uint32_t>(i) >> shift & (kBins - 1));
   };
   if (index.empty()) return;
   const auto largest = static_cast<std::uint32_t>(*std::max_element(index.begin(), index.end()));
@@ -232,7 +232,7 @@ void append_oversize_rows(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
 /// Puts the rows of all chunks into the order of the points; the list's offsets hold the lengths.
 void assemble(std::span<const RowChunk> chunks, NeighbourList& list) {
   for (std::size_t i = 1; i < list.offset.size(); ++i) list.offset[i] += list.offset[i - 1];
-  list.neighbour.resize(static_cast<std::size_t>(list.offset.back()));
+  list.neighbour.resize(slot_of(list.offset.back()));
 #pragma omp parallel for schedule(static) if (chunks.size() > 4)
   for (std::size_t k = 0; k < chunks.size(); ++k) {
     const LocalIndex* from = chunks[k].neighbours.data();
@@ -269,17 +269,17 @@ NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Rea
   std::vector<Real> extent(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) extent[i] = 2 * reach[i] + skin;
   const CellGrid<Dim> grid(x, extent);
-  std::vector<Bounds<Dim>> bounds(static_cast<std::size_t>(grid.n_cells()));
+  std::vector<Bounds<Dim>> bounds(slot_of(grid.n_cells()));
 #pragma omp parallel for schedule(static) if (grid.n_cells() > 1024)
   for (LocalIndex cell = 0; cell < grid.n_cells(); ++cell) {
     bounds[cell] = bounds_of(q, grid.members(cell));
   }
   NeighbourList list;
-  list.offset.assign(static_cast<std::size_t>(n_rows) + 1, 0);
-  const std::span<std::int64_t> count(list.offset.data() + 1, static_cast<std::size_t>(n_rows));
+  list.offset.assign(slot_of(n_rows) + 1, 0);
+  const std::span<std::int64_t> count(list.offset.data() + 1, slot_of(n_rows));
   constexpr LocalIndex kChunk = 64;
   const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
-  std::vector<RowChunk> chunks(static_cast<std::size_t>(n_chunks) + 1);
+  std::vector<RowChunk> chunks(slot_of(n_chunks) + 1);
 #pragma omp parallel if (n_chunks > 4)
   {
     Candidates<Dim> candidates;

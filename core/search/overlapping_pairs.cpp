@@ -51,10 +51,10 @@ void append_pairs_of_cell(const CellGrid<Dim>& grid, LocalIndex cell, const Pair
 std::vector<IndexPair> sorted(const std::vector<std::vector<IndexPair>>& parts, std::size_t n) {
   std::vector<std::int64_t> begin(n + 1, 0);
   for (const auto& part : parts) {
-    for (const auto& pair : part) ++begin[static_cast<std::size_t>(pair.first) + 1];
+    for (const auto& pair : part) ++begin[slot_of(pair.first) + 1];
   }
   for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
-  std::vector<IndexPair> pairs(static_cast<std::size_t>(begin[n]));
+  std::vector<IndexPair> pairs(slot_of(begin[n]));
   std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
   for (const auto& part : parts) {
     for (const auto& pair : part) pairs[next[pair.first]++] = pair;
@@ -89,7 +89,7 @@ std::vector<IndexPair> overlapping_pairs(std::span<const SearchBox<Dim>> boxes,
   const CellGrid<Dim> grid(corner, extent);
   constexpr LocalIndex kChunk = 256;
   const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
-  std::vector<std::vector<IndexPair>> parts(static_cast<std::size_t>(n_chunks) + 1);
+  std::vector<std::vector<IndexPair>> parts(slot_of(n_chunks) + 1);
 #pragma omp parallel for schedule(dynamic, 1) if (n_chunks > 4)
   for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
     const LocalIndex end = std::min(grid.n_cells(), (chunk + 1) * kChunk);

@@ -64,7 +64,7 @@ BendingModuli bending_moduli(const Material& material, Real coefficient) {
 /// in its form with 2 mu (docs/theory/elements.md (E6)).
 template <int Dim>
 void start_hourglass(const Points<Dim>& points, ElementBlock<Dim>& block) {
-  const auto padded = static_cast<std::size_t>(block.n_padded);
+  const auto padded = slot_of(block.n_padded);
   if (const auto* bends = std::get_if<AssumedStrainHourglass>(&block.options.hourglass)) {
     block.bending = bending_moduli(*block.material, bends->coefficient);
     return;
@@ -210,7 +210,7 @@ class BoxFormulation final : public Formulation<Dim> {
   void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e,
                                const Real* temperature) const override {
     if (block.gauss == 1) return mean_temperature<kCorners>(block, e, temperature);
-    Real* out = block.state.temperature.data() + e * static_cast<std::size_t>(block.gauss);
+    Real* out = block.state.temperature.data() + e * slot_of(block.gauss);
     Pack T[kCorners];
     gather_temperature(block.corner.data() + e * kCorners, temperature, T);
     for (int g = 0; g < block.gauss; ++g) {

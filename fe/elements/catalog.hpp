@@ -29,7 +29,7 @@ struct ElementCatalog<3> : ElementList<Hex8, Tet4> {};
 /// kind  its place in the catalogue
 template <int Dim>
 const Formulation<Dim>& formulation_of(int kind) {
-  return ElementCatalog<Dim>::template formulation_at<Dim>(static_cast<std::size_t>(kind));
+  return ElementCatalog<Dim>::template formulation_at<Dim>(slot_of(kind));
 }
 
 /// The kind of element with so many corners; null where there is none.

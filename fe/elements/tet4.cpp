@@ -203,7 +203,7 @@ class TetFormulation final : public Formulation<3> {
   void write_corner_volumes(const ElementBlock<3>& block, int tile, const Vec3* x,
                             Real* corner_volume) const override {
     for (int k = 0; k < kTile; k += kLanes) {
-      const std::size_t e = static_cast<std::size_t>(tile) * kTile + static_cast<std::size_t>(k);
+      const std::size_t e = slot_of(tile) * kTile + slot_of(k);
       Pack edge[3][3], cross[3];
       gather_edges(block.corner.data() + e * kCorners, x, 1, edge);
       set_cross(edge[1], edge[2], cross);
@@ -230,7 +230,7 @@ class TetFormulation final : public Formulation<3> {
   void refresh_stable_steps(ElementBlock<3>& block, int tile,
                             const ElementStep<3>& step) const override {
     for (int k = 0; k < kTile; k += kLanes) {
-      const std::size_t e = static_cast<std::size_t>(tile) * kTile + static_cast<std::size_t>(k);
+      const std::size_t e = slot_of(tile) * kTile + slot_of(k);
       const LocalIndex* corner = block.corner.data() + e * kCorners;
       Pack x[3][3], u[3][3];
       gather_edges(corner, step.x, 1, x);

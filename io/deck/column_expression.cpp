@@ -79,7 +79,7 @@ ColumnExpression::ColumnExpression(const std::string& text, const std::vector<st
   visit_names(text, columns, [&](std::size_t first, std::size_t last, std::size_t column) {
     if (column == std::string::npos) return;
     const auto at = std::find(used.begin(), used.end(), column);
-    const auto place = static_cast<std::size_t>(at - used.begin());
+    const auto place = slot_of(at - used.begin());
     if (at == used.end()) used.push_back(column);
     body += text.substr(done, first - done) + "column_" + std::to_string(place);
     done = last;

@@ -155,14 +155,14 @@ class Resolver {
       }
       Declared* other = find(needs.back().back());
       if (other != nullptr && other->state == State::waiting) {
-        begin(static_cast<std::size_t>(other - declared_.data()));
+        begin(slot_of(other - declared_.data()));
         continue;
       }
       needs.back().pop_back();
       if (other == nullptr) continue;
       used_.insert(other->parameter.name);
       if (other->state == State::busy) {
-        refuse_circle(static_cast<std::size_t>(other - declared_.data()));
+        refuse_circle(slot_of(other - declared_.data()));
       }
       // What is wrong with the other one is reported there.
       if (other->parameter.failed) declared_[i].parameter.failed = true;

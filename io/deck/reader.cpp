@@ -305,7 +305,7 @@ void Reader::visit_one_of(const Key& key, std::span<const Alternative> alternati
   std::vector<std::string> names;
   for (const Alternative& alternative : alternatives) names.emplace_back(alternative.name);
   const auto index_of = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    return slot_of(std::find(names.begin(), names.end(), name) - names.begin());
   };
   if (is_inline) {
     scope().known.insert(scope().known.end(), names.begin(), names.end());

@@ -107,7 +107,7 @@ void Reader::direction(const Key& key, std::vector<Real>& value) {
       problem(*node, path, "expects x, y, z or a vector, got " + what_stands(*node));
       return;
     }
-    value.assign(axis == 2 ? 3 : static_cast<std::size_t>(dimensions()), 0);
+    value.assign(axis == 2 ? 3 : slot_of(dimensions()), 0);
     value[axis] = 1;
     return;
   }
@@ -136,7 +136,7 @@ void Reader::per_axis(const Key& key, std::optional<std::vector<Real>>& value,
   const std::string path = path_of(key.name);
   if (node->is_scalar()) {
     if (const auto read = quantity_value(*node, path, quantity)) {
-      value.emplace(static_cast<std::size_t>(dimensions()), *read);
+      value.emplace(slot_of(dimensions()), *read);
     }
   } else if (auto read = list_values(*node, path, quantity, kVector)) {
     value = std::move(*read);

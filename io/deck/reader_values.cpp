@@ -272,8 +272,7 @@ void Reader::names(const Key& key, std::vector<std::string>& value, int size) {
   if (!node) return;
   const std::string path = path_of(key.name);
   const auto is_name = [](const Node& item) { return item.is_scalar() && !item.text.empty(); };
-  const bool count_fits =
-      size == 0 ? !node->items.empty() : node->items.size() == static_cast<std::size_t>(size);
+  const bool count_fits = size == 0 ? !node->items.empty() : node->items.size() == slot_of(size);
   if (!node->is_list() || !count_fits ||
       !std::all_of(node->items.begin(), node->items.end(), is_name)) {
     problem(*node, path,

@@ -79,7 +79,7 @@ std::vector<int> face_corners(CellKind kind, int face) {
       {CellKind::tri3, {{0, 1}, {1, 2}, {2, 0}}}};
   const auto found = kFaces.find(kind);
   if (found == kFaces.end() || face < 1 || face > static_cast<int>(found->second.size())) return {};
-  return found->second[static_cast<std::size_t>(face - 1)];
+  return found->second[slot_of(face - 1)];
 }
 
 struct IdRange {
@@ -232,10 +232,10 @@ class AbaqusReader {
     if (element_.empty()) element_line_ = text_.line();
     while (!card.at_end()) {
       element_.push_back(card.integer(kNoWidth, "a number of an element or its nodes"));
-      if (element_.size() < static_cast<std::size_t>(type_.nodes) + 1) continue;
+      if (element_.size() < slot_of(type_.nodes) + 1) continue;
       if (!card.at_end()) text_.wrong("the element has more nodes than its type");
-      mesh_.add_cell(type_.kind, element_[0],
-                     {element_.data() + 1, static_cast<std::size_t>(type_.nodes)}, element_line_);
+      mesh_.add_cell(type_.kind, element_[0], {element_.data() + 1, slot_of(type_.nodes)},
+                     element_line_);
       if (set_) set_->ids.push_back(element_[0]);
       element_.clear();
     }
@@ -289,7 +289,7 @@ class AbaqusReader {
   void resolve_sets() {
     const IdTable nodes(mesh_.node_id), cells(mesh_.cell_id);
     if (cells.repeated() >= 0) {
-      const auto again = static_cast<std::size_t>(cells.repeated());
+      const auto again = slot_of(cells.repeated());
       throw std::runtime_error(mesh_.path + ": " + mesh_.cell_name(again) +
                                " has the number of another element");
     }
@@ -305,7 +305,7 @@ class AbaqusReader {
       const MeshSet of = mesh_.set(elset);
       auto& all = mesh_.set(name).nodes;
       for (const int cell : of.cells) {
-        const auto corners = mesh_.corners(static_cast<std::size_t>(cell));
+        const auto corners = mesh_.corners(slot_of(cell));
         all.insert(all.end(), corners.begin(), corners.end());
       }
     }
@@ -349,13 +349,13 @@ class AbaqusReader {
     }
     auto& nodes = mesh_.set(name).nodes;
     for (const int cell : cells) {
-      const auto corners = mesh_.corners(static_cast<std::size_t>(cell));
+      const auto corners = mesh_.corners(slot_of(cell));
       if (face.face == 0) {
         nodes.insert(nodes.end(), corners.begin(), corners.end());
         continue;
       }
-      for (const int c : face_corners(mesh_.kind[static_cast<std::size_t>(cell)], face.face)) {
-        nodes.push_back(corners[static_cast<std::size_t>(c)]);
+      for (const int c : face_corners(mesh_.kind[slot_of(cell)], face.face)) {
+        nodes.push_back(corners[slot_of(c)]);
       }
     }
   }

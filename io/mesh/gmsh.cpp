@@ -40,7 +40,7 @@ const GmshType* gmsh_type(std::int64_t number) {
       break;
   }
   if (number < 1 || number > static_cast<std::int64_t>(kTypes.size())) return nullptr;
-  return &kTypes[static_cast<std::size_t>(number - 1)];
+  return &kTypes[slot_of(number - 1)];
 }
 
 class GmshReader {
@@ -121,7 +121,7 @@ class GmshReader {
       text_.wrong(std::string(what) + " is " + std::to_string(n) + ", and " +
                   std::to_string(text_.left()) + " bytes are left of the file");
     }
-    return static_cast<std::size_t>(n);
+    return slot_of(n);
   }
   std::size_t count(const char* what) { return checked(int64(what), what); }
   int line() const { return binary_ ? 0 : text_.line(); }
@@ -144,7 +144,7 @@ class GmshReader {
     std::array<std::size_t, 4> n{};
     for (std::size_t& each : n) each = count("a number of entities");
     for (std::int64_t dim = 0; dim < 4; ++dim) {
-      for (std::size_t i = 0; i < n[static_cast<std::size_t>(dim)]; ++i) {
+      for (std::size_t i = 0; i < n[slot_of(dim)]; ++i) {
         const std::int64_t tag = int32("the number of an entity");
         for (int c = 0; c < (dim == 0 ? 3 : 6); ++c) real("a corner of an entity's box");
         std::vector<std::int64_t>& groups = groups_of_[{dim, tag}];
@@ -254,7 +254,7 @@ class GmshReader {
   template <class Next>
   void add(const GmshType& type, std::int64_t id, int at, const Next& next) {
     std::array<std::int64_t, 64> nodes{};
-    const auto n = static_cast<std::size_t>(type.nodes);
+    const auto n = slot_of(type.nodes);
     for (std::size_t k = 0; k < n; ++k) nodes[k] = next();
     mesh_.add_cell(type.kind, id, {nodes.data(), n}, at);
   }

@@ -173,7 +173,7 @@ class DynaReader {
     const bool higher = card.maybe_integer(id_, "a node of a solid").value_or(0) != 0;
     const CellKind kind = higher ? CellKind::higher3 : solid_kind(n);
     if (kind == CellKind::wedge6) n = {n[0], n[1], n[4], n[3], n[2], n[6], 0, 0};
-    const auto corners = static_cast<std::size_t>(info(kind).corners);
+    const auto corners = slot_of(info(kind).corners);
     add_element(kind, {n.data(), corners});
   }
 
@@ -187,7 +187,7 @@ class DynaReader {
     const bool higher = card.maybe_integer(id_, "a node of a shell").value_or(0) != 0;
     const bool triangle = n[3] == 0 || n[3] == n[2];
     const CellKind kind = higher ? CellKind::higher2 : triangle ? CellKind::tri3 : CellKind::quad4;
-    add_element(kind, {n.data(), static_cast<std::size_t>(info(kind).corners)});
+    add_element(kind, {n.data(), slot_of(info(kind).corners)});
   }
 
   void read_beam(std::string_view line) {
@@ -302,7 +302,7 @@ class DynaReader {
     std::sort(wanted.begin(), wanted.end());
     for (const std::int64_t id : wanted) {
       const int at = one_each ? table[id] : -1;
-      if (at >= 0 && fits(static_cast<std::size_t>(at))) list.push_back(at);
+      if (at >= 0 && fits(slot_of(at))) list.push_back(at);
     }
     if (one_each && set.ranges.empty()) return;
     for (std::size_t i = 0; i < ids.size(); ++i) {

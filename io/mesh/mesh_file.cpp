@@ -30,7 +30,7 @@ std::string named(const char* what, std::int64_t id, const std::string& path, in
 }
 }  // namespace
 
-const CellKindInfo& info(CellKind kind) { return kCellKinds[static_cast<std::size_t>(kind)]; }
+const CellKindInfo& info(CellKind kind) { return kCellKinds[slot_of(kind)]; }
 
 void MeshFile::add_node(std::int64_t id, const Vec3& x, int line) {
   nodes.push_back(x);
@@ -43,7 +43,7 @@ void MeshFile::add_cell(CellKind of, std::int64_t id, std::span<const std::int64
   kind.push_back(of);
   cell_id.push_back(id);
   cell_line.push_back(line);
-  const auto kept = std::min(corner_ids.size(), static_cast<std::size_t>(info(of).corners));
+  const auto kept = std::min(corner_ids.size(), slot_of(info(of).corners));
   corner_id_.insert(corner_id_.end(), corner_ids.begin(),
                     corner_ids.begin() + static_cast<std::ptrdiff_t>(kept));
   first.push_back(corner_id_.size());
@@ -75,7 +75,7 @@ void MeshFile::resolve_corners() {
   const IdTable table(node_id);
   const auto wrong = [&](const std::string& what) { throw std::runtime_error(path + ": " + what); };
   if (const int again = table.repeated(); again >= 0) {
-    wrong(node_name(static_cast<std::size_t>(again)) + " has the number of another node");
+    wrong(node_name(slot_of(again)) + " has the number of another node");
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].allFinite()) wrong(node_name(i) + " has a coordinate that is no number");
@@ -99,9 +99,9 @@ IdTable::IdTable(const std::vector<std::int64_t>& ids) : ids_(ids) {
   // Unsigned: the difference of two ids of a broken file may not fit.
   const auto range = static_cast<std::uint64_t>(*high) - static_cast<std::uint64_t>(*low);
   if (range < 8 * ids.size() + 1024) {
-    dense_.assign(static_cast<std::size_t>(range) + 1, -1);
+    dense_.assign(slot_of(range) + 1, -1);
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      int& place = dense_[static_cast<std::size_t>(ids[i] - low_)];
+      int& place = dense_[slot_of(ids[i] - low_)];
       if (place >= 0 && repeated_ < 0) repeated_ = static_cast<int>(i);
       place = static_cast<int>(i);
     }
@@ -109,7 +109,7 @@ IdTable::IdTable(const std::vector<std::int64_t>& ids) : ids_(ids) {
   }
   sorted_.resize(ids.size());
   std::iota(sorted_.begin(), sorted_.end(), 0);
-  const auto id_at = [&](int i) { return ids[static_cast<std::size_t>(i)]; };
+  const auto id_at = [&](int i) { return ids[slot_of(i)]; };
   std::stable_sort(sorted_.begin(), sorted_.end(),
                    [&](int a, int b) { return id_at(a) < id_at(b); });
   for (std::size_t k = 1; k < sorted_.size() && repeated_ < 0; ++k) {
@@ -120,12 +120,12 @@ IdTable::IdTable(const std::vector<std::int64_t>& ids) : ids_(ids) {
 int IdTable::operator[](std::int64_t id) const {
   if (!dense_.empty()) {
     const auto at = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(low_);
-    return at < dense_.size() ? dense_[static_cast<std::size_t>(at)] : -1;
+    return at < dense_.size() ? dense_[slot_of(at)] : -1;
   }
-  const auto found = std::lower_bound(
-      sorted_.begin(), sorted_.end(), id,
-      [&](int i, std::int64_t wanted) { return ids_[static_cast<std::size_t>(i)] < wanted; });
-  if (found == sorted_.end() || ids_[static_cast<std::size_t>(*found)] != id) return -1;
+  const auto found =
+      std::lower_bound(sorted_.begin(), sorted_.end(), id,
+                       [&](int i, std::int64_t wanted) { return ids_[slot_of(i)] < wanted; });
+  if (found == sorted_.end() || ids_[slot_of(*found)] != id) return -1;
   return *found;
 }
 
@@ -137,7 +137,7 @@ std::string set_list(const MeshFile& mesh) {
     text += (s == 0 ? "'" : ", '") + set.name + "' (";
     std::array<std::size_t, kCellKinds.size()> count{};
     for (const int cell : set.cells) {
-      ++count[static_cast<std::size_t>(mesh.kind[static_cast<std::size_t>(cell)])];
+      ++count[slot_of(mesh.kind[slot_of(cell)])];
     }
     std::string held;
     for (std::size_t k = 0; k < count.size(); ++k) {

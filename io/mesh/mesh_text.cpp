@@ -29,7 +29,7 @@ std::string all_bytes_of(const std::string& path) {
     throw std::runtime_error(path + ": is larger than 2 GiB, some 20 million elements");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
-  std::string bytes(static_cast<std::size_t>(size), '\0');
+  std::string bytes(slot_of(size), '\0');
   if (!file || std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) {
     throw std::runtime_error(path + ": cannot be read");
   }
@@ -59,7 +59,7 @@ std::string_view MeshText::word() {
   skip_blanks();
   const char* start = at_;
   while (at_ != end_ && !is_blank(*at_)) ++at_;
-  return {start, static_cast<std::size_t>(at_ - start)};
+  return {start, slot_of(at_ - start)};
 }
 
 std::string_view MeshText::rest_of_line() {
@@ -70,7 +70,7 @@ std::string_view MeshText::rest_of_line() {
   while (start != stop && is_blank(*start)) ++start;
   while (stop != start && is_blank(stop[-1])) --stop;
   if (at_ != end_) ++at_, ++line_;
-  return {start, static_cast<std::size_t>(stop - start)};
+  return {start, slot_of(stop - start)};
 }
 
 std::string_view MeshText::next_line() {
@@ -80,7 +80,7 @@ std::string_view MeshText::next_line() {
   at_ = stop == end_ ? end_ : stop + 1;
   taken_ = line_++;
   while (stop != start && is_blank(stop[-1])) --stop;
-  return {start, static_cast<std::size_t>(stop - start)};
+  return {start, slot_of(stop - start)};
 }
 
 std::int64_t MeshText::integer(const char* what) {
@@ -117,7 +117,7 @@ std::size_t MeshText::count(const char* what, std::size_t bytes) {
     wrong(std::string(what) + " is " + std::to_string(n) + ", and " + std::to_string(left()) +
           " bytes are left of the file");
   }
-  return static_cast<std::size_t>(n);
+  return slot_of(n);
 }
 
 void MeshText::raw(void* into, std::size_t size) {

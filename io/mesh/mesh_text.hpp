@@ -18,7 +18,7 @@ class MeshText {
   /// Line of the word taken last, from 1.
   int line() const { return taken_ > 0 ? taken_ : line_; }
   /// Bytes that are left: no count in a sound file is larger.
-  std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+  std::size_t left() const { return slot_of(end_ - at_); }
   bool at_end();
   /// The whole file, for formats that are neither of words nor of lines.
   std::string_view all() const { return bytes_; }

@@ -34,7 +34,7 @@ std::optional<int> component_index(const Field& field, const std::string& compon
   if (component.empty() && field.components == 1) return 0;
   if (component.empty() || component == "magnitude") return std::nullopt;
   for (int c = 0; c < field.components; ++c) {
-    const auto i = static_cast<std::size_t>(c);
+    const auto i = slot_of(c);
     if (field.components == 3 && component == kAxes[i]) return c;
     if (field.components == 6 && component == kTensor[i]) return c;
   }
@@ -42,7 +42,7 @@ std::optional<int> component_index(const Field& field, const std::string& compon
 }
 
 std::vector<Real> values_of(const Field& field, const std::string& component) {
-  const auto n = static_cast<std::size_t>(field.components);
+  const auto n = slot_of(field.components);
   const auto index = component_index(field, component);
   std::vector<Real> values(field.values.size() / n);
   for (std::size_t i = 0; i < values.size(); ++i) {

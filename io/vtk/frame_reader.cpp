@@ -108,7 +108,7 @@ ContactView in_order(const ContactView& all) {
   std::vector<std::size_t> order(all.key.size()), first(all.key.size() + 1, 0);
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    first[i + 1] = first[i] + static_cast<std::size_t>(all.polygon_size[i]);
+    first[i + 1] = first[i] + slot_of(all.polygon_size[i]);
   }
   const auto place = [&all](std::size_t i) {
     return std::pair(std::min(all.polygon_size[i], 3), all.key[i]);

@@ -31,7 +31,7 @@ bool is_whole_field(const std::string& name) {
 }
 
 const char* component_name(int components, int component) {
-  const auto c = static_cast<std::size_t>(component);
+  const auto c = slot_of(component);
   return components == 6 ? kTensorNames[c] : kVectorNames[c];
 }
 
@@ -61,7 +61,7 @@ namespace {
 }
 
 vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
-  const auto components = static_cast<std::size_t>(field.components);
+  const auto components = slot_of(field.components);
   if (field.values.size() != n * components) misfit("field " + field.name);
   vtkSmartPointer<vtkDataArray> array;
   if (is_whole_field(field.name)) {
@@ -103,7 +103,7 @@ void set_cells(const BodyView& view, std::size_t n_points, vtkUnstructuredGrid& 
     connectivity.resize(n_points);
     std::iota(connectivity.begin(), connectivity.end(), 0);
   }
-  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  const auto corners = slot_of(std::max(view.corners, 1));
   if (connectivity.size() % corners != 0) misfit("connectivity");
   auto types = vtkSmartPointer<vtkUnsignedCharArray>::New();
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -127,10 +127,10 @@ void set_cells(const BodyView& view, std::size_t n_points, vtkUnstructuredGrid& 
 
 Field to_field(vtkDataArray& array) {
   Field field{array.GetName() ? array.GetName() : "", array.GetNumberOfComponents(), {}};
-  const auto components = static_cast<std::size_t>(field.components);
-  field.values.resize(static_cast<std::size_t>(array.GetNumberOfTuples()) * components);
+  const auto components = slot_of(field.components);
+  field.values.resize(slot_of(array.GetNumberOfTuples()) * components);
   for (vtkIdType t = 0; t < array.GetNumberOfTuples(); ++t) {
-    array.GetTuple(t, field.values.data() + static_cast<std::size_t>(t) * components);
+    array.GetTuple(t, field.values.data() + slot_of(t) * components);
   }
   return field;
 }
@@ -183,7 +183,7 @@ std::vector<std::size_t> polydata_order(const ContactView& view) {
 
 Field reordered(const std::string& name, int components, const std::vector<Real>& values,
                 const std::vector<std::size_t>& order) {
-  const auto n = static_cast<std::size_t>(components);
+  const auto n = slot_of(components);
   if (values.size() != order.size() * n) misfit("contact field " + name);
   Field field{name, components, {}};
   for (const std::size_t i : order) {
@@ -206,9 +206,9 @@ vtkSmartPointer<vtkIntArray> label_array(const char* name, const std::vector<Lab
 vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view) {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(to_points(view.position));
-  const auto n_points = static_cast<std::size_t>(grid->GetNumberOfPoints());
+  const auto n_points = slot_of(grid->GetNumberOfPoints());
   set_cells(view, n_points, *grid);
-  const auto n_cells = static_cast<std::size_t>(grid->GetNumberOfCells());
+  const auto n_cells = slot_of(grid->GetNumberOfCells());
   for (const auto& field : view.point_fields) {
     grid->GetPointData()->AddArray(to_array(field, n_points));
   }

@@ -167,7 +167,7 @@ void draw_axes(Overlay& overlay, const ViewAxes& axes) {
   for (int c = 0; c < 3; ++c) {
     const Real dx = axes.right[c], dy = axes.up[c];
     if (std::hypot(dx, dy) < 0.1) continue;  // it points at the eye
-    const auto i = static_cast<std::size_t>(c);
+    const auto i = slot_of(c);
     overlay.line(x, y, x + size * dx, y + size * dy, 2.5, colours[i]);
     const Real beyond = 1 + 12 / (size * std::hypot(dx, dy));
     overlay.text(kAxes[i], x + size * dx * beyond, y + size * dy * beyond, 15, Anchor::centre);

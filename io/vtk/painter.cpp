@@ -123,7 +123,7 @@ void add_outline(vtkRenderer& renderer, vtkPolyData* surface) {
 }
 
 std::size_t cells_of(const BodyView& body) {
-  return body.corners == 0 ? 0 : body.connectivity.size() / static_cast<std::size_t>(body.corners);
+  return body.corners == 0 ? 0 : body.connectivity.size() / slot_of(body.corners);
 }
 
 void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
@@ -201,7 +201,7 @@ std::vector<std::array<Real, 2>> places_of(const ContactView& contacts, const Pi
   std::vector<std::array<Real, 2>> places;
   std::size_t first = 0;
   for (const int corners : contacts.polygon_size) {
-    const auto n = static_cast<std::size_t>(corners);
+    const auto n = slot_of(corners);
     Vec3 middle = Vec3::Zero();
     for (std::size_t k = 3 * first; k < 3 * (first + n); ++k) {
       middle[static_cast<int>(k % 3)] += contacts.position[k] / corners;

@@ -18,15 +18,15 @@ vtkSmartPointer<vtkImageData> averaged(vtkUnsignedCharArray& pixels, int width, 
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
   const unsigned char* in = pixels.GetPointer(0);
-  const std::size_t row = 3 * static_cast<std::size_t>(width) * kOversampling;
+  const std::size_t row = 3 * slot_of(width) * kOversampling;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       for (std::size_t c = 0; c < 3; ++c) {
         int sum = 0;
         for (std::size_t sy = 0; sy < kOversampling; ++sy) {
           for (std::size_t sx = 0; sx < kOversampling; ++sx) {
-            const std::size_t line = static_cast<std::size_t>(y) * kOversampling + sy;
-            const std::size_t place = static_cast<std::size_t>(x) * kOversampling + sx;
+            const std::size_t line = slot_of(y) * kOversampling + sy;
+            const std::size_t place = slot_of(x) * kOversampling + sx;
             sum += in[line * row + 3 * place + c];
           }
         }
@@ -45,7 +45,7 @@ std::string png_of(vtkImageData* image) {
   writer->Write();
   auto* bytes = writer->GetResult();
   return std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                     static_cast<std::size_t>(bytes->GetNumberOfValues()));
+                     slot_of(bytes->GetNumberOfValues()));
 }
 }  // namespace
 

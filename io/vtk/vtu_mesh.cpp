@@ -141,7 +141,7 @@ class VtuGrid {
     const int type = type_value >= 0 && type_value < 256 ? static_cast<int>(type_value) : -1;
     const auto kind = vtu_kind(type);
     if (!kind) wrong(name + " is of VTK's type " + std::to_string(type) + ", which is not known");
-    const auto corners = static_cast<std::size_t>(info(*kind).corners);
+    const auto corners = slot_of(info(*kind).corners);
     if (corners > 0 && points.size() != corners) {
       wrong(name + " has " + std::to_string(points.size()) + " corners, and its type " +
             std::to_string(corners));

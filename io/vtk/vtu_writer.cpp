@@ -67,7 +67,7 @@ std::size_t corners_in(const BodyView& view, std::size_t first, std::size_t corn
 
 /// connectivity, offsets and types; particles are one vertex a point.
 std::vector<VtuArray> cell_arrays(const BodyView& view, std::size_t n_points) {
-  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  const auto corners = slot_of(std::max(view.corners, 1));
   const std::size_t n = view.corners == 0 ? n_points : view.connectivity.size() / corners;
   const bool vertices = view.corners == 0;
   std::size_t n_corners = 0;
@@ -107,7 +107,7 @@ std::vector<VtuArray> cell_arrays(const BodyView& view, std::size_t n_points) {
 
 void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cells) {
   if (view.position.size() % 3 != 0) refuse("position");
-  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  const auto corners = slot_of(std::max(view.corners, 1));
   if (view.connectivity.size() % corners != 0) refuse("connectivity");
   for (std::size_t c = 0; c < view.connectivity.size(); ++c) {
     const auto point = view.connectivity[c];
@@ -118,7 +118,7 @@ void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cel
   }
   const auto check = [](const std::vector<Field>& fields, std::size_t n) {
     for (const auto& field : fields) {
-      if (field.values.size() != n * static_cast<std::size_t>(field.components)) {
+      if (field.values.size() != n * slot_of(field.components)) {
         refuse("field " + field.name);
       }
     }
@@ -199,7 +199,7 @@ class VtuFile {
 
 void write_vtu(const std::filesystem::path& path, const BodyView& view) {
   const std::size_t n_points = view.position.size() / 3;
-  const auto corners = static_cast<std::size_t>(std::max(view.corners, 1));
+  const auto corners = slot_of(std::max(view.corners, 1));
   const std::size_t n_cells = view.corners == 0 ? n_points : view.connectivity.size() / corners;
   check_lengths(view, n_points, n_cells);
   const std::vector<Real> time{view.time};

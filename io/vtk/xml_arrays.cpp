@@ -197,7 +197,7 @@ class XmlArrayReader {
       const auto [stop, error] = std::from_chars(at, end, value);
       if (error == std::errc::invalid_argument) {
         wrong("the array '" + name + "' has '" +
-              std::string(at, std::min<std::size_t>(20, static_cast<std::size_t>(end - at))) +
+              std::string(at, std::min<std::size_t>(20, slot_of(end - at))) +
               "' where a number should be");
       }
       values.push_back(value);
@@ -251,7 +251,7 @@ class XmlArrayReader {
   std::size_t head_number(const Bytes& bytes, std::size_t i) const {
     std::uint64_t value = 0;
     std::memcpy(&value, bytes.data() + i * header_, header_);
-    return static_cast<std::size_t>(value);
+    return slot_of(value);
   }
 
   /// The bytes of an array that begins at the start of a stream.
