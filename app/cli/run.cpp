@@ -92,6 +92,11 @@ Ended step_to_end(Scene<Dim>& scene, Clock& clock, Monitor<Dim>& monitor,
     PhysicsFailure failure = error.failure();
     if (failure.time == 0) failure.time = clock.time();
     failure.time = clock.real(failure.time);
+    if (clock.real(1) != 1) {
+      failure.cause +=
+          "; speeds and rates in this line are as stepped, time.process_speed times "
+          "the real ones";
+    }
     monitor.write_last_frame(scene, clock);
     return {kPhysicsBroke, PhysicsError(failure).what()};
   }
@@ -220,6 +225,14 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   summary.instruction_set = BRUNT_ISA;
 }
 
+/// A warning of the run: into the log, of the root on stderr too.
+void warn(const RunWarning& warning, bool root, spdlog::logger& log) {
+  log.warn("{}: {}", warning.id, warning.text);
+  log.flush();
+  if (!root) return;
+  std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
+}
+
 /// Writes the summary and the pictures, and says on the log and the screen how the run ended.
 template <int Dim>
 void report_end(const LoadedDeck& loaded, const RunArguments& arguments, const fs::path& folder,
@@ -231,6 +244,9 @@ void report_end(const LoadedDeck& loaded, const RunArguments& arguments, const f
   write_summary(folder, summary);
 
   for (const auto& [pair, text] : monitor.lost_contacts()) log.warn("contact: {}", text);
+  for (const auto& warning : inertia_warnings(summary.inertia, summary.process_speed)) {
+    warn(warning, true, log);
+  }
   log.info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
   for (const auto& line : end_lines(summary)) log.info("{}", line);
   if (!ended.reason.empty()) log.info("{}", ended.reason);
@@ -273,14 +289,6 @@ void log_start(const RunArguments& arguments, const Scene<Dim>& scene, const Com
 void log_restart(const Restart& restart, spdlog::logger& log) {
   log.info("goes on from {}, t = {} s", restart.point().manifest.string(),
            restart.point().header.time);
-}
-
-/// A warning of the run: into the log, of the root on stderr too.
-void warn(const RunWarning& warning, bool root, spdlog::logger& log) {
-  log.warn("{}: {}", warning.id, warning.text);
-  log.flush();
-  if (!root) return;
-  std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
 }
 
 /// Checkpoints that the run could not go on from.

@@ -21,10 +21,10 @@ void check_process_speed(const Deck& deck, Findings& findings) {
                        " times too much (time.process_speed): take one of the two out");
   }
   if (std::any_of(deck.gravity.begin(), deck.gravity.end(), [](Real g) { return g != 0; })) {
-    findings.warn("gravity",
-                  "acts with its own force, so that weights are right; what falls or "
-                  "swings does so " +
-                      square + " times too slowly (time.process_speed)");
+    findings.warn(
+        "gravity",
+        "acts with its own force, so that weights are right; what falls or swings takes " + factor +
+            " times as long (time.process_speed)");
   }
   for (const auto& [name, boundary] : deck.boundaries) {
     if (!boundary.of<Nonreflecting>().given()) continue;

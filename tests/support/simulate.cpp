@@ -131,6 +131,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   }
   result.step_margins = monitor.step_check().margins();
   for (const auto& warning : monitor.step_check().warnings()) result.reported.push_back(warning);
+  result.inertia = monitor.inertia();
   result.created = monitor.energy_shares().created;
   return result;
 }
