@@ -6,9 +6,14 @@
 // roundings: all results agree bit for bit, but masses and momenta, which have s^2 in them.
 // Artificial stress, dampers and step limits go by the sound speed and follow.
 //
-// Inertia. A block of height h between a fixed and a moving face, whose velocity is
-// V (1 - cos(2 pi t/T))/2, takes m a/2 of its side's force, at most rho h (pi V/T)/2 per area, and
-// s^2 times as much at s. The force rings with as much again where the motion begins.
+// Inertia. A block of mass m, w wide and h high, is pressed between smooth faces, one of them a
+// plane of symmetry, at v(t) = V (1 - cos(2 pi t/T))/2. Plastic flow keeps w h and makes of it v
+// y/h and v x/h: the kinetic energy is m v^2 (1 + q)/6, q = (w/h)^2, and by its power the force of
+// inertia
+//   F = m a (1 + q)/3 + 2/3 m v^2 q/h.
+// A process s times faster differs by (s^2 - 1) F, which is all that it may differ by. About that
+// the force rings where yielding begins and changes the field, by less than half of F's amplitude
+// while v grows, and by less than a twentieth later. F at s = 10 is 1.4 % of the force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -137,7 +142,8 @@ TEST(ProcessSpeed, IsTheSameAsMoreDensityBitForBit) {
   expect_same_run(fast, dense);
   EXPECT_EQ(fast.rows.back()[0], 40e-6);
   EXPECT_GT(fast.last("energy.plastic_heat"), 0);
-  EXPECT_GT(fast.last("contact.rain.friction_heat"), 0);
+  EXPECT_GT(fast.last("heat.friction"), 0);
+  EXPECT_NE(fast.last("heat.boundary"), 0);
 }
 
 TEST(ProcessSpeed, OneChangesNoBit) {
@@ -166,12 +172,13 @@ TEST(ProcessSpeed, ARestartChangesNoBit) {
 const char* const kUpset = R"yaml(
 title: a block is pressed
 geometry: plane-strain
+parameters: {C: 0}
 time: {end: 0.8 ms}
 materials:
   steel:
     density: 7850
     elastic: {E: 200 GPa, nu: 0.3}
-    strength: {j2: {yield: 300 MPa, hardening: 1 GPa}}
+    strength: {johnson-cook: {A: 20 MPa, B: 700 MPa, n: 0.3, C: $C}}
 bodies: {block: {material: steel, shape: {box: {min: [0, 0], max: [4 mm, 4 mm]}}, cells: [4, 4]}}
 boundaries:
   below: {body: block, where: {side: min-y}, fix: [y]}
@@ -180,51 +187,54 @@ boundaries:
 }
 output: {history: 4 us}
 )yaml";
-constexpr Real kHeight = 4e-3, kDensity = 7850, kV = 0.75, kT = 0.8e-3;
-// [N] of the inertia of the block at speed 1, for a depth of 1 m.
-constexpr Real kInertia = 0.5 * kDensity * kHeight * (kPi * kV / kT) * kHeight;
+constexpr Real kSide = 4e-3, kMass = 7850 * kSide * kSide;  // [m], [kg] for a depth of 1 m
+constexpr Real kV = 0.75, kT = 0.8e-3, kRate = 2 * kPi / kT;
+constexpr Real kInertia = 2.0 / 3 * kMass * (0.5 * kV * kRate);  // [N] amplitude of F
+const char* const kForce = "boundary.above.reaction.y";
 
-/// Forces and plastic work of both over the same real times.
+/// F(t) [N].
+Real inertia(Real t) {
+  const Real v = 0.5 * kV * (1 - std::cos(kRate * t)), a = 0.5 * kV * kRate * std::sin(kRate * t);
+  const Real h = kSide - 0.5 * kV * (t - std::sin(kRate * t) / kRate);
+  const Real q = std::pow(kSide / h, 4);
+  return kMass * a * (1 + q) / 3 + 2.0 / 3 * kMass * v * v * q / h;
+}
+
+/// Forces over the same real times, and the work that is left once all is at rest again.
 void expect_same_forces(const Simulation& slow, const Simulation& fast, Real s) {
   ASSERT_EQ(slow.failure, "");
   ASSERT_EQ(fast.failure, "");
   EXPECT_LT(static_cast<Real>(fast.steps), 1.05 * static_cast<Real>(slow.steps) / s);
-  const Real bound = 2 * s * s * kInertia;
-  for (Real t = 0.02e-3; t < kT; t += 0.02e-3) {
-    EXPECT_NEAR(at(fast, "boundary.above.reaction.y", t), at(slow, "boundary.above.reaction.y", t),
-                bound)
-        << t;
+  for (Real t = 0.04e-3; t < 0.79e-3; t += 0.01e-3) {
+    const Real more = -(at(fast, kForce, t) - at(slow, kForce, t));
+    const Real ringing = t < 0.5 * kT ? 0.5 : 0.05;
+    EXPECT_NEAR(more, (s * s - 1) * inertia(t), ringing * s * s * kInertia) << t;
   }
-  const Real force = -slow.last("boundary.above.reaction.y");
-  EXPECT_LT(bound, 0.02 * std::fabs(force));  // it says something
+  // What inertia takes while v grows it gives back; ringing over the way remains.
   const Real way = 0.5 * kV * kT;
-  EXPECT_NEAR(fast.last("energy.plastic_heat") + fast.last("energy.internal"),
-              slow.last("energy.plastic_heat") + slow.last("energy.internal"), bound * way);
+  EXPECT_NEAR(fast.last("energy.internal"), slow.last("energy.internal"),
+              0.5 * s * s * kInertia * way);
 }
 
 TEST(ProcessSpeed, PressingTakesTheSameForceOverRealTime) {
   const auto slow = simulate_text(kUpset), fast = simulate_text(kUpset, {speed(10)});
   expect_same_forces(slow, fast, 10);
-  // Inertia alone is wrong: by s^2, as long as the field of velocities is the same.
+  // Inertia alone is wrong: by s^2, where the field is the same.
   EXPECT_NEAR(at(fast, "energy.kinetic", 0.5 * kT) / at(slow, "energy.kinetic", 0.5 * kT), 100, 2);
   ASSERT_EQ(fast.inertia.size(), 1u);
   EXPECT_LT(fast.inertia[0].mean, InertiaWatch::kMuchInertia);
   EXPECT_TRUE(slow.inertia.empty());
-  // At 100 times the speed half of the work is of inertia at first, and it says so.
   const auto too_fast = simulate_text(kUpset, {speed(200)});
   EXPECT_FALSE(inertia_warnings(too_fast.inertia, 200).empty());
 }
 
-// At 100 1/s the rate makes 1 + 0.1 ln 100 = 1.46 of the flow stress, and ten times that would make
-// 1.69: 16 % more, eight times the bound.
+// At 190 1/s C = 0.1 makes 1 + 0.1 ln 190 = 1.52 of the flow stress, and ten times that rate would
+// make 1.75: 15 % of the force more, 20 times the bound.
 TEST(ProcessSpeed, FlowStressIsThatOfTheRealRate) {
-  const std::string rate =
-      "materials.steel.strength={johnson-cook: {A: 300 MPa, B: 1 GPa, n: 1, C: 0.1, rate_ref: 1}}";
+  const std::string rate = "parameters.C=0.1";
   const auto slow = simulate_text(kUpset, {rate}), fast = simulate_text(kUpset, {rate, speed(10)});
-  const auto still = simulate_text(kUpset);
   expect_same_forces(slow, fast, 10);
-  const std::string force = "boundary.above.reaction.y";
-  EXPECT_GT(at(slow, force, 0.5 * kT) / at(still, force, 0.5 * kT), 1.4);
+  EXPECT_NEAR(at(slow, kForce, 0.5 * kT) / at(simulate_text(kUpset), kForce, 0.5 * kT), 1.52, 0.03);
 }
 
 // Half-spaces in contact: fixed, their step is that of conduction, which goes by s. The same steps
