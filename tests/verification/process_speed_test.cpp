@@ -13,7 +13,7 @@
 //   F = m a (1 + q)/3 + 2/3 m v^2 q/h.
 // A process s times faster differs by (s^2 - 1) F, which is all that it may differ by. About that
 // the force rings where yielding begins and changes the field, by less than half of F's amplitude
-// while v grows, and by less than a twentieth later. F at s = 10 is 1.4 % of the force.
+// while v grows, and by less than a tenth later. F at s = 10 is 1.4 % of the force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -207,7 +207,7 @@ void expect_same_forces(const Simulation& slow, const Simulation& fast, Real s) 
   EXPECT_LT(static_cast<Real>(fast.steps), 1.05 * static_cast<Real>(slow.steps) / s);
   for (Real t = 0.04e-3; t < 0.79e-3; t += 0.01e-3) {
     const Real more = -(at(fast, kForce, t) - at(slow, kForce, t));
-    const Real ringing = t < 0.5 * kT ? 0.5 : 0.05;
+    const Real ringing = t < 0.5 * kT ? 0.5 : 0.1;
     EXPECT_NEAR(more, (s * s - 1) * inertia(t), ringing * s * s * kInertia) << t;
   }
   // What inertia takes while v grows it gives back; ringing over the way remains.
@@ -229,7 +229,7 @@ TEST(ProcessSpeed, PressingTakesTheSameForceOverRealTime) {
 }
 
 // At 190 1/s C = 0.1 makes 1 + 0.1 ln 190 = 1.52 of the flow stress, and ten times that rate would
-// make 1.75: 15 % of the force more, 20 times the bound.
+// make 1.75: 15 % of the force more, seven times the bound at its widest.
 TEST(ProcessSpeed, FlowStressIsThatOfTheRealRate) {
   const std::string rate = "parameters.C=0.1";
   const auto slow = simulate_text(kUpset, {rate}), fast = simulate_text(kUpset, {rate, speed(10)});
