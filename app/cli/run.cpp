@@ -114,7 +114,7 @@ std::vector<fs::path> draw_pictures(const fs::path& folder, const std::string& t
   }
 }
 
-/// What the end of a run tells of energies, and of inertia where the process was made faster.
+/// What the end of a run reports of energies, and of inertia where the process was made faster.
 std::vector<std::string> end_lines(const RunSummary& summary) {
   auto lines = energy_lines(summary.energy);
   if (!summary.distorts.empty()) lines.push_back(summary.distorts);

@@ -17,8 +17,8 @@ namespace brunt::deck {
 int time_power(std::string_view unit);
 
 /// The deck that is stepped for a deck of real times: it with process_speed 1.
-/// Left as they are: gravity, sound speeds of equations of state, wall times, what measures say of
-/// results, and columns of stop.when, which are real.
+/// Left as they are: gravity, sound speeds of equations of state, wall times, references of
+/// measures and columns of stop.when, which are real.
 Deck stepped_deck(const Deck& given);
 
 }  // namespace brunt::deck

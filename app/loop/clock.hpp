@@ -25,7 +25,7 @@ class Clock {
   Real time() const { return time_; }  ///< [s]
   Real end() const { return end_; }    ///< [s]
   Real dt() const { return dt_; }      ///< [s] of the last step
-  /// A time of the process [s], of one that is stepped: what is told and written.
+  /// A time of the process [s], of one that is stepped: what is reported and written.
   Real real(Real stepped) const { return process_speed_ * stepped; }
   Real real_time() const { return real(time_); }  ///< [s]
   std::int64_t step() const { return step_; }

@@ -13,7 +13,7 @@ namespace brunt {
 /// together. Looks come at fixed steps: what it says is a function of the deck.
 class InertiaWatch {
  public:
-  /// Kinetic energy over the work of stresses of which a warning tells.
+  /// Kinetic energy over the work of stresses from which on it warns.
   static constexpr Real kMuchInertia = 0.05;
 
   explicit InertiaWatch(std::size_t bodies) : sums_(bodies) {}
