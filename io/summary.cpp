@@ -97,6 +97,21 @@ EnergyShares energy_from(const Json& json) {
   return energy;
 }
 
+Json process_json(const RunSummary& s) {
+  Json shares = Json::object();
+  for (const auto& [body, end, mean] : s.inertia) shares[body] = {{"end", end}, {"mean", mean}};
+  return {{"speed", s.process_speed}, {"distorts", s.distorts}, {"kinetic_over_work", shares}};
+}
+
+void read_process(const Json& json, RunSummary& s) {
+  s.process_speed = real_at(json, "speed", s.process_speed);
+  s.distorts = json.value("distorts", s.distorts);
+  const Json shares = object_at(json, "kinetic_over_work");
+  for (const auto& [body, share] : shares.items()) {
+    s.inertia.push_back({body, real_at(share, "end", kUnknown), real_at(share, "mean", kUnknown)});
+  }
+}
+
 RunSummary from_json(const Json& json) {
   RunSummary s;
   s.version = json.at("version").get<std::string>();
@@ -137,6 +152,7 @@ RunSummary from_json(const Json& json) {
   for (const auto& [body, unused] : eroded.items()) {
     s.eroded.emplace_back(body, real_at(eroded, body.c_str(), 0));
   }
+  read_process(object_at(json, "process"), s);
   s.measures = measures_from(object_at(json, "measures"));
   const Json warnings = json.value("warnings", Json::array());
   for (const auto& entry : warnings) {
@@ -198,6 +214,7 @@ std::string to_json(const RunSummary& s) {
   json["drift"] = s.drift;
   if (!s.state_hash.empty()) json["state_hash"] = s.state_hash;
   json["energy"] = energy_json(s.energy);
+  if (s.process_speed != 1) json["process"] = process_json(s);
   if (!s.step_margins.empty()) json["step_margins"] = shares_json(s.step_margins);
   if (!s.eroded.empty()) json["eroded"] = shares_json(s.eroded);
   json["measures"] = measures_json(s.measures);

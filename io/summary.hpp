@@ -46,6 +46,12 @@ struct EnergyShares {
   std::vector<std::pair<std::string, Real>> hourglass;  ///< over the work of a body's stresses
 };
 
+/// Kinetic energy over the work of stresses of a body, of a process that is stepped faster.
+struct InertiaShare {
+  std::string body;
+  Real end = 0, mean = 0;  ///< [1] at the end, and of the integrals over time
+};
+
 /// What summary.json holds of one run: what a sweep reads. A number that is not known is NaN.
 struct RunSummary {
   std::string version;
@@ -76,6 +82,9 @@ struct RunSummary {
   std::vector<std::pair<std::string, Real>> step_margins;
   /// Elements that have eroded, by body, of those that may.
   std::vector<std::pair<std::string, Real>> eroded;
+  Real process_speed = 1;  ///< of the deck
+  std::string distorts;    ///< what that distorts; "": 1
+  std::vector<InertiaShare> inertia;
   std::vector<MeasureResult> measures;
   std::vector<RunWarning> warnings;
   int ranks = 1;

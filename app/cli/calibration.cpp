@@ -74,7 +74,7 @@ std::optional<Calibration> calibrate(const LoadedDeck& loaded, Scene<Dim>& scene
     Monitor<Dim> monitor(deck, &history, frames.get(), true, [](const RunWarning&) {});
     Sample<Dim> sample(monitor);
     Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
-                deck.time.min_step);
+                deck.time.min_step, deck.time.process_speed);
     run_time_loop<Dim>(scene, clock, sample);
     found = sample.result();
   } catch (const std::exception&) {

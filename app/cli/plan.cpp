@@ -76,7 +76,9 @@ void print_physics(const LoadedDeck& loaded) {
     std::printf("heat       none: no material is heated, no temperature is kept\n");
   }
   if (!loaded.deck.gravity.empty()) std::printf("gravity    yes\n");
-  if (loaded.deck.damping) std::printf("damping    %g 1/s\n", loaded.deck.damping->rate);
+  const Real speed = loaded.deck.time.process_speed;
+  if (loaded.deck.damping) std::printf("damping    %g 1/s\n", loaded.deck.damping->rate / speed);
+  if (speed != 1) std::printf("process    stepped %g times faster; all times are real\n", speed);
 }
 
 template <int Dim>
@@ -101,7 +103,7 @@ void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
 /// known how far they flatten.
 void print_steps(const Deck& deck, Real steps) {
   const Flattening flattening = flattening_of(deck);
-  const std::string end = deck::time_text(deck.time.end);
+  const std::string end = deck::time_text(deck.time.real(deck.time.end));
   Real most = flattening.most_steps() * steps;
   const Real digits = std::pow(10, std::floor(std::log10(most)) - 1);
   most = digits * std::ceil(most / digits);  // more than two are not known
@@ -218,12 +220,13 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
               scene->n_elements(), scene->n_particles());
   print_memory(deck, *scene, program);
-  std::printf("step       %s, bound by %s of %s\n", deck::time_text(dt).c_str(), step_limit.reason,
-              scene->body_names[step_limit.body].c_str());
+  std::printf("step       %s, bound by %s of %s\n", deck::time_text(deck.time.real(dt)).c_str(),
+              step_limit.reason, scene->body_names[step_limit.body].c_str());
   print_steps(deck, steps);
   if (heat_step < kInfinity) {
     std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
-                deck::time_text(heat_step).c_str(), heat_step / dt, deck.time.heat_every);
+                deck::time_text(deck.time.real(heat_step)).c_str(), heat_step / dt,
+                deck.time.heat_every);
   }
   print_columns(*scene);
   scene = build_scene<Dim>(loaded);  // as it is at time 0

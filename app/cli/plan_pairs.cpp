@@ -66,7 +66,7 @@ std::string when_they_meet(const Deck& deck, const MovingBox& a, const MovingBox
   const Real time = meeting_time({a.low, b.low}, {a.high, b.high}, speed);
   if (time == 0) return "; near at time 0";
   if (time > deck.time.end) return "; apart, and as they move at time 0 they do not meet";
-  return "; apart until about " + deck::time_text(time);
+  return "; apart until about " + deck::time_text(deck.time.real(time));
 }
 }  // namespace
 

@@ -77,7 +77,7 @@ void log_windows(const Scene<Dim>& scene, const Clock& clock, int heat_every, sp
   const Real step = clock.unshortened(smallest(scene.stable_step(clock.time())));
   const Real longest = smallest(scene.heat_step()).step;
   log.info("conduction of every {}th step acts for {} s, {:.2g} of its longest stable step",
-           heat_every, heat_every * step, step / longest);
+           heat_every, clock.real(heat_every * step), step / longest);
 }
 
 /// Steps the scene; a broken physics is reported after a last frame.
@@ -91,6 +91,12 @@ Ended step_to_end(Scene<Dim>& scene, Clock& clock, Monitor<Dim>& monitor,
   } catch (const PhysicsError& error) {
     PhysicsFailure failure = error.failure();
     if (failure.time == 0) failure.time = clock.time();
+    failure.time = clock.real(failure.time);
+    if (clock.real(1) != 1) {
+      failure.cause +=
+          "; speeds and rates in this line are as stepped, time.process_speed times "
+          "the real ones";
+    }
     monitor.write_last_frame(scene, clock);
     return {kPhysicsBroke, PhysicsError(failure).what()};
   }
@@ -108,6 +114,14 @@ std::vector<fs::path> draw_pictures(const fs::path& folder, const std::string& t
   }
 }
 
+/// What the end of a run reports of energies, and of inertia where the process was made faster.
+std::vector<std::string> end_lines(const RunSummary& summary) {
+  auto lines = energy_lines(summary.energy);
+  if (!summary.distorts.empty()) lines.push_back(summary.distorts);
+  if (!summary.inertia.empty()) lines.push_back(inertia_line(summary.inertia));
+  return lines;
+}
+
 void print_summary(const RunSummary& summary, const fs::path& folder,
                    const std::vector<fs::path>& pictures) {
   for (const auto& measure : summary.measures) {
@@ -118,7 +132,7 @@ void print_summary(const RunSummary& summary, const fs::path& folder,
     }
     std::fputc('\n', stderr);
   }
-  for (const auto& line : energy_lines(summary.energy)) {
+  for (const auto& line : end_lines(summary)) {
     std::fprintf(stderr, "  %s\n", line.c_str());
   }
   for (const auto& [body, margin] : summary.step_margins) {
@@ -153,12 +167,21 @@ void print_end(const Ended& ended, const Clock& clock, const fs::path& folder) {
         stderr,
         "brunt: stopped by a signal at t = %s of %s, after step %lld; what stands in %s is "
         "whole up to there, and --resume goes on from there\n",
-        deck::time_text(clock.time()).c_str(), deck::time_text(clock.end()).c_str(),
-        static_cast<long long>(clock.step()), folder.c_str());
+        deck::time_text(clock.real_time()).c_str(),
+        deck::time_text(clock.real(clock.end())).c_str(), static_cast<long long>(clock.step()),
+        folder.c_str());
   } else if (!ended.reason.empty()) {
-    std::fprintf(stderr, "brunt: ended at t = %s: %s\n", deck::time_text(clock.time()).c_str(),
+    std::fprintf(stderr, "brunt: ended at t = %s: %s\n", deck::time_text(clock.real_time()).c_str(),
                  ended.reason.c_str());
   }
+}
+
+/// What making the process faster distorts.
+void take_process(Real speed, const std::vector<InertiaShare>& inertia, RunSummary& summary) {
+  summary.process_speed = speed;
+  summary.distorts = distortion_text(speed);
+  summary.inertia = inertia;
+  for (const auto& warning : inertia_warnings(inertia, speed)) summary.warnings.push_back(warning);
 }
 
 /// What the run came to; costs aside.
@@ -191,6 +214,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   if (monitor.end_hash()) summary.state_hash = std::to_string(*monitor.end_hash());
   summary.step_margins = monitor.step_check().margins();
   summary.eroded = monitor.eroded();
+  take_process(loaded.deck.time.process_speed, monitor.inertia(), summary);
   for (const auto& warning : monitor.step_check().warnings()) summary.warnings.push_back(warning);
   for (const auto& [pair, text] : monitor.lost_contacts()) {
     summary.warnings.push_back({"contact", text});
@@ -199,6 +223,14 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
     summary.warnings.push_back({artificial_stress_path(body), text});
   }
   summary.instruction_set = BRUNT_ISA;
+}
+
+/// A warning of the run: into the log, of the root on stderr too.
+void warn(const RunWarning& warning, bool root, spdlog::logger& log) {
+  log.warn("{}: {}", warning.id, warning.text);
+  log.flush();
+  if (!root) return;
+  std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
 }
 
 /// Writes the summary and the pictures, and says on the log and the screen how the run ended.
@@ -212,8 +244,11 @@ void report_end(const LoadedDeck& loaded, const RunArguments& arguments, const f
   write_summary(folder, summary);
 
   for (const auto& [pair, text] : monitor.lost_contacts()) log.warn("contact: {}", text);
+  for (const auto& warning : inertia_warnings(summary.inertia, summary.process_speed)) {
+    warn(warning, true, log);
+  }
   log.info("{} steps, {} s, drift {}", summary.steps, summary.wall_seconds, summary.drift);
-  for (const auto& line : energy_lines(summary.energy)) log.info("{}", line);
+  for (const auto& line : end_lines(summary)) log.info("{}", line);
   if (!ended.reason.empty()) log.info("{}", ended.reason);
   log.flush();
   if (arguments.json) std::printf("%s\n", to_json(summary).c_str());
@@ -254,14 +289,6 @@ void log_start(const RunArguments& arguments, const Scene<Dim>& scene, const Com
 void log_restart(const Restart& restart, spdlog::logger& log) {
   log.info("goes on from {}, t = {} s", restart.point().manifest.string(),
            restart.point().header.time);
-}
-
-/// A warning of the run: into the log, of the root on stderr too.
-void warn(const RunWarning& warning, bool root, spdlog::logger& log) {
-  log.warn("{}: {}", warning.id, warning.text);
-  log.flush();
-  if (!root) return;
-  std::fprintf(stderr, "warning: %s: %s\n", warning.id.c_str(), warning.text.c_str());
 }
 
 /// Checkpoints that the run could not go on from.
@@ -335,7 +362,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   log_start(arguments, *scene, ranks, warnings, summary, *log);
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
-              deck.time.min_step);
+              deck.time.min_step, deck.time.process_speed);
   std::optional<HistoryWriter> history;
   const auto columns = HistoryColumns<Dim>(*scene).names();  // collective
   if (root) history.emplace(folder / "history.csv", columns);

@@ -81,7 +81,8 @@ std::optional<LastRow> last_row_of(const fs::path& folder) {
 /// [s] at which the run ends by its deck.
 std::optional<Real> end_of(const fs::path& folder) {
   try {
-    return load_deck((folder / "deck.resolved.yaml").string(), {}).deck.time.end;
+    const auto& time = load_deck((folder / "deck.resolved.yaml").string(), {}).deck.time;
+    return time.real(time.end);
   } catch (const std::exception&) {
     return std::nullopt;
   }

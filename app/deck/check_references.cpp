@@ -244,6 +244,7 @@ void check_deck(const Deck& deck, Findings& findings) {
   check_materials(deck, findings);
   check_bodies(deck, findings);
   check_times(deck, findings);
+  check_process_speed(deck, findings);
 }
 
 }  // namespace brunt::deck

@@ -16,5 +16,7 @@ void check_materials(const Deck& deck, Findings& findings);
 void check_bodies(const Deck& deck, Findings& findings);
 /// Times and intervals against the end of the run; boundaries that contradict themselves.
 void check_times(const Deck& deck, Findings& findings);
+/// What time.process_speed cannot make faster, and what inertia decides.
+void check_process_speed(const Deck& deck, Findings& findings);
 
 }  // namespace brunt::deck

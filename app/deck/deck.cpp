@@ -17,7 +17,6 @@ void describe(Schema& s, MassScaling& scaling) {
 }
 
 void describe(Schema& s, Time& time) {
-  static constexpr const char* kLater[] = {"process_speed"};
   s.real({"end", "time at which the run ends", Need::required}, time.end,
          {"s", positive(), between(1e-9, 1e3)});
   s.real({"safety", "fraction of the stable step that is used"}, time.safety,
@@ -48,7 +47,11 @@ void describe(Schema& s, Time& time) {
   s.real(
       {"until", "stops here with a checkpoint, at the first step that gets there; no bit changes"},
       time.until, {"s", positive()});
-  s.later(kLater);
+  s.real(
+      {"process_speed",
+       "steps a process of little inertia, cutting or forming, so many times faster; the deck and "
+       "all results are in real time"},
+      time.process_speed, {"1", at_least(1), between(1, 1e4)});
 }
 
 void describe(Schema& s, ContactPair& pair) {

@@ -37,6 +37,9 @@ struct Time {
   Real max_drift = 0.05;      ///< energy drift over the largest energy at which the run stops
   Real max_created = 0.05;    ///< energy that nobody put in, over the largest, at which it stops
   std::optional<Real> until;  ///< [s] stops, with a checkpoint, at the first step that gets there
+  Real process_speed = 1;     ///< seconds of the process in a second that is stepped
+  /// A time of the process [s], of one of the deck that is stepped.
+  Real real(Real stepped) const { return process_speed * stepped; }
 };
 
 enum class Heat : int { automatic, off, adiabatic, conduct };
@@ -159,12 +162,12 @@ struct DeckParameter {
 };
 
 struct LoadedDeck {
-  Deck deck;
+  Deck deck;  ///< as it is stepped: with time.process_speed, not in real time
   DeckPlaces places;
   std::vector<DeckProblem> warnings;
   std::vector<std::string> wrong;  ///< keys that are wrong; none in a deck that can run
   std::string hash;                ///< 16 hex digits of the resolved deck
-  std::string resolved;            ///< the resolved deck as YAML, SI; reads back to the same Deck
+  std::string resolved;  ///< the resolved deck as YAML, SI, real time; reads back to the same Deck
   std::vector<DeckParameter> parameters;
   std::vector<std::string> overrides;
 };

@@ -9,6 +9,7 @@
 #include "app/deck/deck.hpp"
 #include "app/deck/library.hpp"
 #include "app/deck/loader.hpp"
+#include "app/deck/process_speed.hpp"
 #include "app/deck/quality.hpp"
 #include "io/deck/echo.hpp"
 #include "io/deck/parameters.hpp"
@@ -187,9 +188,11 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
     loaded.parameters.push_back(shown);
   }
   loaded.overrides = override_texts;
-  if (!problems.empty()) return loaded;  // half a deck has no echo
-  loaded.resolved = echo(loaded.deck);
-  loaded.hash = hash_of(loaded.resolved);
+  if (problems.empty()) {  // half a deck has no echo
+    loaded.resolved = echo(loaded.deck);
+    loaded.hash = hash_of(loaded.resolved);
+  }
+  loaded.deck = stepped_deck(loaded.deck);
   return loaded;
 }
 

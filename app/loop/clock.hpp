@@ -12,13 +12,22 @@ class Clock {
  public:
   /// min_step [s]: a shorter step limit stops the run; none: kCollapsed of the first step that
   /// elements or particles bound, and 1e-9 of the end where none do.
-  Clock(Real end, Real safety, Real max_step, std::optional<Real> min_step = {})
-      : end_(end), safety_(safety), max_step_(max_step), min_step_(min_step) {}
+  /// process_speed  seconds of the process in one that is stepped
+  Clock(Real end, Real safety, Real max_step, std::optional<Real> min_step = {},
+        Real process_speed = 1)
+      : end_(end),
+        safety_(safety),
+        max_step_(max_step),
+        min_step_(min_step),
+        process_speed_(process_speed) {}
 
   bool finished() const { return stopped_ || time_ >= end_; }
   Real time() const { return time_; }  ///< [s]
   Real end() const { return end_; }    ///< [s]
   Real dt() const { return dt_; }      ///< [s] of the last step
+  /// A time of the process [s], of one that is stepped: what is reported and written.
+  Real real(Real stepped) const { return process_speed_ * stepped; }
+  Real real_time() const { return real(time_); }  ///< [s]
   std::int64_t step() const { return step_; }
   const StepLimit& whose() const { return whose_; }
   void stop() { stopped_ = true; }
@@ -82,6 +91,7 @@ class Clock {
 
   Real end_, safety_, max_step_;
   std::optional<Real> min_step_;
+  Real process_speed_ = 1;
   Real planned_step_ = 0;
   Real time_ = 0, dt_ = 0;
   std::int64_t step_ = 0;

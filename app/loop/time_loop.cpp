@@ -21,12 +21,12 @@ Real choose_step(const StepLimit& step_limit, Scene<Dim>& scene, Clock& clock) {
   if (!(step_limit.step >= clock.least_step())) {
     scene.check(clock.time());  // knows better, where an element is inverted or a value no number
     std::ostringstream cause;
-    cause << "the step collapsed below " << clock.least_step() << " s (time.min_step) "
+    cause << "the step collapsed below " << clock.real(clock.least_step()) << " s (time.min_step) "
           << "in step " << clock.step() << "; " << scene.advice(step_limit);
     throw PhysicsError({clock.time(),
                         scene.body_names.empty() ? "" : scene.body_names[step_limit.body],
                         std::string(step_limit.reason) + " " + std::to_string(step_limit.entity),
-                        "stable step [s]", step_limit.step, cause.str()});
+                        "stable step [s]", clock.real(step_limit.step), cause.str()});
   }
   return clock.limit(step_limit);
 }

@@ -117,7 +117,7 @@ void Checkpointing<Dim>::write(Scene<Dim>& scene, const Clock& clock) {
     monitor_.save_state(content.tables, content.texts);
     content.texts["deck"] = loaded_.resolved;
   }
-  const CheckpointHeader header{BRUNT_VERSION, loaded_.hash, clock.time(),
+  const CheckpointHeader header{BRUNT_VERSION, loaded_.hash, clock.real_time(),
                                 static_cast<std::uint64_t>(clock.step()),
                                 static_cast<std::uint64_t>(ranks.size())};
   CheckpointPart part;

@@ -19,7 +19,7 @@ void check_deck(const RestartPoint& point, const LoadedDeck& loaded) {
     problems.push_back({place, "", "is of another deck: " + difference});
   }
   const auto later = [&](const char* key, Real value) {
-    if (value > point.header.time) return;
+    if (loaded.deck.time.real(value) > point.header.time) return;
     problems.push_back(loaded.places.problem(
         key, "expects a time after that of the checkpoint, " + shortest(point.header.time) + " s"));
   };

@@ -58,7 +58,7 @@ std::vector<std::string> added_mass_warnings(const LoadedDeck& loaded, const Sce
   }
   if (!any) {
     texts.push_back("changes nothing: all elements allow a step of " +
-                    deck::time_text(scaling->step) + " as they are");
+                    deck::time_text(loaded.deck.time.real(scaling->step)) + " as they are");
   }
   return texts;
 }

@@ -43,14 +43,16 @@ std::string at_text(Real time, const Vec3& place, int dim) {
 
 /// Why a value of a boundary is no number, "" where all are.
 template <int Dim>
-std::string bad_value(const Patch<Dim>& patch, const FunctionOfTimeAndPlace& function, Real end) {
-  const Window<Dim> window(patch, patch, end);
+std::string bad_value(const Patch<Dim>& patch, const FunctionOfTimeAndPlace& function,
+                      const deck::Time& times) {
+  const Window<Dim> window(patch, patch, times.end);
   for (const LocalIndex point : some_of(patch.chosen)) {
     const Vec3 place = place_of(patch, point);
     for (const Real time : window.times()) {
       const Real value = function(time, place);
       if (std::isfinite(value)) continue;
-      return (std::isnan(value) ? "is not a number " : "is infinite ") + at_text(time, place, Dim);
+      return (std::isnan(value) ? "is not a number " : "is infinite ") +
+             at_text(times.real(time), place, Dim);
     }
   }
   return "";
@@ -62,7 +64,7 @@ bool check_values(const LoadedDeck& loaded, const Acting& acting,
                   std::vector<DeckProblem>& problems) {
   bool all = true;
   acting.visit_functions([&](const std::string& key, const FunctionOfTimeAndPlace& function) {
-    const std::string bad = bad_value<Dim>(acting.patch, function, loaded.deck.time.end);
+    const std::string bad = bad_value<Dim>(acting.patch, function, loaded.deck.time);
     if (bad.empty()) return;
     all = false;
     problems.push_back(
@@ -89,6 +91,7 @@ void check_pair(const LoadedDeck& loaded, const MotionSupport<Dim>& a, const Mot
                 std::vector<DeckProblem>& problems) {
   const Window<Dim> window(a.patch, b.patch, loaded.deck.time.end);
   if (window.empty()) return;
+  const Real speed = loaded.deck.time.process_speed;
   const auto shared = shared_points(a.patch, b.patch);
   for (int c = 0; c < Dim; ++c) {
     const auto k = slot_of(c);
@@ -104,9 +107,9 @@ void check_pair(const LoadedDeck& loaded, const MotionSupport<Dim>& a, const Mot
         problems.push_back(loaded.places.problem(
             "boundaries." + b.patch.name,
             "shares " + std::to_string(shared.size()) + " points with '" + a.patch.name +
-                "', and they move along " + axis + " at " + deck::short_text(second) +
-                " m/s here and at " + deck::short_text(first) + " m/s there; leave " + axis +
-                " free in one of them, or choose other points"));
+                "', and they move along " + axis + " at " + deck::short_text(second / speed) +
+                " m/s here and at " + deck::short_text(first / speed) + " m/s there; leave " +
+                axis + " free in one of them, or choose other points"));
         return;
       }
     }

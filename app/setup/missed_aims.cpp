@@ -91,7 +91,7 @@ std::string what_was_meant(const Deck& deck, const std::vector<Flight<Dim>>& fli
   }
   const auto name = [&](std::size_t b) { return "'" + deck.bodies[b].name + "'"; };
   if (later < kInfinity) {
-    return "it would meet " + name(met_later) + " at " + deck::time_text(later) +
+    return "it would meet " + name(met_later) + " at " + deck::time_text(deck.time.real(later)) +
            ": a longer time.end or a smaller distance was probably meant";
   }
   if (opposite < kInfinity) {
@@ -133,7 +133,8 @@ void warn_of_missed_aims(const LoadedDeck& loaded, const Scene<Dim>& scene, cons
     if (meets || others.empty()) continue;
     const auto& [name, body] = deck.bodies[a];
     warn("bodies." + name + (body.rigid && body.motion ? ".motion.velocity" : ".velocity"),
-         "in a straight line the body meets nothing until " + deck::time_text(deck.time.end) +
+         "in a straight line the body meets nothing until " +
+             deck::time_text(deck.time.real(deck.time.end)) +
              " (time.end): " + what_was_meant<Dim>(deck, flights, a, others));
   }
 }

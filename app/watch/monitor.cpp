@@ -46,6 +46,8 @@ Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frame
       lost_contacts_(Dim),
       watch_(deck),
       stops_(deck),
+      inertia_(deck.bodies.size()),
+      real_(deck.time.process_speed),
       warn_(std::move(warn)),
       history_every_(deck.output.history.value_or(deck.time.end / 2000)),
       frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
@@ -63,6 +65,7 @@ template <int Dim>
 void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
   columns_ = collector_->names();
+  real_.set_columns(columns_);
   if (!deck_.output.history) row_steps_ = steps_between_rows(row_work(scene));
   keep_start(scene);
   stops_.begin(scene, columns_);
@@ -78,7 +81,9 @@ void Monitor<Dim>::keep_start(Scene<Dim>& scene) {
     auto& names = wanted.try_emplace(reads->body, kNoFields).first->second.names;
     names->insert(names->end(), reads->fields.names->begin(), reads->fields.names->end());
   }
-  for (const auto& [name, fields] : wanted) start_[name] = scene.view(label(name), fields);
+  for (const auto& [name, fields] : wanted) {
+    real_.make_real(start_[name] = scene.view(label(name), fields));
+  }
 }
 
 template <int Dim>
@@ -107,10 +112,12 @@ typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const
                                                         bool hashes) {
   auto row = collector_->collect(scene, clock, is_looked_at(clock.step()), hashes);
   refuse_row(scene, row, clock);
+  real_.make_real(row.values);
+  for (auto& pair : row.lost) pair.lost.time = clock.real(pair.lost.time);
   for (const auto& text : lost_contacts_.take(row.lost)) warn({"contact", text});
   energies_ = row.energies, created_ = row.created;
   for (const auto& body :
-       artificial_tension_.take(clock.time(), row.artificial_share, body_names_)) {
+       artificial_tension_.take(clock.real_time(), row.artificial_share, body_names_)) {
     warn({artificial_stress_path(body), artificial_tension_.all().at(body)});
   }
   return row;
@@ -126,7 +133,8 @@ void Monitor<Dim>::refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Cl
   scene.check(clock.time());
   const std::string& column = columns_[found - row.values.begin()];
   throw PhysicsError({clock.time(), "", "step " + std::to_string(clock.step()),
-                      "step [s] in which column '" + column + "' is no finite number", clock.dt(),
+                      "step [s] in which column '" + column + "' is no finite number",
+                      clock.real(clock.dt()),
                       "this row is not written; try a smaller time.safety, and look at the last "
                       "rows for what grows"});
 }
@@ -136,6 +144,13 @@ template <int Dim>
 void Monitor<Dim>::watch(const HistoryRow& row, const Clock& clock) {
   const RunLook look{row.energies, row.created, collector_->energies(), row.deepest_pair};
   for (const auto& warning : watch_.look(look, clock)) warn(warning);
+  if (is_looked_at(clock.step())) inertia_.look(row.energies, clock.time());
+}
+
+template <int Dim>
+std::vector<InertiaShare> Monitor<Dim>::inertia() const {
+  if (deck_.time.process_speed == 1) return {};
+  return inertia_.shares(body_names_, energies_);
 }
 
 template <int Dim>
@@ -192,6 +207,7 @@ bool Monitor<Dim>::wants_hash(const Clock& clock) const {
 template <int Dim>
 BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, BodyView view, Real time) const {
   view.time = time;
+  real_.make_real(view);
   const bool alone = scene.ranks->alone();
   const auto& fields = deck_.output.fields;
   const auto dropped = [&](const Field& field) {
@@ -223,7 +239,7 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   ContactView contact;
   if (scene.contact) contact = scene.own_contacts();
   refuse_no_numbers(views, contact, *scene.ranks);
-  frames_->write(time, views, scene.contact ? &contact : nullptr);
+  frames_->write(deck_.time.real(time), views, scene.contact ? &contact : nullptr);
 }
 
 template <int Dim>
@@ -291,6 +307,7 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
     const bool there = reads && std::find(body_names_.begin(), body_names_.end(), reads->body) !=
                                     body_names_.end();
     view = there ? scene.view(label(reads->body), reads->fields) : BodyView{};
+    real_.make_real(view);
     if (!scene.ranks->is_root()) continue;
     try {
       const Real value = evaluate_measure(measure, source, measures_);

@@ -12,9 +12,11 @@
 #include "app/loop/time_loop.hpp"
 #include "app/watch/artificial_tension.hpp"
 #include "app/watch/history_columns.hpp"
+#include "app/watch/inertia_watch.hpp"
 #include "app/watch/lost_contacts.hpp"
 #include "app/watch/measures.hpp"
 #include "app/watch/progress.hpp"
+#include "app/watch/real_values.hpp"
 #include "app/watch/run_watch.hpp"
 #include "app/watch/stops.hpp"
 #include "io/history.hpp"
@@ -80,6 +82,8 @@ class Monitor final : public Observer<Dim> {
     return artificial_tension_.all();
   }
   const StepCheck& step_check() const { return step_check_; }
+  /// How much inertia takes part, as of the last row; none where the process is not made faster.
+  std::vector<InertiaShare> inertia() const;
   /// Elements that have eroded as of the last row, by body, of those that may.
   std::vector<std::pair<std::string, Real>> eroded() const;
   const std::vector<std::string>& columns() const { return columns_; }
@@ -128,9 +132,12 @@ class Monitor final : public Observer<Dim> {
   EnergyLook energies_;  // of the last row
   std::vector<CreatedEnergy> created_;
   ArtificialTensionWarnings artificial_tension_;
+  InertiaWatch inertia_;
+  RealValues real_;
   StepCheck step_check_;
   Warn warn_;
   std::string reason_;
+  // Times of the run [s], as it is stepped; rows and frames are in real time.
   Real history_every_, frame_every_;
   std::int64_t row_steps_ = 1;  // least number of steps between two rows that are due
   std::int64_t row_step_ = 0;   // of the last row

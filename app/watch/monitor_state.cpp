@@ -56,6 +56,7 @@ void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
       "monitor", [&](auto& row) { visit(row, *this); }, tables);
   collector_->save_state(tables);
   watch_.save_state(tables, texts);
+  if (deck_.time.process_speed != 1) inertia_.save_state(tables);
   save_rows(
       "history", rows_.size(), number,
       [&](auto& row, std::size_t r) {
@@ -95,6 +96,7 @@ void Monitor<Dim>::load_state(const StateTables& tables,
       "monitor", [&](auto& row) { visit(row, *this); }, tables);
   collector_->load_state(tables);
   watch_.load_state(tables, texts);
+  if (deck_.time.process_speed != 1) inertia_.load_state(tables);
   // A row has a value a column and its hash, 0 where none was asked for.
   rows_.assign(tables.rows("history").size(), std::vector<Real>(columns_.size() - 1));
   hashes_.assign(rows_.size(), 0);

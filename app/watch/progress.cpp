@@ -69,8 +69,8 @@ void Progress::show(const Clock& clock, const std::string& whose, Real drift) {
   const double interval = terminal_ ? 0.2 : 10.0;
   if (seconds_since(last_) < interval) return;
   last_ = std::chrono::steady_clock::now();
-  std::string line = progress_text(
-      {clock.time(), clock.end(), clock.step(), clock.dt(), whose, drift, seconds_since(start_)});
+  std::string line = progress_text({clock.real_time(), clock.real(clock.end()), clock.step(),
+                                    clock.real(clock.dt()), whose, drift, seconds_since(start_)});
   shown_ = true;
   if (!terminal_) {
     std::fprintf(stderr, "%s\n", line.c_str());

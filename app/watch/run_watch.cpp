@@ -20,7 +20,7 @@ std::string percent(Real share) {
 }
 
 std::string at_time(const Clock& clock) {
-  return "at t = " + deck::time_text(clock.time()) + ", step " + std::to_string(clock.step());
+  return "at t = " + deck::time_text(clock.real_time()) + ", step " + std::to_string(clock.step());
 }
 
 /// What lets fewer hourglass modes grow than the body's elements do now.
@@ -121,9 +121,10 @@ void RunWatch::look_at_steps(const Clock& clock, std::vector<RunWarning>& warnin
   steps_warned_ = 1;
   std::ostringstream out;
   out.precision(3);
-  out << "the step has shrunk to " << passed / steps << " s " << at_time(clock) << ", by "
-      << whose_text(clock) << ": " << left << " steps are left where the first step made it "
-      << plan << " in all; below " << clock.least_step() << " s the run stops (time.min_step)";
+  out << "the step has shrunk to " << clock.real(passed / steps) << " s " << at_time(clock)
+      << ", by " << whose_text(clock) << ": " << left
+      << " steps are left where the first step made it " << plan << " in all; below "
+      << clock.real(clock.least_step()) << " s the run stops (time.min_step)";
   warnings.push_back({"step", out.str()});
 }
 

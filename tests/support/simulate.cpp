@@ -91,7 +91,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   }
   const Deck& deck = loaded.deck;
   Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
-              deck.time.min_step);
+              deck.time.min_step, deck.time.process_speed);
   Simulation result;
   Monitor<Dim> monitor(deck, nullptr, nullptr, true, [&](const RunWarning& said) {
     if (said.id == "contact") result.warnings.push_back(said.text);
@@ -131,6 +131,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   }
   result.step_margins = monitor.step_check().margins();
   for (const auto& warning : monitor.step_check().warnings()) result.reported.push_back(warning);
+  result.inertia = monitor.inertia();
   result.created = monitor.energy_shares().created;
   return result;
 }

@@ -38,6 +38,7 @@ struct Simulation {
   std::vector<std::string> warnings;       ///< of contacts, reported while it ran
   std::vector<RunWarning> reported;        ///< of energies, the step, artificial stress
   std::vector<std::pair<std::string, Real>> step_margins;  ///< by body, of time.check_step
+  std::vector<InertiaShare> inertia;                       ///< of a process that is made faster
   Real created = 0;  ///< largest share of energy that nobody put in
   std::int64_t steps = 0;
   std::int64_t steps_here = 0;  ///< without those before a restart

@@ -309,8 +309,8 @@ TEST(Deck, ZeroIsNoImplausibleValue) {
 }
 
 TEST(Deck, KeysThatComeLaterSaySo) {
-  expect_problem(problems_of(kTaylor, {"time.process_speed=true"}),
-                 "--set #1: time.process_speed: is not in this version of brunt yet");
+  expect_problem(problems_of(kTaylor, {"bodies.cloud.formulation=total"}),
+                 "--set #1: bodies.cloud.formulation: is not in this version of brunt yet");
 }
 
 TEST(Deck, TwoDimensionsHaveTwoComponents) {

@@ -6,7 +6,7 @@ namespace brunt::deck {
 inline const char* const kFull = R"yaml(
 title: all keys in 3D
 quality: careful
-time: {end: 1 ms, max_step: 1 us, min_step: 1 ps, heat_every: 4, until: 0.5 ms,
+time: {end: 1 ms, max_step: 1 us, min_step: 1 ps, heat_every: 4, until: 0.5 ms, process_speed: 1,
   mass_scaling: {step: 1 ns, max_added_mass: 5 %}}
 materials:
   jc:

@@ -38,6 +38,9 @@ RunSummary example() {
   s.drift = -1.25e-13;
   s.state_hash = "16045690984833335023";
   s.step_margins = {{"bar", 1.25}, {"plate", 0.75}};
+  s.process_speed = 10;
+  s.distorts = "inertia";
+  s.inertia = {{"bar", 0.25, 1.0 / 3}, {"all", 0, 0.5}};
   s.measures = {{"length", 0.0173, "m", 0.017, 0.0173 / 0.017 - 1}, {"bounce", 0.5, "", {}, {}}};
   s.measures[1].exact = 0.5;
   s.measures[1].bound = 0.25;
@@ -76,6 +79,12 @@ TEST(Summary, ReadsBackTheSame) {
   EXPECT_EQ(b.drift, a.drift);
   EXPECT_EQ(b.state_hash, a.state_hash);
   EXPECT_EQ(b.step_margins, a.step_margins);
+  EXPECT_EQ(b.process_speed, a.process_speed);
+  EXPECT_EQ(b.distorts, a.distorts);
+  ASSERT_EQ(b.inertia.size(), 2u);
+  EXPECT_EQ(b.inertia[0].body, "bar");
+  EXPECT_EQ(b.inertia[0].end, a.inertia[0].end);
+  EXPECT_EQ(b.inertia[0].mean, a.inertia[0].mean);
   ASSERT_EQ(b.measures.size(), 2u);
   EXPECT_EQ(b.measures[0].name, "length");
   EXPECT_EQ(b.measures[0].value, a.measures[0].value);
