@@ -118,7 +118,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   ElementBlock<Dim> block;
   block.material = set.material;
   block.options = set.options;
-  block.options.integration = resolved(set.options, set.material->yields());
+  block.options.integration = resolved(set.options, false);
   block.options.hourglass = resolved(set.options.hourglass, *set.material);
   block.formulation = &formulation_of<Dim>(set.options.type);
   block.corners = block.formulation->type().corners;

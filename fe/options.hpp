@@ -8,8 +8,8 @@
 
 namespace brunt {
 
-/// automatic: q1p0 where the material yields and nothing is said of hourglass modes, else one
-/// point.
+/// automatic: q1p0 where the material flows at constant volume, as metals do, and nothing is said
+/// of hourglass modes; else one point.
 enum class Integration : int { one_point, q1p0, full, automatic };
 
 /// Flanagan & Belytschko 1981 hourglass control of one-point elements: viscous or by stiffness.
@@ -73,12 +73,12 @@ struct ElementOptions {
   Real least_step = 0;             ///< [s] elements get mass up to this stable step; 0: none does
 };
 
-/// The integration that `options` stand for in a material that yields, or does not.
-inline Integration resolved(const ElementOptions& options, bool yields) {
+/// The integration that `options` stand for in a material that flows at constant volume, or not.
+inline Integration resolved(const ElementOptions& options, bool flows) {
   if (options.integration != Integration::automatic) return options.integration;
   if (options.type != 0) return Integration::one_point;
   const bool free = std::holds_alternative<AutomaticHourglass>(options.hourglass);
-  return yields && free ? Integration::q1p0 : Integration::one_point;
+  return flows && free ? Integration::q1p0 : Integration::one_point;
 }
 
 inline void describe(Schema&, AutomaticHourglass&) {}
@@ -131,7 +131,7 @@ inline void describe(Schema& s, ElementOptions& element) {
     static constexpr const char* kIntegrations[] = {"one-point", "q1p0", "full", "auto"};
     box.choice({"integration",
                 "points of integration: one, selectively reduced, or full; auto: q1p0 where the "
-                "material yields and hourglass is left out, else one-point"},
+                "material flows as metals do and hourglass is left out, else one-point"},
                element.integration, kIntegrations);
     box.one_of({"hourglass", "what resists hourglass modes of one-point elements"},
                element.hourglass);

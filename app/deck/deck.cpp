@@ -206,11 +206,12 @@ std::optional<Label> label_of(const Deck& deck, const std::string& body) {
 }
 
 Integration integration_of(const Deck& deck, const deck::Body& body) {
-  const auto yields = [&](const Named<deck::Material>& material) {
-    return material.name == body.material &&
-           !std::holds_alternative<NoStrength>(material.value.strength);
+  const auto flows = [&](const Named<deck::Material>& material) {
+    if (material.name != body.material) return false;
+    return std::visit([](const auto& law) { return FlowLaw<std::decay_t<decltype(law)>>; },
+                      material.value.strength);
   };
-  return resolved(body.element, std::any_of(deck.materials.begin(), deck.materials.end(), yields));
+  return resolved(body.element, std::any_of(deck.materials.begin(), deck.materials.end(), flows));
 }
 
 void DeckPlaces::set(const std::string& path, SourcePlace place) {

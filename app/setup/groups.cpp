@@ -131,9 +131,11 @@ bool is_adiabatic(const Deck& deck, const Named<deck::Body>& body) {
 
 /// A body's element options; elements from a file are of the kind that they are there.
 template <int Dim>
-ElementOptions element_options(const deck::Time& time, const deck::Body& body,
+ElementOptions element_options(const Deck& deck, const deck::Body& body,
                                const BodyElements& elements) {
+  const deck::Time& time = deck.time;
   ElementOptions options = body.element;
+  options.integration = integration_of(deck, body);
   if (time.mass_scaling) options.least_step = time.mass_scaling->step / time.safety;
   const auto& types = ElementCatalog<Dim>::types;
   options.type =
@@ -189,7 +191,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     const auto& body = loaded.deck.bodies[geometry.label].value;
     const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
     const Material* material = material_of(loaded.deck, scene.materials, body);
-    const ElementOptions options = element_options<Dim>(loaded.deck.time, body, geometry.elements);
+    const ElementOptions options = element_options<Dim>(loaded.deck, body, geometry.elements);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ElementSet<Dim>& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&

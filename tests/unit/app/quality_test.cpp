@@ -18,6 +18,7 @@ time: {end: 1 us}
 materials:
   glass: {density: 2500, elastic: {E: 70 GPa, nu: 0.2}}
   lead: {density: 11300, elastic: {E: 16 GPa, nu: 0.44}, strength: {j2: {yield: 12 MPa}}}
+  concrete: {density: 2440, strength: {concrete-cap: {fc: 30 MPa}}}
 bodies:
   glass: {material: glass, shape: {box: {min: [0, 0, 0], max: [1 cm, 1 cm, 1 cm]}}, size: 5 mm}
   lead: {material: lead, shape: {box: {min: [2 cm, 0, 0], max: [3 cm, 1 cm, 1 cm]}}, size: 5 mm}
@@ -26,6 +27,10 @@ bodies:
     shape: {box: {min: [6 cm, 0, 0], max: [7 cm, 1 cm, 1 cm]}}
     size: 5 mm
     element: {hourglass: {viscous: 0.1}}
+  slab:
+    material: concrete
+    shape: {box: {min: [8 cm, 0, 0], max: [9 cm, 1 cm, 1 cm]}}
+    size: 5 mm
   drops:
     method: sph
     material: lead
@@ -60,15 +65,16 @@ TEST(Quality, SetsWhatTheDeckLeavesOut) {
     EXPECT_EQ(loaded.deck.contact.pairs[0].value.options.stiffness, levers.contact_stiffness);
     EXPECT_EQ(loaded.deck.contact.pairs[1].value.options.stiffness, 3) << "the deck's own";
     EXPECT_EQ(loaded.deck.bodies[0].value.element.integration, levers.integration) << word;
-    EXPECT_EQ(loaded.deck.bodies[3].value.sph.smoothing, levers.smoothing) << word;
+    EXPECT_EQ(loaded.deck.bodies[4].value.sph.smoothing, levers.smoothing) << word;
     EXPECT_EQ(loaded.hash, scene("", {"quality=" + word}).hash) << "by an override";
   }
 }
 
-TEST(Quality, CarefulIntegratesFullyWhereAMaterialYields) {
+TEST(Quality, CarefulIntegratesFullyWhereAMaterialFlowsAsMetalsDo) {
   const LoadedDeck loaded = scene("quality: careful\n");
   EXPECT_EQ(of(loaded, "glass"), Integration::one_point) << "assumed strain bends right";
   EXPECT_EQ(of(loaded, "lead"), Integration::q1p0);
+  EXPECT_EQ(of(loaded, "slab"), Integration::one_point) << "concrete changes its volume";
   EXPECT_EQ(of(loaded, "own"), Integration::one_point) << "its hourglass control is the deck's";
   const LoadedDeck one = scene("quality: careful\n", {"bodies.lead.element.integration=one-point"});
   EXPECT_EQ(of(one, "lead"), Integration::one_point) << "the deck's own";
