@@ -290,6 +290,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     if (held<Dim>(entities, candidate, section, step, part)) continue;
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
+    limit_by_turning<Dim>(entities, candidate, section, part.step_limit);
     const ContactKey key =
         touch_key(ContactKind::face_face, entities.faces[l].id, entities.faces[u].id);
     FirstTouch touch = touch_before(entities, candidate, key, section, step.touches);
