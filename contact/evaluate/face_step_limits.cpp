@@ -151,21 +151,28 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
 template <int Dim>
 void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candidate,
                       const Section& section, StepLimit& step_limit) {
-  FacePlane<Dim> lower = entities.planes[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
+  constexpr Real kShallow = 0.1;  // of the depth at which they let go
+  const auto &lower = entities.planes[static_cast<std::size_t>(candidate.lower)],
+             &upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
   const FacingRamp<Dim> ramp(lower, upper);
   const Real facing = -lower.normal.dot(upper.normal), width = ramp.whole - ramp.none;
   // The whole between none and whole, nothing as far again on both sides: the step changes before
   // the moment comes.
   const Real beside = std::max(ramp.none - facing, facing - ramp.whole) / width;
   if (!(beside < 1)) return;
-  // So that they push with all they have.
-  lower.sharpness = (1 - 1e-9) * facing / ramp.whole * std::min(lower.sharpness, upper.sharpness);
+  FacePlane<Dim> facing_lower = lower;  // of a body so sharp that they push with all they have
+  facing_lower.sharpness =
+      (1 - 1e-9) * facing / ramp.whole * std::min(lower.sharpness, upper.sharpness);
   Planes<Dim> planes;
-  const int n =
-      common_planes<Dim>(lower, upper, section, planes, {.barrier = candidate.normal.barrier()});
+  const int n = common_planes<Dim>(facing_lower, upper, section, planes,
+                                   {.barrier = candidate.normal.barrier()});
   Real energy = 0;
-  for (int i = 0; i < n; ++i) energy += planes[static_cast<std::size_t>(i)].energy;
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[static_cast<std::size_t>(i)];
+    // What is shallow has next to nothing to give, and needles have many such sides.
+    const Real deep = plane.deepest / candidate.normal.limit / kShallow - 1;
+    energy += std::clamp(deep, 0.0, 1.0) * plane.energy;
+  }
   if (!(energy > 0)) return;
   const Real steepest =
       std::min(1 - beside, 1.0) * 6 * candidate.normal.stiffness * energy / (width * width);
