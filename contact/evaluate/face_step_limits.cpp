@@ -26,15 +26,14 @@ Real slope_of(const ContactFace<Dim>& face, const FaceBarrier& barrier,
   return std::min(barrier.tangent(plane.deepest + coming), 1 + share * mean);
 }
 
-/// Sum of the weights of corners by their masses; a rigid body has its own [1/kg].
+/// Sum of the weights of corners by their masses [1/kg].
 template <int Dim>
 Real inverse_mass(const Entities<Dim>& entities, const ContactFace<Dim>& face,
                   const std::array<Real, Facet<Dim>::kNodes>& weight) {
   Real sum = 0;
   for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
     const Real mass = entities.nodes.mass[static_cast<std::size_t>(face.node[c])];
-    if (!face.deforms()) sum += weight[c] * face.compliance;
-    if (face.deforms() && mass > 0) sum += weight[c] / mass;
+    if (mass > 0) sum += weight[c] / mass;
   }
   return sum;
 }
@@ -63,10 +62,12 @@ SearchBox<Dim> widened(SearchBox<Dim> box, Real by) {
 }
 
 /// How the cosine between two faces gives way to what turns one of them, sum |grad|^2/m over its
-/// corners [1/(kg m^2)].
-/// other  normal of the other face;  split  a half of the face turns as fast by half of its width
+/// corners [1/(kg m^2)]. Rigid bodies turn slowly. A half of a split face turns as fast by half of
+/// its width.
+/// other  normal of the other face
 Real turns(const Entities<3>& entities, LocalIndex place, const Vec3& other) {
   const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  if (!face.deforms()) return 0;
   const auto& plane = entities.planes[static_cast<std::size_t>(place)];
   const auto& x = plane.corner;
   const Vec3 w = (other - plane.normal.dot(other) * plane.normal) / (2 * plane.area);
@@ -84,6 +85,7 @@ Real turns(const Entities<3>& entities, LocalIndex place, const Vec3& other) {
 }
 Real turns(const Entities<2>& entities, LocalIndex place, const Vec<2>& other) {
   const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  if (!face.deforms()) return 0;
   const auto& plane = entities.planes[static_cast<std::size_t>(place)];
   const Vec<2> w = (other - plane.normal.dot(other) * plane.normal) / plane.area;
   return inverse_mass<2>(entities, face, {w.squaredNorm(), w.squaredNorm()});
@@ -154,6 +156,10 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
   constexpr Real kShallow = 0.1;  // of the depth at which they let go
   const auto &lower = entities.planes[static_cast<std::size_t>(candidate.lower)],
              &upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
+  const auto deforms = [&](LocalIndex place) {
+    return entities.faces[static_cast<std::size_t>(place)].deforms();
+  };
+  if (!deforms(candidate.lower) && !deforms(candidate.upper)) return;
   const FacingRamp<Dim> ramp(lower, upper);
   const Real facing = -lower.normal.dot(upper.normal), width = ramp.whole - ramp.none;
   // The whole between none and whole, nothing as far again on both sides: the step changes before
