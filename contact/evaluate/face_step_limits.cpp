@@ -153,7 +153,7 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
 template <int Dim>
 void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candidate,
                       const Section& section, StepLimit& step_limit) {
-  constexpr Real kShallow = 0.1;  // of the depth at which they let go
+  constexpr Real kShallow = 0.25;  // of the depth at which they let go
   const auto &lower = entities.planes[static_cast<std::size_t>(candidate.lower)],
              &upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
   const auto deforms = [&](LocalIndex place) {
@@ -182,12 +182,14 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
   if (!(energy > 0)) return;
   const Real steepest =
       std::min(1 - beside, 1.0) * 6 * candidate.normal.stiffness * energy / (width * width);
-  Real squared = steepest * (turns(entities, candidate.lower, upper.normal) +
-                             turns(entities, candidate.upper, lower.normal));
+  const Real turning = steepest * (turns(entities, candidate.lower, upper.normal) +
+                                   turns(entities, candidate.upper, lower.normal));
+  Real squared = 0;  // of the elements
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[static_cast<std::size_t>(place)];
     if (face.deforms() && face.element_step > 0) squared += 1 / std::pow(face.element_step, 2);
   }
+  squared += turning;
   const auto& face = entities.faces[static_cast<std::size_t>(candidate.lower)];
   if (squared > 0)
     step_limit.take({1 / std::sqrt(squared), "contact stiffness", face.body, face.id});
