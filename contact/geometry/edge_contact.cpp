@@ -76,10 +76,10 @@ struct Push {
   bool any = false;
 };
 
-/// outwards  a direction out of the lower body, into the upper one
+/// out_of_lower, into_upper  from the edge out of the lower face, and into the upper one
 template <class Number>
-Push<Number> push_of(const Blade<Number>& lower, const Blade<Number>& upper, const Vec3& outwards,
-                     Real stiffening) {
+Push<Number> push_of(const Blade<Number>& lower, const Blade<Number>& upper,
+                     const Vec3& out_of_lower, const Vec3& into_upper, Real stiffening) {
   Push<Number> push;
   const auto u = lower.along(), v = upper.along(), w = minus(lower.from(), upper.from());
   const auto across = cross(u, v);
@@ -88,8 +88,10 @@ Push<Number> push_of(const Blade<Number>& lower, const Blade<Number>& upper, con
   const Number uw = dot(u, w), vw = dot(v, w);
   push.shares_lower = (uv * vw - vv * uw) / square;
   push.shares_upper = (uu * vw - uv * uw) / square;
-  const Real side = outwards[0] * value_of(across[0]) + outwards[1] * value_of(across[1]) +
-                    outwards[2] * value_of(across[2]);
+  const Vec3 n(value_of(across[0]), value_of(across[1]), value_of(across[2]));
+  const Real side = out_of_lower.dot(n);
+  // Blades that point the same way do not push each other, however far one is ahead.
+  if (!(side * into_upper.dot(n) > 0)) return push;
   const Number scale = Number(side < 0 ? -1.0 : 1.0) / root_of(square);
   for (std::size_t c = 0; c < 3; ++c) push.normal[c] = scale * across[c];
   push.depth = dot(w, push.normal);
@@ -128,13 +130,13 @@ Vec3 inwards(const FacePlane<3>& face, int edge) {
 
 bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upper, int j,
                        Real stiffening, EdgeContact& contact) {
-  const Vec3 outwards = inwards(upper, j) - inwards(lower, i);
+  const Vec3 out_of_lower = -inwards(lower, i), into_upper = inwards(upper, j);
   const auto found = push_of(blade_of<Real>(lower, i, 0), blade_of<Real>(upper, j, kCorners),
-                             outwards, stiffening);
+                             out_of_lower, into_upper, stiffening);
   if (!found.any) return false;
   using Number = GradientNumber<3 * EdgeContact::kMost>;
   const auto push = push_of(blade_of<Number>(lower, i, 0), blade_of<Number>(upper, j, kCorners),
-                            outwards, stiffening);
+                            out_of_lower, into_upper, stiffening);
   const Number square = push.depth * push.depth;
   const Number energy =
       push.share * square * (Number(0.5) + Number(0.25 / (stiffening * stiffening)) * square);

@@ -73,6 +73,12 @@ TEST(EdgeContact, IsNoneWhereTheyPartOrFacesOpposeEachOther) {
   EXPECT_FALSE(find(leaning, upper_corners(0.01), contact)) << "faces carry it";
   const auto along = turned(upper_corners(0.01), Vec3::UnitY(), 0.5 * kPi - 0.09);
   EXPECT_FALSE(find(lower_corners(), along, contact)) << "along each other";
+  // Both bodies below their edges: neither is in the other's way, on whichever side it is ahead.
+  for (const Real ahead : {-0.3, -0.01, 0.01, 0.3}) {
+    const auto same = turned(upper_corners(ahead), Vec3::UnitX(), kPi);
+    EXPECT_FALSE(find(lower_corners(), same, contact)) << "the same way " << ahead;
+    EXPECT_FALSE(find(same, lower_corners(), contact)) << "the same way " << ahead;
+  }
 }
 
 // A blade of two edges that meet at their corner, dented there by d/2, and another across: the
