@@ -153,6 +153,9 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
 template <int Dim>
 void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candidate,
                       const Section& section, StepLimit& step_limit) {
+  // Needles have many such sides: their steps would be a sixth and less, for energies that end with
+  // so short a range.
+  constexpr Real kNeedle = 0.01;
   constexpr Real kShallow = 0.25;  // of the depth at which they let go
   const auto &lower = entities.planes[static_cast<std::size_t>(candidate.lower)],
              &upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
@@ -165,7 +168,8 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
   // The whole between none and whole, nothing as far again on both sides: the step changes before
   // the moment comes.
   const Real beside = std::max(ramp.none - facing, facing - ramp.whole) / width;
-  if (!(beside < 1)) return;
+  const Real blunt = std::clamp(width / kNeedle - 1, 0.0, 1.0);
+  if (!(beside < 1 && blunt > 0)) return;
   FacePlane<Dim> facing_lower = lower;  // of a body so sharp that they push with all they have
   facing_lower.sharpness =
       (1 - 1e-9) * facing / ramp.whole * std::min(lower.sharpness, upper.sharpness);
@@ -175,13 +179,13 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
   Real energy = 0;
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[static_cast<std::size_t>(i)];
-    // What is shallow has next to nothing to give, and needles have many such sides.
+    // What is shallow has next to nothing to give.
     const Real deep = plane.deepest / candidate.normal.limit / kShallow - 1;
     energy += std::clamp(deep, 0.0, 1.0) * plane.energy;
   }
   if (!(energy > 0)) return;
   const Real steepest =
-      std::min(1 - beside, 1.0) * 6 * candidate.normal.stiffness * energy / (width * width);
+      blunt * std::min(1 - beside, 1.0) * 6 * candidate.normal.stiffness * energy / (width * width);
   const Real turning = steepest * (turns(entities, candidate.lower, upper.normal) +
                                    turns(entities, candidate.upper, lower.normal));
   Real squared = 0;  // of the elements
