@@ -18,8 +18,8 @@ template <int Dim>
 void TractionSum<Dim>::add(const ContactRecord<Dim>& record, const Friction<Dim>& friction) {
   if (record.kind != ContactKind::face_face) return;
   while (next_ < elsewhere_.size() && elsewhere_[next_].key < friction.key) add_next();
-  add(static_cast<std::size_t>(record.first_place), friction.area, -friction.slider());
-  add(static_cast<std::size_t>(record.second_place), friction.area, friction.slider());
+  add(slot_of(record.first_place), friction.area, -friction.slider());
+  add(slot_of(record.second_place), friction.area, friction.slider());
 }
 
 template <int Dim>

@@ -23,15 +23,15 @@ struct Corners {
           const std::array<Real, Friction<Dim>::kNodes>& weights, const ContactSide& side) {
     Vec<Dim> mean = Vec<Dim>::Zero(), mean_v = Vec<Dim>::Zero();
     for (int i = side.first; i < side.last; ++i, ++n) {
-      const auto node = static_cast<std::size_t>(record.node[static_cast<std::size_t>(i)]);
-      const auto k = static_cast<std::size_t>(n);
-      weight[k] = weights[static_cast<std::size_t>(i)];
+      const auto node = slot_of(record.node[slot_of(i)]);
+      const auto k = slot_of(n);
+      weight[k] = weights[slot_of(i)];
       arm[k] = nodes.x[node], v[k] = nodes.v[node];
       mean += arm[k], mean_v += v[k];
       point += weight[k] * arm[k], velocity += weight[k] * v[k];
     }
     mean /= n, mean_v /= n;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) arm[k] -= mean, v[k] -= mean_v;
+    for (std::size_t k = 0; k < slot_of(n); ++k) arm[k] -= mean, v[k] -= mean_v;
   }
 };
 
@@ -43,7 +43,7 @@ Real turn_of(const Corners<2>& side, Real torque) {
 Vec3 turn_of(const Corners<3>& side, const Vec3& torque) {
   // Six numbers in registers: sums of whole matrices wait for memory, a quarter of all friction.
   Real xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
     const Vec3& r = side.arm[k];
     const Real square = r.squaredNorm();
     xx += square - r[0] * r[0], yy += square - r[1] * r[1], zz += square - r[2] * r[2];
@@ -62,13 +62,13 @@ template <int Dim>
 void share(const Corners<Dim>& side, const ContactSide& which, const Vec<Dim>& at,
            const Vec<Dim>& force, Friction<Dim>& friction) {
   using brunt::cross, brunt::turn;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
-    friction.force[static_cast<std::size_t>(which.first) + k] = side.weight[k] * force;
+  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
+    friction.force[slot_of(which.first) + k] = side.weight[k] * force;
   }
   if (!which.turns) return;
   const auto couple = turn_of(side, cross(Vec<Dim>(at - side.point), force));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
-    friction.force[static_cast<std::size_t>(which.first) + k] += turn(couple, side.arm[k]);
+  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
+    friction.force[slot_of(which.first) + k] += turn(couple, side.arm[k]);
   }
 }
 
@@ -76,7 +76,7 @@ void share(const Corners<Dim>& side, const ContactSide& which, const Vec<Dim>& a
 void add_spin(const Corners<3>& side, const PlaneTurn<3>& turn, const Vec3& normal, Real dt,
               Real& cosine, Real& sine) {
   Real c = 0, s = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(side.n); ++k) {
+  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
     const Vec3 before = turn.tilted(side.arm[k] - dt * side.v[k]);
     c += before.dot(side.arm[k]) - normal.dot(before) * normal.dot(side.arm[k]);
     s += normal.dot(before.cross(side.arm[k]));
@@ -105,8 +105,8 @@ Vec<Dim> in_plane(const Vec<Dim>& v, const Vec<Dim>& normal) {
 template <int Dim>
 Real half_taken(const Friction<Dim>& friction, const ContactNodes<Dim>& nodes, Real dt) {
   Real power = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(friction.n_nodes); ++k) {
-    power += friction.force[k].dot(nodes.v[static_cast<std::size_t>(friction.node[k])]);
+  for (std::size_t k = 0; k < slot_of(friction.n_nodes); ++k) {
+    power += friction.force[k].dot(nodes.v[slot_of(friction.node[k])]);
   }
   return -0.5 * dt * power;
 }
@@ -117,14 +117,14 @@ void FrictionHistory<Dim>::add(const Friction<Dim>& friction, const ContactNodes
                                Real dt) {
   past_.push_back(friction);
   past_.back().taken = half_taken(friction, nodes, dt);
-  const auto book = static_cast<std::size_t>(friction.node[0]);
+  const auto book = slot_of(friction.node[0]);
   past_.back().book_surface = nodes.surface[book], past_.back().book_point = nodes.id[book];
   used_.push_back(0);
   first_heated_.push_back(heated_.size());
   if (!friction.slips || friction.heat_share == 0) return;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(friction.n_nodes); ++k) {
+  for (std::size_t k = 0; k < slot_of(friction.n_nodes); ++k) {
     if (friction.heat_shares[k] == 0) continue;
-    const auto node = static_cast<std::size_t>(friction.node[k]);
+    const auto node = slot_of(friction.node[k]);
     heated_.push_back({nodes.surface[node], nodes.id[node], friction.heat_shares[k]});
   }
 }
@@ -157,7 +157,7 @@ std::size_t FrictionHistory<Dim>::place_of(const ContactKey& key, std::size_t fr
   const auto at = std::lower_bound(
       begin, end, key,
       [](const FrictionMemory<Dim>& one, const ContactKey& wanted) { return one.key < wanted; });
-  return static_cast<std::size_t>(at - past_.begin());
+  return slot_of(at - past_.begin());
 }
 
 template <int Dim>

@@ -59,7 +59,7 @@ void book_friction(const Records<Dim>& records, const FrictionHistory<Dim>& past
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     if (friction == nullptr) return;
     check.see(pairs, record, *friction);
-    const auto at = static_cast<std::size_t>(record.node[0]);
+    const auto at = slot_of(record.node[0]);
     nodes.friction_heat[at] += friction->heat;
     if (friction->heat_share > 0) nodes.friction_given[at] += friction->heat_share * friction->heat;
     nodes.friction_stored[at] += friction->stored;
@@ -86,11 +86,11 @@ void book_eroded(const Records<Dim>& records, const std::vector<GlobalId>& died,
     const auto& record = whole.record;
     if (!has_eroded(died, key_of(record))) return;
     Real energy = record.stored;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(record.n_nodes); ++k) {
-      const auto node = static_cast<std::size_t>(record.node[k]);
+    for (std::size_t k = 0; k < slot_of(record.n_nodes); ++k) {
+      const auto node = slot_of(record.node[k]);
       energy -= 0.5 * dt * whole.spring_on(k).dot(nodes.v[node]);
     }
-    nodes.eroded_energy[static_cast<std::size_t>(record.node[0])] += energy;
+    nodes.eroded_energy[slot_of(record.node[0])] += energy;
   });
 }
 

@@ -29,8 +29,8 @@ HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& u
   flow.h_area = under * plane.area;
   if (open != under) flow.h_area = under * pressed + open * (plane.area - pressed);
   const auto take = [&](const ContactFace<Dim>& face, const auto& weight, Real sign) {
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-      const auto k = static_cast<std::size_t>(flow.n_nodes++);
+    for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+      const auto k = slot_of(flow.n_nodes++);
       flow.node[k] = face.node[c];
       flow.weight[k] = sign * weight[c];
     }
@@ -48,7 +48,7 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
   flow.key = {ContactKind::particle_face, 0, particle.id, face.id};
   flow.lower_body = face.body, flow.upper_body = particle.body;
   flow.node[0] = particle.node, flow.weight[0] = 1;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+  for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
     flow.node[c + 1] = face.node[c];
     flow.weight[c + 1] = -hit.nearest.weight[c];
   }
@@ -57,8 +57,8 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
   const Real share = (hit.share > 0 ? hit.share : 1.0 / contacts) * area;
   flow.area = share;
   flow.lower = {face.capacity * share, face.surface, face.specific_heat};
-  flow.upper = {nodes.capacity[static_cast<std::size_t>(particle.node)] / contacts,
-                particle.surface, particle.specific_heat};
+  flow.upper = {nodes.capacity[slot_of(particle.node)] / contacts, particle.surface,
+                particle.specific_heat};
   flow.h_area =
       share / (1 / conductance_of(heat, pressure) + particle.radius / particle.conductivity);
   return flow;
@@ -69,8 +69,8 @@ namespace {
 template <int Dim>
 std::array<Real, 2> temperatures_of(const ContactNodes<Dim>& nodes, const HeatFlow<Dim>& flow) {
   std::array<Real, 2> T{};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
-    const Real part = flow.weight[k] * nodes.temperature[static_cast<std::size_t>(flow.node[k])];
+  for (std::size_t k = 0; k < slot_of(flow.n_nodes); ++k) {
+    const Real part = flow.weight[k] * nodes.temperature[slot_of(flow.node[k])];
     flow.weight[k] < 0 ? T[0] -= part : T[1] += part;
   }
   return T;
@@ -81,8 +81,8 @@ template <int Dim>
 Real capacity_between(const HeatSide& side, const std::array<Real, 2>& T,
                       const std::vector<Surface<Dim>*>& surfaces) {
   if (side.specific_heat < 0) return side.capacity;
-  const auto& points = *surfaces[static_cast<std::size_t>(side.surface)]->points;
-  const auto& cp = points.specific_heats[static_cast<std::size_t>(side.specific_heat)];
+  const auto& points = *surfaces[slot_of(side.surface)]->points;
+  const auto& cp = points.specific_heats[slot_of(side.specific_heat)];
   return side.capacity * cp.least_between(T[0], T[1]);
 }
 }  // namespace
@@ -95,7 +95,7 @@ void exchange_heat(const ContactNodes<Dim>& nodes, const std::vector<Surface<Dim
   const Real lower = capacity_between(flow.lower, T, surfaces);
   const Real upper = capacity_between(flow.upper, T, surfaces);
   flow.through = heat_between(flow.h_area, lower, upper, T[0] - T[1], dt);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+  for (std::size_t k = 0; k < slot_of(flow.n_nodes); ++k) {
     flow.rate[k] = flow.weight[k] * flow.through;
   }
 }
@@ -121,7 +121,7 @@ void share_heat(const FrictionStep<Dim>& step, const FrictionShares& shares,
   friction.heat_share = shares.sum();
   const auto give = [&](const ContactSide& side, Real share) {
     for (int i = side.first; i < side.last; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const auto k = slot_of(i);
       friction.heat_shares[k] = step.weight[k] * share;
     }
   };
@@ -139,7 +139,7 @@ HeatFlow<Dim> heat_of_friction(const ContactRecord<Dim>& record, const Friction<
   flow.n_nodes = record.n_nodes;
   flow.node = record.node;
   const Real power = friction.heat / dt;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
+  for (std::size_t k = 0; k < slot_of(flow.n_nodes); ++k) {
     flow.rate[k] = friction.heat_shares[k] * power;
   }
   return flow;

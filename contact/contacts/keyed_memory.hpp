@@ -75,7 +75,7 @@ void visit_row(Row& row, AnyMemory& memory) {
 /// its own: this one holds the place-th of their first face or particle.
 inline std::string keyed_table(const char* name, ContactKind kind, std::size_t place) {
   static constexpr const char* kKinds[] = {".face.", ".particle.", ".particles."};
-  return name + std::string(kKinds[static_cast<std::size_t>(kind)]) + std::to_string(place);
+  return name + std::string(kKinds[slot_of(kind)]) + std::to_string(place);
 }
 
 /// Adds the tables of memories in the order of their keys.
@@ -88,7 +88,7 @@ void save_memories(const std::vector<const Memory*>& memories, std::vector<State
     const bool same =
         i > 0 && memories[i - 1]->key.first == key.first && memories[i - 1]->key.kind == key.kind;
     place = same ? place + 1 : 0;
-    auto& places = by_place[static_cast<std::size_t>(key.kind)];
+    auto& places = by_place[slot_of(key.kind)];
     if (places.size() <= place) places.resize(place + 1);
     places[place].push_back(memories[i]);
   }

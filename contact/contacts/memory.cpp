@@ -64,7 +64,7 @@ void ContactMemory<Dim>::keep_lost(const Records<Dim>& records, const Entities<D
     const auto& one = before[i];
     const auto& particle = entities.particles[entities.particle_with(one.key.first)];
     const Vec<Dim> point = one.point + dt * one.velocity;
-    const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
+    const Vec<Dim>& x = entities.nodes.x[slot_of(particle.node)];
     const Real depth = one.outward.dot(point - x);
     if (depth > one.limit) {
       lost_.add_if_new({one.key, one.body, one.body_of_particle, time, depth, point});

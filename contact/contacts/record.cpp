@@ -10,7 +10,7 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
   auto next = elsewhere.begin();
   const auto add_next = [&] {
     if (next->node >= first && next->node < last) {
-      const auto at = static_cast<std::size_t>(next->node);
+      const auto at = slot_of(next->node);
       for (int c = 0; c < Dim; ++c) {
         nodes.spring[at][c] += next->spring[c];
         nodes.damping[at][c] += next->damping[c];
@@ -27,11 +27,11 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
     while (next != elsewhere.end() && next->key < key_of(record)) add_next();
     const Vec<Dim> normal = record.normal;
     const Real damping = record.damping;
-    const auto n = static_cast<std::size_t>(record.n_nodes);
+    const auto n = slot_of(record.n_nodes);
     for (std::size_t k = 0; k < n; ++k) {
       const LocalIndex node = record.node[k];
       if (node < first || node >= last) continue;
-      const auto at = static_cast<std::size_t>(node);
+      const auto at = slot_of(node);
       springs[at] += whole.spring_on(k);
       dampings[at] += record.weight[k] * damping * normal;
       if (whole.friction != nullptr) nodes.friction[at] += whole.friction->force[k];
@@ -49,8 +49,8 @@ void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
   nodes.spring_work[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
   nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
   if (!nodes.pressed[i]) return;
-  auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
-  auto& f = points.f[static_cast<std::size_t>(nodes.point[i])];
+  auto& points = *surfaces[slot_of(nodes.surface[i])]->points;
+  auto& f = points.f[slot_of(nodes.point[i])];
   f += nodes.spring[i] + nodes.damping[i];
   if (nodes.has_friction) f += nodes.friction[i];
 }
@@ -132,7 +132,7 @@ void name_nodes_of(const Entities<Dim>& entities, ContactRecord<Dim>& record) {
       return;
     }
     const auto& face = entities.faces[at];
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
       record.node[n++] = face.node[c];
     }
   };
@@ -148,7 +148,7 @@ void Records<Dim>::name_nodes(const Entities<Dim>& entities) {
       for (auto& record : *records) {
         name_nodes_of(entities, record);
         if (record.friction < 0) continue;
-        part.frictions[static_cast<std::size_t>(record.friction)].node = record.node;
+        part.frictions[slot_of(record.friction)].node = record.node;
       }
     }
   }
@@ -180,8 +180,8 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
 #pragma omp parallel if (n > kWorthThreads)
   {
     // Each thread owns a range of nodes and reads all records: sums keep the order of keys.
-    const auto count = static_cast<std::size_t>(omp_get_num_threads());
-    const auto k = static_cast<std::size_t>(omp_get_thread_num());
+    const auto count = slot_of(omp_get_num_threads());
+    const auto k = slot_of(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
     char* const pressed = nodes.pressed.data();
     const char* const pressed_last = nodes.pressed_last.data();
@@ -207,21 +207,21 @@ void apply_heat(const Records<Dim>& records, std::span<const HeatShare> elsewher
   std::fill(nodes.heat_rate.begin(), nodes.heat_rate.end(), 0.0);
   auto next = elsewhere.begin();
   const auto add_next = [&] {
-    nodes.heat_rate[static_cast<std::size_t>(next->node)] += next->rate;
+    nodes.heat_rate[slot_of(next->node)] += next->rate;
     ++next;
   };
   records.visit_heat([&](const HeatFlow<Dim>& flow) {
     while (next != elsewhere.end() && next->key < flow.key) add_next();
-    for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
-      nodes.heat_rate[static_cast<std::size_t>(flow.node[k])] += flow.rate[k];
+    for (std::size_t k = 0; k < slot_of(flow.n_nodes); ++k) {
+      nodes.heat_rate[slot_of(flow.node[k])] += flow.rate[k];
     }
   });
   while (next != elsewhere.end()) add_next();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes.owned[i]) continue;
-    auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
+    auto& points = *surfaces[slot_of(nodes.surface[i])]->points;
     if (!points.conducts) continue;
-    points.heat_rate[static_cast<std::size_t>(nodes.point[i])] += nodes.heat_rate[i];
+    points.heat_rate[slot_of(nodes.point[i])] += nodes.heat_rate[i];
   }
 }
 

@@ -40,8 +40,8 @@ struct ContactRecord {
   std::array<Real, kNodes> weight{};
 
   void add(LocalIndex at, Real w) {
-    node[static_cast<std::size_t>(n_nodes)] = at;
-    weight[static_cast<std::size_t>(n_nodes++)] = w;
+    node[slot_of(n_nodes)] = at;
+    weight[slot_of(n_nodes++)] = w;
   }
 };
 
@@ -117,7 +117,7 @@ class Records {
     const auto show = [&](const Part& part, const std::vector<ContactRecord<Dim>>& records) {
       for (const auto& record : records) {
         const auto in = [](const auto& all, std::int32_t at) {
-          return at < 0 ? nullptr : &all[static_cast<std::size_t>(at)];
+          return at < 0 ? nullptr : &all[slot_of(at)];
         };
         visit(WholeRecord<Dim>{record, in(part.frictions, record.friction),
                                in(part.pushes, record.push)});
@@ -202,7 +202,7 @@ std::size_t book_of(const Entities<Dim>& entities, const ContactKey& key) {
   const LocalIndex node = key.kind == ContactKind::face_face
                               ? entities.faces[entities.face_with(key.first)].node[0]
                               : entities.particles[entities.particle_with(key.first)].node;
-  return static_cast<std::size_t>(node);
+  return slot_of(node);
 }
 
 /// What a contact that another rank evaluated gives to one node of this rank.
@@ -245,12 +245,12 @@ void Records<Dim>::attach(const Find& find) {
 template <int Dim>
 template <class Work>
 void Records<Dim>::for_parts(std::size_t n, std::size_t worth_threads, const Work& work) {
-  const auto most = static_cast<std::size_t>(omp_get_max_threads());
+  const auto most = slot_of(omp_get_max_threads());
   if (parts_.size() < most) parts_.resize(most);
 #pragma omp parallel if (n > worth_threads)
   {
-    const auto count = static_cast<std::size_t>(omp_get_num_threads());
-    const auto k = static_cast<std::size_t>(omp_get_thread_num());
+    const auto count = slot_of(omp_get_num_threads());
+    const auto k = slot_of(omp_get_thread_num());
     work(n * k / count, n * (k + 1) / count, parts_[k]);
   }
 }

@@ -15,8 +15,8 @@ Real inverse_mass(const Entities<3>& entities, const ContactFace<3>& face,
                   std::span<const Real> weight) {
   if (!face.deforms()) return face.compliance;
   Real sum = 0;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-    const Real mass = entities.nodes.mass[static_cast<std::size_t>(face.node[c])];
+  for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+    const Real mass = entities.nodes.mass[slot_of(face.node[c])];
     if (mass > 0) sum += weight[c] * weight[c] / mass;
   }
   return sum;
@@ -26,8 +26,8 @@ Real inverse_mass(const Entities<3>& entities, const ContactFace<3>& face,
 /// deep errs a quarter as much (contact/evaluate/face_step_limits.cpp).
 void take_step_limit(const Entities<3>& entities, const FaceCandidate& candidate,
                      const EdgeContact& contact, Real stiffness, StepLimit& step_limit) {
-  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const auto& lower = entities.faces[slot_of(candidate.lower)];
+  const auto& upper = entities.faces[slot_of(candidate.upper)];
   const auto weights = std::span(contact.weight);
   const Real gives = inverse_mass(entities, lower, weights.first(4)) +
                      inverse_mass(entities, upper, weights.last(4));
@@ -41,8 +41,8 @@ void take_step_limit(const Entities<3>& entities, const FaceCandidate& candidate
 
 void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
                 const EdgeContact& contact, std::uint32_t ordinal, Records<3>::Part& part) {
-  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const auto& lower = entities.faces[slot_of(candidate.lower)];
+  const auto& upper = entities.faces[slot_of(candidate.upper)];
   const Real area = candidate.normal.limit * candidate.normal.limit,
              stiffness = candidate.normal.stiffness * area;
   auto& record = part.face_on_face.emplace_back();
@@ -61,11 +61,11 @@ void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
   pushes.n_lower = lower.n_nodes;
   Real closing = 0;
   const auto add = [&](const ContactFace<3>& face, std::size_t first) {
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
       const Real weight = contact.weight[first + c];
-      pushes.force[static_cast<std::size_t>(record.n_nodes)] = stiffness * contact.push[first + c];
+      pushes.force[slot_of(record.n_nodes)] = stiffness * contact.push[first + c];
       record.add(face.node[c], weight);
-      const auto& v = entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+      const auto& v = entities.nodes.v[slot_of(face.node[c])];
       closing -= weight * v.dot(contact.normal);
     }
   };
@@ -77,8 +77,8 @@ void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
 
 void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, const EvaluationStep&,
                 Records<3>::Part& part) {
-  const auto& lower = entities.planes[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
+  const auto& lower = entities.planes[slot_of(candidate.lower)];
+  const auto& upper = entities.planes[slot_of(candidate.upper)];
   if (lower.borders >> kBladeBits == 0 || upper.borders >> kBladeBits == 0) return;
   const Real stiffening = 0.5 * candidate.normal.limit;
   EdgeContact contact;

@@ -15,8 +15,8 @@ template <int Dim>
 bool is_sliver(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const CommonPlane<Dim>& plane) {
   constexpr Real kSliver = 0.01;
-  const Real smaller = std::min(entities.planes[static_cast<std::size_t>(candidate.lower)].area,
-                                entities.planes[static_cast<std::size_t>(candidate.upper)].area);
+  const Real smaller = std::min(entities.planes[slot_of(candidate.lower)].area,
+                                entities.planes[slot_of(candidate.upper)].area);
   // In 2D as a length, as that of faces.
   const Real pressed = Dim == 3 ? plane.area : plane.polygon[1][0] - plane.polygon[0][0];
   return pressed < kSliver * smaller;
@@ -28,8 +28,8 @@ template <int Dim>
 void note_lost(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const CommonPlane<Dim>& plane, std::uint32_t how, Real depth,
                typename Records<Dim>::Part& part) {
-  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const auto& lower = entities.faces[slot_of(candidate.lower)];
+  const auto& upper = entities.faces[slot_of(candidate.upper)];
   if (is_sliver(entities, candidate, plane)) return;
   part.lost.push_back({{ContactKind::face_face, how, lower.id, upper.id},
                        lower.body,
@@ -71,8 +71,8 @@ void note_let_go(const Entities<Dim>& entities, const FaceCandidate& candidate,
 template <int Dim>
 void note_crossing(const Entities<Dim>& entities, const FaceCandidate& candidate,
                    typename Records<Dim>::Part& part) {
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto l = slot_of(candidate.lower);
+  const auto u = slot_of(candidate.upper);
   Crossing<Dim> found;
   if (!entities.boxes[l].meets(entities.boxes[u])) return;
   if (!find_crossing(entities.planes[l], entities.planes[u], candidate.normal.limit, found)) return;

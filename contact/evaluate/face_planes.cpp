@@ -25,7 +25,7 @@ template <int Dim>
 bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
   constexpr Real kWidest = 0.25;  // of the depth: farther, the lists may not see both faces
   for (int i = 0; i < n; ++i) {
-    const Real opening = std::max(-planes[static_cast<std::size_t>(i)].penetration, 0.0);
+    const Real opening = std::max(-planes[slot_of(i)].penetration, 0.0);
     if (candidate.laws.bond.tears(candidate.normal.stiffness * opening)) return true;
     if (opening > kWidest * candidate.normal.limit) return true;
   }
@@ -41,7 +41,7 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
   const Real meets = meeting_distance(lower, upper);
   for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
+    const auto& plane = planes[slot_of(i)];
     if (plane.deepest > candidate.normal.limit) return FirstTouch{};  // seen from behind
     const Real ignored = ignored_overlap(candidate.laws.initial_overlap, plane.deepest, meets);
     touch.overlap = std::max(touch.overlap, ignored);
@@ -54,7 +54,7 @@ template <int Dim>
 Real deepest_of(const Planes<Dim>& planes, int n) {
   Real deepest = 0;
   for (int i = 0; i < n; ++i) {
-    deepest = std::max(deepest, planes[static_cast<std::size_t>(i)].deepest);
+    deepest = std::max(deepest, planes[slot_of(i)].deepest);
   }
   return deepest;
 }

@@ -31,8 +31,8 @@ template <int Dim>
 Real inverse_mass(const Entities<Dim>& entities, const ContactFace<Dim>& face,
                   const std::array<Real, Facet<Dim>::kNodes>& weight) {
   Real sum = 0;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-    const Real mass = entities.nodes.mass[static_cast<std::size_t>(face.node[c])];
+  for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+    const Real mass = entities.nodes.mass[slot_of(face.node[c])];
     if (mass > 0) sum += weight[c] / mass;
   }
   return sum;
@@ -45,10 +45,10 @@ struct Front {
 template <int Dim>
 Front front_of(const Entities<Dim>& entities, LocalIndex place, const Vec<Dim>& n,
                const Vec<Dim>& from) {
-  const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  const auto& face = entities.faces[slot_of(place)];
   Front front;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-    const auto node = static_cast<std::size_t>(face.node[c]);
+  for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+    const auto node = slot_of(face.node[c]);
     front.height = std::max(front.height, n.dot(entities.nodes.x[node] - from));
     front.speed = std::max(front.speed, n.dot(entities.nodes.v[node]));
   }
@@ -57,7 +57,7 @@ Front front_of(const Entities<Dim>& entities, LocalIndex place, const Vec<Dim>& 
 
 template <int Dim>
 SearchBox<Dim> widened(SearchBox<Dim> box, Real by) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) box.lo[c] -= by, box.hi[c] += by;
+  for (std::size_t c = 0; c < slot_of(Dim); ++c) box.lo[c] -= by, box.hi[c] += by;
   return box;
 }
 
@@ -66,9 +66,9 @@ SearchBox<Dim> widened(SearchBox<Dim> box, Real by) {
 /// its width.
 /// other  normal of the other face
 Real turns(const Entities<3>& entities, LocalIndex place, const Vec3& other) {
-  const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  const auto& face = entities.faces[slot_of(place)];
   if (!face.deforms()) return 0;
-  const auto& plane = entities.planes[static_cast<std::size_t>(place)];
+  const auto& plane = entities.planes[slot_of(place)];
   const auto& x = plane.corner;
   const Vec3 w = (other - plane.normal.dot(other) * plane.normal) / (2 * plane.area);
   std::array<Real, 4> squared{};
@@ -84,9 +84,9 @@ Real turns(const Entities<3>& entities, LocalIndex place, const Vec3& other) {
   return (plane.simple ? 1 : kHalves) * inverse_mass<3>(entities, face, squared);
 }
 Real turns(const Entities<2>& entities, LocalIndex place, const Vec<2>& other) {
-  const auto& face = entities.faces[static_cast<std::size_t>(place)];
+  const auto& face = entities.faces[slot_of(place)];
   if (!face.deforms()) return 0;
-  const auto& plane = entities.planes[static_cast<std::size_t>(place)];
+  const auto& plane = entities.planes[slot_of(place)];
   const Vec<2> w = (other - plane.normal.dot(other) * plane.normal) / plane.area;
   return inverse_mass<2>(entities, face, {w.squaredNorm(), w.squaredNorm()});
 }
@@ -95,8 +95,8 @@ Real turns(const Entities<2>& entities, LocalIndex place, const Vec<2>& other) {
 template <int Dim>
 void limit_by_approach(const Entities<Dim>& entities, const FaceCandidate& candidate,
                        const EvaluationStep& step, StepLimit& step_limit) {
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto l = slot_of(candidate.lower);
+  const auto u = slot_of(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   if (!(-lower.normal.dot(upper.normal) > FacingRamp<Dim>(lower, upper).none)) return;
   const Vec<Dim> n = (lower.normal - upper.normal).normalized();
@@ -126,17 +126,16 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
   const Real opening = -closing, back = plane.deepest - barrier.onset;
   if (opening > 0 && back > 0) {
     const Real way = 0.5 * std::max(back, barrier.least_way());
-    const auto& face = entities.faces[static_cast<std::size_t>(candidate.lower)];
+    const auto& face = entities.faces[slot_of(candidate.lower)];
     step_limit.take({way / opening, "contact speed", face.body, face.id});
   }
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
-    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    const auto& face = entities.faces[slot_of(place)];
     if (face.rigid() || face.held || !(face.area_start > 0)) continue;
     const Real steeper = slope_of(face, barrier, plane, coming), root = std::sqrt(steeper);
     Real longest = step.longest_of_rigid / root;
     if (face.deforms()) {
-      const Real area =
-          std::max(entities.planes[static_cast<std::size_t>(place)].area, face.footprint);
+      const Real area = std::max(entities.planes[slot_of(place)].area, face.footprint);
       // The damper stays as it is: its part of critical falls.
       const Real recoil = face.recoil * steeper;
       const Real phi = face.phi * steeper * recoil_factor(recoil) * area / face.area_start;
@@ -157,11 +156,9 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
   // so short a range.
   constexpr Real kNeedle = 0.01;
   constexpr Real kShallow = 0.25;  // of the depth at which they let go
-  const auto &lower = entities.planes[static_cast<std::size_t>(candidate.lower)],
-             &upper = entities.planes[static_cast<std::size_t>(candidate.upper)];
-  const auto deforms = [&](LocalIndex place) {
-    return entities.faces[static_cast<std::size_t>(place)].deforms();
-  };
+  const auto &lower = entities.planes[slot_of(candidate.lower)],
+             &upper = entities.planes[slot_of(candidate.upper)];
+  const auto deforms = [&](LocalIndex place) { return entities.faces[slot_of(place)].deforms(); };
   if (!deforms(candidate.lower) && !deforms(candidate.upper)) return;
   const FacingRamp<Dim> ramp(lower, upper);
   const Real facing = -lower.normal.dot(upper.normal), width = ramp.whole - ramp.none;
@@ -178,7 +175,7 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
                                    {.barrier = candidate.normal.barrier()});
   Real energy = 0;
   for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
+    const auto& plane = planes[slot_of(i)];
     // What is shallow has next to nothing to give.
     const Real deep = plane.deepest / candidate.normal.limit / kShallow - 1;
     energy += std::clamp(deep, 0.0, 1.0) * plane.energy;
@@ -190,11 +187,13 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
                                    turns(entities, candidate.upper, lower.normal));
   Real squared = 0;  // of the elements
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
-    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    const auto& face = entities.faces[slot_of(place)];
     if (face.deforms() && face.element_step > 0) squared += 1 / std::pow(face.element_step, 2);
   }
-  squared += turning;
-  const auto& face = entities.faces[static_cast<std::size_t>(candidate.lower)];
+  // No step is more than halved for it: needles of elements would take thrice the work.
+  constexpr Real kMost = 3;
+  squared += squared > 0 ? std::min(turning, kMost * squared) : turning;
+  const auto& face = entities.faces[slot_of(candidate.lower)];
   if (squared > 0)
     step_limit.take({1 / std::sqrt(squared), "contact stiffness", face.body, face.id});
 }

@@ -17,9 +17,9 @@ Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& fac
                      ContactRecord<Dim>& record) {
   Vec<Dim> velocity = Vec<Dim>::Zero();
   for (int c = 0; c < face.n_nodes; ++c) {
-    const auto k = static_cast<std::size_t>(c);
+    const auto k = slot_of(c);
     record.add(face.node[k], sign * weight[k]);
-    velocity += weight[k] * nodes.v[static_cast<std::size_t>(face.node[k])];
+    velocity += weight[k] * nodes.v[slot_of(face.node[k])];
   }
   return velocity;
 }
@@ -29,10 +29,10 @@ template <int Dim>
 Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate,
                    const CommonPlane<Dim>& plane) {
   const auto velocity = [&](LocalIndex place, const auto& weight) {
-    const auto& face = entities.faces[static_cast<std::size_t>(place)];
+    const auto& face = entities.faces[slot_of(place)];
     Vec<Dim> sum = Vec<Dim>::Zero();
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-      sum += weight[c] * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+    for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+      sum += weight[c] * entities.nodes.v[slot_of(face.node[c])];
     }
     return sum;
   };
@@ -44,10 +44,10 @@ Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate
 /// A face as it was at the last evaluation.
 template <int Dim>
 FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real dt) {
-  const auto& face = entities.faces[static_cast<std::size_t>(place)];
-  FacePlane<Dim> plane = entities.planes[static_cast<std::size_t>(place)];
-  for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-    plane.corner[c] -= dt * entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+  const auto& face = entities.faces[slot_of(place)];
+  FacePlane<Dim> plane = entities.planes[slot_of(place)];
+  for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+    plane.corner[c] -= dt * entities.nodes.v[slot_of(face.node[c])];
   }
   refresh(plane);
   return plane;
@@ -56,13 +56,13 @@ FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real
 /// The fastest of the corners of two faces against one of them [m/s].
 template <int Dim>
 Real fastest_corner(const Entities<Dim>& entities, const FaceCandidate& candidate) {
-  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-  const Vec<Dim>& from = entities.nodes.v[static_cast<std::size_t>(lower.node[0])];
+  const auto& lower = entities.faces[slot_of(candidate.lower)];
+  const Vec<Dim>& from = entities.nodes.v[slot_of(lower.node[0])];
   Real squared = 0;
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
-    const auto& face = entities.faces[static_cast<std::size_t>(place)];
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-      const Vec<Dim>& v = entities.nodes.v[static_cast<std::size_t>(face.node[c])];
+    const auto& face = entities.faces[slot_of(place)];
+    for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+      const Vec<Dim>& v = entities.nodes.v[slot_of(face.node[c])];
       squared = std::max(squared, (v - from).squaredNorm());
     }
   }
@@ -87,7 +87,7 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
                                    before_step(entities, candidate.upper, dt), section, planes,
                                    {.barrier = candidate.normal.barrier()});
   for (int i = 0; i < n; ++i) {
-    if (planes[static_cast<std::size_t>(i)].penetration > candidate.normal.limit) return true;
+    if (planes[slot_of(i)].penetration > candidate.normal.limit) return true;
   }
   return false;
 }
@@ -96,8 +96,8 @@ template <int Dim>
 ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
                              const CommonPlane<Dim>& plane, const FirstTouch& touch,
                              const EvaluationStep& step, typename Records<Dim>::Part& part) {
-  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const auto& lower = entities.faces[slot_of(candidate.lower)];
+  const auto& upper = entities.faces[slot_of(candidate.upper)];
   ContactRecord<Dim> record;
   record.first = lower.id, record.second = upper.id;
   record.first_place = candidate.lower, record.second_place = candidate.upper;
@@ -129,9 +129,9 @@ void add_push(Real stiffness, const CommonPlane<Dim>& plane, int n_lower,
   auto& pushes = part.pushes.emplace_back();
   pushes.n_lower = n_lower;
   for (int i = 0; i < record.n_nodes; ++i) {
-    const auto& push = i < n_lower ? plane.lower_push[static_cast<std::size_t>(i)]
-                                   : plane.upper_push[static_cast<std::size_t>(i - n_lower)];
-    pushes.force[static_cast<std::size_t>(i)] = stiffness * push;
+    const auto& push =
+        i < n_lower ? plane.lower_push[slot_of(i)] : plane.upper_push[slot_of(i - n_lower)];
+    pushes.force[slot_of(i)] = stiffness * push;
   }
 }
 
@@ -157,7 +157,7 @@ Real common_growth(Real a, Real b) {
 template <int Dim>
 Real kept_traction(const Entities<Dim>& entities, const FaceCandidate& candidate) {
   const auto growth_of = [&](LocalIndex f) {
-    const auto k = static_cast<std::size_t>(f);
+    const auto k = slot_of(f);
     return entities.faces[k].rigid() ? 0.0 : entities.tractions[k].growth;
   };
   const Real growth = common_growth(growth_of(candidate.lower), growth_of(candidate.upper));
@@ -169,8 +169,8 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
                   const CommonPlane<Dim>& plane, const Section& section, Real dt,
                   FrictionHistory<Dim>& history, FirstTouch& touch,
                   typename Records<Dim>::Part& part) {
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto l = slot_of(candidate.lower);
+  const auto u = slot_of(candidate.upper);
   auto& record = part.face_on_face.back();
   const int n_lower = entities.faces[l].n_nodes;
   const bool torques = section.geometry != Geometry::axisymmetric;
@@ -211,7 +211,7 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
                                     const Planes<Dim>& planes, int n, const Section& section,
                                     Real dt) {
   for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
+    const auto& plane = planes[slot_of(i)];
     if (plane.penetration > candidate.normal.limit) continue;
     if (comes_from_behind(entities, candidate, plane, section, dt)) return &plane;
   }
@@ -221,8 +221,8 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
 template <int Dim>
 bool any_born(const Entities<Dim>& entities, const FaceCandidate& candidate) {
   if (!entities.any_born) return false;
-  return entities.faces[static_cast<std::size_t>(candidate.lower)].born ||
-         entities.faces[static_cast<std::size_t>(candidate.upper)].born;
+  return entities.faces[slot_of(candidate.lower)].born ||
+         entities.faces[slot_of(candidate.upper)].born;
 }
 
 /// What two faces keep of how they met, as the last evaluation left it; at time 0, and where one is
@@ -231,13 +231,12 @@ template <int Dim>
 FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& candidate,
                         const ContactKey& key, const Section& section, const TouchStep& step) {
   if (step.time_zero) {
-    return first_touch(entities.planes[static_cast<std::size_t>(candidate.lower)],
-                       entities.planes[static_cast<std::size_t>(candidate.upper)], section,
-                       candidate);
+    return first_touch(entities.planes[slot_of(candidate.lower)],
+                       entities.planes[slot_of(candidate.upper)], section, candidate);
   }
   if (any_born(entities, candidate)) {
-    return born_touch(entities.planes[static_cast<std::size_t>(candidate.lower)],
-                      entities.planes[static_cast<std::size_t>(candidate.upper)], section);
+    return born_touch(entities.planes[slot_of(candidate.lower)],
+                      entities.planes[slot_of(candidate.upper)], section);
   }
   const auto* before = step.before->find(key);
   return before == nullptr ? FirstTouch{} : *before;
@@ -282,8 +281,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
   Planes<Dim> planes;
   for (const auto& candidate : candidates) {
-    const auto l = static_cast<std::size_t>(candidate.lower);
-    const auto u = static_cast<std::size_t>(candidate.upper);
+    const auto l = slot_of(candidate.lower);
+    const auto u = slot_of(candidate.upper);
     if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
     if (held<Dim>(entities, candidate, section, step, part)) continue;
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
@@ -308,7 +307,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     }
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
-      const auto& plane = planes[static_cast<std::size_t>(i)];
+      const auto& plane = planes[slot_of(i)];
       if (plane.penetration > candidate.normal.limit &&
           !(held && is_sliver(entities, candidate, plane))) {
         const Real way = closing_speed(entities, candidate, plane) * step.dt;

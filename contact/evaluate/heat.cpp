@@ -11,8 +11,8 @@ template <int Dim>
 void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate,
                    const Section& section, const PartEnds& ends,
                    typename Records<Dim>::Part& part) {
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto l = slot_of(candidate.lower);
+  const auto u = slot_of(candidate.upper);
   const Real meets = meeting_distance(entities.planes[l], entities.planes[u]);
   // Faces that are held together touch, however their springs give.
   const bool bonded = part.face_on_face.size() > ends.record && part.face_on_face.back().bonded;
@@ -23,7 +23,7 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
   const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
   const auto middle = static_cast<std::ptrdiff_t>(part.face_heat.size());
   for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
+    const auto& plane = planes[slot_of(i)];
     if (plane.penetration - needs.opening > candidate.normal.limit) continue;
     Real pressed = 0, pressure = 0;
     for (std::size_t r = ends.record; r < part.face_on_face.size(); ++r) {
@@ -47,9 +47,8 @@ template <int Dim>
 void find_near_faces(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
                      PairFinder& pairs, std::vector<ParticleHit<Dim>>& hits) {
   hits.clear();
-  const auto& particle =
-      entities.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)];
-  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
+  const auto& particle = entities.particles[slot_of(rows.row_clearances[row].entity)];
+  const Vec<Dim>& x = entities.nodes.x[slot_of(particle.node)];
   const Real meets = kMeets * particle.radius;
   Real widest = 0;
   const auto [first, last] = rows.range(row);
@@ -81,8 +80,7 @@ template <int Dim>
 int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
                       PairFinder& pairs, Real area, const PartEnds& ends,
                       typename Records<Dim>::Part& part) {
-  const auto& particle =
-      entities.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)];
+  const auto& particle = entities.particles[slot_of(rows.row_clearances[row].entity)];
   const auto& hits = part.near_hits;
   if (!(particle.conductivity > 0)) return 0;
   find_near_faces<Dim>(entities, rows, row, pairs, part.near_hits);
@@ -91,7 +89,7 @@ int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, s
       std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.kept; });
   for (const auto& hit : hits) {
     if (!hit.kept) continue;
-    const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
+    const auto& face = entities.faces[slot_of(hit.face)];
     const auto& heat = pairs.of(particle.body, face.body).heat;
     ParticleTouch<Dim> touch{particle, face, hit, area, 0, static_cast<int>(contacts)};
     for (std::size_t r = ends.record; r < part.particle_on_face.size(); ++r) {
@@ -125,8 +123,8 @@ HeatedSide side_of(const ContactFace<Dim>& face) {
 template <int Dim>
 void heat_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                 const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
-  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const auto& lower = entities.faces[slot_of(candidate.lower)];
+  const auto& upper = entities.faces[slot_of(candidate.upper)];
   add_friction_heat(part.face_on_face.back(), step,
                     friction_shares(*step.laws->friction_heat, side_of(lower), side_of(upper)),
                     part.frictions.back(), part.face_heat);

@@ -13,11 +13,11 @@ SurfaceMaterial at_contact(const Entities<Dim>& entities, LocalIndex surface,
                            const SurfaceMaterial& shown, const ContactRecord<Dim>& record,
                            const ContactSide& side, const FrictionStep<Dim>& step) {
   SurfaceMaterial material = shown;
-  if (!entities.conducts[static_cast<std::size_t>(surface)]) return material;
+  if (!entities.conducts[slot_of(surface)]) return material;
   material.temperature = 0;
   for (int i = side.first; i < side.last; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const auto node = static_cast<std::size_t>(record.node[k]);
+    const auto k = slot_of(i);
+    const auto node = slot_of(record.node[k]);
     material.temperature += step.weight[k] * entities.nodes.temperature[node];
   }
   return material;
@@ -32,8 +32,8 @@ template <int Dim>
 void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
   if (!step.laws->friction->needs_material()) return;
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto l = slot_of(candidate.lower);
+  const auto u = slot_of(candidate.upper);
   step.material = of_both(at_contact<Dim>(entities, entities.faces[l].surface,
                                           entities.materials[l], record, step.lower, step),
                           at_contact<Dim>(entities, entities.faces[u].surface,
@@ -44,8 +44,8 @@ template <int Dim>
 void ask_particle(const Entities<Dim>& entities, const ContactParticle& particle, LocalIndex face,
                   const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
   if (!step.laws->friction->needs_material()) return;
-  const auto f = static_cast<std::size_t>(face);
-  const auto& shown = entities.nodes.material[static_cast<std::size_t>(particle.node)];
+  const auto f = slot_of(face);
+  const auto& shown = entities.nodes.material[slot_of(particle.node)];
   step.material =
       of_both(at_contact<Dim>(entities, entities.faces[f].surface, entities.materials[f], record,
                               step.lower, step),
@@ -58,7 +58,7 @@ void ask_pair(const Entities<Dim>& entities, const ContactParticle& first,
               FrictionStep<Dim>& step) {
   if (!step.laws->friction->needs_material()) return;
   const auto shown = [&](const ContactParticle& particle) -> const SurfaceMaterial& {
-    return entities.nodes.material[static_cast<std::size_t>(particle.node)];
+    return entities.nodes.material[slot_of(particle.node)];
   };
   step.material =
       of_both(at_contact<Dim>(entities, first.surface, shown(first), record, step.lower, step),

@@ -22,9 +22,9 @@ template <int Dim>
 PresentPair<Dim> present(const Entities<Dim>& entities, const PairCandidate& candidate,
                          const ParticleMeeting<Dim>& meeting, const Section& section) {
   const auto& nodes = entities.nodes;
-  const auto& first = entities.particles[static_cast<std::size_t>(candidate.particle)];
-  const auto& second = entities.particles[static_cast<std::size_t>(candidate.other)];
-  const auto a = static_cast<std::size_t>(first.node), b = static_cast<std::size_t>(second.node);
+  const auto& first = entities.particles[slot_of(candidate.particle)];
+  const auto& second = entities.particles[slot_of(candidate.other)];
+  const auto a = slot_of(first.node), b = slot_of(second.node);
   const Real breadth = section.breadth(nodes.x[a][0]);
   return {candidate,
           first,
@@ -58,8 +58,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const PresentPair<Di
   record.lower_body = first.body, record.upper_body = second.body;
   record.normal = meeting.normal;
   const Real share = first.radius / (first.radius + second.radius);
-  record.point = entities.nodes.x[static_cast<std::size_t>(first.node)] +
-                 share * meeting.distance * meeting.normal;
+  record.point = entities.nodes.x[slot_of(first.node)] + share * meeting.distance * meeting.normal;
   record.penetration = meeting.overlap;
   record.area = std::min(section_of<Dim>(first, breadth), section_of<Dim>(second, breadth));
   record.add(first.node, -1);
@@ -75,8 +74,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const PresentPair<Di
 template <int Dim>
 Vec3 spin_between(const ContactNodes<Dim>& nodes, const ContactParticle& a,
                   const ContactParticle& b) {
-  const Vec3 &of_a = nodes.spin[static_cast<std::size_t>(a.node)],
-             &of_b = nodes.spin[static_cast<std::size_t>(b.node)];
+  const Vec3 &of_a = nodes.spin[slot_of(a.node)], &of_b = nodes.spin[slot_of(b.node)];
   return (a.radius * of_a + b.radius * of_b) / (a.radius + b.radius);
 }
 
@@ -93,7 +91,7 @@ void add_friction(const Entities<Dim>& entities, const PresentPair<Dim>& pair, R
   step.weight[0] = step.weight[1] = 1;
   // Torques are reported on the pair's first body, and it feels the force at its particle.
   const auto& reported = first.body <= second.body ? first : second;
-  step.point = entities.nodes.x[static_cast<std::size_t>(reported.node)];
+  step.point = entities.nodes.x[slot_of(reported.node)];
   step.area = 1;
   step.pressed = record.area;
   step.stiffness = spring.linear;
@@ -162,10 +160,10 @@ template <int Dim>
 void share_sides(const Entities<Dim>& entities, std::size_t begin,
                  std::span<const PairCandidate> row, const PairRows& rows, Real breadth,
                  std::span<const ParticleMeeting<Dim>> meetings, ParticleLoad& load) {
-  const auto& own = entities.particles[static_cast<std::size_t>(row[0].particle)];
-  const Real capacity = entities.nodes.capacity[static_cast<std::size_t>(own.node)];
+  const auto& own = entities.particles[slot_of(row[0].particle)];
+  const Real capacity = entities.nodes.capacity[slot_of(own.node)];
   const auto other = [&](std::size_t c) -> const ContactParticle& {
-    return entities.particles[static_cast<std::size_t>(row[c].other)];
+    return entities.particles[slot_of(row[c].other)];
   };
   const auto touches = [&](std::size_t c) {
     return touches_for_heat(row[c], meetings[c].overlap, 0.5 * (own.radius + other(c).radius));
@@ -192,15 +190,15 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
   const auto& starts = rows.starts;
   for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
     const auto row = rows.candidates.subspan(starts[s], starts[s + 1] - starts[s]);
-    const auto own = static_cast<std::size_t>(row[0].particle);
+    const auto own = slot_of(row[0].particle);
     const auto& particle = entities.particles[own];
-    const auto at = static_cast<std::size_t>(particle.node);
+    const auto at = slot_of(particle.node);
     ParticleLoad& load = rows.loads[own];
     bool any = false;
     part.meetings.clear();
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const auto& other = entities.particles[static_cast<std::size_t>(row[c].other)];
-      const auto to = static_cast<std::size_t>(other.node);
+      const auto& other = entities.particles[slot_of(row[c].other)];
+      const auto to = slot_of(other.node);
       auto& meeting = part.meetings.emplace_back(Vec<Dim>(nodes.x[to] - nodes.x[at]),
                                                  Vec<Dim>(nodes.v[to] - nodes.v[at]),
                                                  particle.radius + other.radius);

@@ -27,7 +27,7 @@ void recall_entries(const Entities<Dim>& entities, const ContactParticle& partic
   constexpr Real kOtherSide = -0.5;  // cosine between normals
   for (const auto& own : hits) {
     const auto* before = step.before->find(touch_key(particle.id, own.body, own.piece));
-    const GlobalId id = entities.faces[static_cast<std::size_t>(own.face)].id;
+    const GlobalId id = entities.faces[slot_of(own.face)].id;
     if (before == nullptr || before->entry != id) continue;
     for (auto& hit : hits) {
       if (hit.body != own.body || hit.piece != own.piece) continue;
@@ -42,7 +42,7 @@ template <int Dim>
 void remember_entries(const Entities<Dim>& entities, const ContactParticle& particle,
                       std::size_t first, typename Records<Dim>::Part& part) {
   for (const auto& hit : part.hits) {
-    const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
+    const auto& face = entities.faces[slot_of(hit.face)];
     if (!hit.kept || !thin_for(particle, face)) continue;
     const bool nearest = std::none_of(part.hits.begin(), part.hits.end(), [&](const auto& other) {
       const bool same = other.kept && other.body == hit.body && other.piece == hit.piece;
@@ -72,7 +72,7 @@ template <int Dim>
 bool is_first(const Entities<Dim>& entities, const ContactParticle& particle, const TouchStep& step,
               const ParticleHit<Dim>& hit) {
   if (step.time_zero || !entities.any_born) return step.time_zero;
-  return particle.born || entities.faces[static_cast<std::size_t>(hit.face)].born;
+  return particle.born || entities.faces[slot_of(hit.face)].born;
 }
 
 /// [m] of a hit's overlap of which contact takes no notice, before it has opened.

@@ -135,7 +135,7 @@ std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const Parti
   std::size_t n_touching = 0;
   for (std::size_t i = 0; i < listed; ++i) {
     const LocalIndex face = near[i];
-    const auto f = static_cast<std::size_t>(face);
+    const auto f = slot_of(face);
     const auto& plane = entities.planes[f];
     const Real before = plane.normal.dot(now.x - plane.center);
     if (step_limits) limit_by_speed(entities, f, now, before, step.longest, part.step_limit);
@@ -199,7 +199,7 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
                  Real dt, ParticleHit<Dim>& hit, Real& squared_frequency,
                  ContactRecord<Dim>& record) {
   const auto& nodes = entities.nodes;
-  const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
+  const auto& face = entities.faces[slot_of(hit.face)];
   record.kind = ContactKind::particle_face;
   record.first = now.particle.id, record.second = face.id;
   record.first_place = now.place, record.second_place = hit.face;
@@ -214,8 +214,8 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   Vec<Dim> velocity = Vec<Dim>::Zero();
   const bool deforms = face.deforms();
   for (int c = 0; c < face.n_nodes; ++c) {
-    const auto k = static_cast<std::size_t>(c);
-    const auto node = static_cast<std::size_t>(face.node[k]);
+    const auto k = slot_of(c);
+    const auto node = slot_of(face.node[k]);
     const Real w = hit.nearest.weight[k];
     record.add(face.node[k], -w);
     velocity += w * nodes.v[node];
@@ -247,10 +247,10 @@ void note_deep(const Entities<Dim>& entities, const ParticleHit<Dim>& hit, Real 
   const auto& record = part.particle_on_face.back();
   const auto& v = entities.nodes.v;
   Vec<Dim> velocity = Vec<Dim>::Zero();  // of the face
-  for (std::size_t k = 1; k < static_cast<std::size_t>(record.n_nodes); ++k) {
-    velocity -= record.weight[k] * v[static_cast<std::size_t>(record.node[k])];
+  for (std::size_t k = 1; k < slot_of(record.n_nodes); ++k) {
+    velocity -= record.weight[k] * v[slot_of(record.node[k])];
   }
-  const Vec<Dim> relative = velocity - v[static_cast<std::size_t>(record.node[0])];
+  const Vec<Dim> relative = velocity - v[slot_of(record.node[0])];
   const Real closing = relative.dot(hit.direction);
   if (!(closing > 0) || hit.nearest.distance + closing * longest <= hit.limit) return;
   part.deep.push_back({key_of(record), record.lower_body, record.upper_body, hit.direction,
@@ -261,7 +261,7 @@ template <int Dim>
 void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
                   const ParticleHit<Dim>& hit, const Section& section, Real dt,
                   FrictionHistory<Dim>& history, typename Records<Dim>::Part& part) {
-  const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
+  const auto& face = entities.faces[slot_of(hit.face)];
   auto& record = part.particle_on_face.back();
   FrictionStep<Dim> step;
   step.laws = &law.laws;
@@ -300,7 +300,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
     const auto law =
-        law_of(now.particle, entities.faces[static_cast<std::size_t>(hit.face)],
+        law_of(now.particle, entities.faces[slot_of(hit.face)],
                pairs.of(now.particle.body, hit.body), pairs.resting(now.particle.body, hit.body));
     fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
@@ -331,10 +331,10 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
     const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
     if (out_of_touch && !entities.nodes.conduct && !any_ties) continue;
     const LocalIndex place = rows.row_clearances[row].entity;
-    const auto& particle = entities.particles[static_cast<std::size_t>(place)];
+    const auto& particle = entities.particles[slot_of(place)];
     const bool tied = any_ties && is_tied(step.touches, particle.id);
     if (out_of_touch && !entities.nodes.conduct && !tied) continue;
-    const auto node = static_cast<std::size_t>(particle.node);
+    const auto node = slot_of(particle.node);
     const Vec<Dim> x = entities.nodes.x[node];
     const Present<Dim> now{particle,
                            place,
@@ -346,7 +346,7 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
     part.hits.clear();
     const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
     for (const LocalIndex f : find_near<Dim>(entities, rows, row, now, step, part)) {
-      add_hit(entities, static_cast<std::size_t>(f), now, step, part);
+      add_hit(entities, slot_of(f), now, step, part);
     }
     ParticleLoad load;
     if (tied) {
@@ -369,7 +369,7 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
       load.on_faces = load.heat_contacts = add_particle_heat<Dim>(
           entities, rows, row, pairs, section_of<Dim>(particle) * now.breadth, ends, part);
     }
-    if (!loads.empty()) loads[static_cast<std::size_t>(place)] = load;
+    if (!loads.empty()) loads[slot_of(place)] = load;
   }
 }
 

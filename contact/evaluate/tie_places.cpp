@@ -16,7 +16,7 @@ constexpr Real kTiedGap = 0.01;
 std::array<Real, 4> weights_at(const FacePlane<3>& face, const CommonPlane<3>& plane,
                                const Vec<2>& p, bool reverse) {
   std::array<Vec<2>, 4> corner;
-  const auto n = static_cast<std::size_t>(face.n_corners);
+  const auto n = slot_of(face.n_corners);
   for (std::size_t k = 0; k < n; ++k) {
     const Vec3 arm = face.corner[reverse ? n - 1 - k : k] - plane.origin;
     corner[k] = Vec<2>(arm.dot(plane.axis_1), arm.dot(plane.axis_2));
@@ -71,8 +71,8 @@ void begin_face_ties(const Entities<Dim>& entities, const FaceCandidate& candida
   const auto& options = *candidate.laws.holds;
   const auto& bond = std::get<CohesiveBond>(options.bonds);
   if (!options.tied && !bond.acts()) return;
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto l = slot_of(candidate.lower);
+  const auto u = slot_of(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   const Real size = meeting_distance(lower, upper) / kMeets;
   Planes<Dim> planes;
@@ -80,17 +80,17 @@ void begin_face_ties(const Entities<Dim>& entities, const FaceCandidate& candida
   TiePoint tie;
   tie.key = {ContactKind::face_face, 0, entities.faces[l].id, entities.faces[u].id};
   for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
+    const auto& plane = planes[slot_of(i)];
     if (plane.deepest > candidate.normal.limit || -plane.penetration > kTiedGap * size) continue;
     visit_places(plane, section, [&](const Vec<2>& p, Real area) {
       tie.lower = weights_at(lower, plane, p, false);
       tie.upper = weights_at(upper, plane, p, true);
       Vec<Dim> r = Vec<Dim>::Zero();
       for (int k = 0; k < upper.n_corners; ++k) {
-        r += tie.upper[static_cast<std::size_t>(k)] * upper.corner[static_cast<std::size_t>(k)];
+        r += tie.upper[slot_of(k)] * upper.corner[slot_of(k)];
       }
       for (int k = 0; k < lower.n_corners; ++k) {
-        r -= tie.lower[static_cast<std::size_t>(k)] * lower.corner[static_cast<std::size_t>(k)];
+        r -= tie.lower[slot_of(k)] * lower.corner[slot_of(k)];
       }
       tie.gap = r.dot(plane.normal);
       tie.area = area;
@@ -112,13 +112,13 @@ void begin_particle_ties(const Entities<Dim>& entities, const ContactParticle& p
       return other.kept && other.body == hit.body && before;
     });
     if (!nearest) continue;
-    const auto& face = entities.faces[static_cast<std::size_t>(hit.face)];
-    const auto& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
+    const auto& face = entities.faces[slot_of(hit.face)];
+    const auto& x = entities.nodes.x[slot_of(particle.node)];
     TiePoint tie;
     tie.key = {ContactKind::particle_face, 0, particle.id, face.id};
     std::copy(hit.nearest.weight.begin(), hit.nearest.weight.end(), tie.lower.begin());
     tie.upper[0] = 1;
-    tie.gap = entities.planes[static_cast<std::size_t>(hit.face)].normal.dot(x - hit.nearest.point);
+    tie.gap = entities.planes[slot_of(hit.face)].normal.dot(x - hit.nearest.point);
     tie.area = area;
     part.particle_ties.push_back(tie);
   }

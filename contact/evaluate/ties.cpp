@@ -13,7 +13,7 @@ namespace {
 /// A pair in the midst of being held.
 template <int Dim>
 struct Held {
-  static constexpr std::size_t kNodes = static_cast<std::size_t>(ContactRecord<Dim>::kNodes);
+  static constexpr std::size_t kNodes = slot_of(ContactRecord<Dim>::kNodes);
   HoldingSpring spring;
   Real friction = 0;  // [1] that adds to its shear strength
   Real farthest = 0;  // [m] between its places, as far as lists see
@@ -28,7 +28,7 @@ struct Held {
   bool breaks = false;
 
   void take(const ContactNodes<Dim>& nodes, LocalIndex node) {
-    const auto i = static_cast<std::size_t>(node);
+    const auto i = slot_of(node);
     x[n_nodes] = nodes.x[i], v[n_nodes] = nodes.v[i];
     force[n_nodes].setZero();
     ++n_nodes;
@@ -175,8 +175,8 @@ template <int Dim>
 bool hold_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                 const Section& section, const EvaluationStep& step,
                 typename Records<Dim>::Part& part) {
-  const auto l = static_cast<std::size_t>(candidate.lower);
-  const auto u = static_cast<std::size_t>(candidate.upper);
+  const auto l = slot_of(candidate.lower);
+  const auto u = slot_of(candidate.upper);
   const auto &lower = entities.faces[l], &upper = entities.faces[u];
   const ContactKey key{ContactKind::face_face, 0, lower.id, upper.id};
   const auto ties = step.touches.ties->range(
@@ -193,7 +193,7 @@ bool hold_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
   record.lower_body = lower.body, record.upper_body = upper.body;
   for (const auto* face : {&lower, &upper}) {
     for (int c = 0; c < face->n_nodes; ++c) {
-      const LocalIndex node = face->node[static_cast<std::size_t>(c)];
+      const LocalIndex node = face->node[slot_of(c)];
       held.take(entities.nodes, node);
       record.add(node, 0);
     }
@@ -224,20 +224,20 @@ template <int Dim>
 Real hold_particle(const Entities<Dim>& entities, LocalIndex place, PairFinder& pairs, Real area,
                    const Section& section, const EvaluationStep& step,
                    typename Records<Dim>::Part& part) {
-  const auto& particle = entities.particles[static_cast<std::size_t>(place)];
+  const auto& particle = entities.particles[slot_of(place)];
   const auto ties = step.touches.ties->range({ContactKind::particle_face, 0, particle.id, 0},
                                              {ContactKind::particle_face, 0, particle.id + 1, 0});
   Real squared_frequency = 0;
   for (const auto& tie : ties) {
     const std::ptrdiff_t f = face_at(entities, tie.key.second);
     if (f < 0) continue;
-    const auto& face = entities.faces[static_cast<std::size_t>(f)];
+    const auto& face = entities.faces[slot_of(f)];
     const PairOptions& options = pairs.of(particle.body, face.body);
     Held<Dim> held;
     held.spring = spring_between(particle, face, options);
     held.friction = friction_of(PairLaws(options, false));
     held.farthest = kFarthestRadii * particle.radius;
-    held.normal = -entities.planes[static_cast<std::size_t>(f)].normal;
+    held.normal = -entities.planes[slot_of(f)].normal;
     ContactRecord<Dim> record;
     record.kind = ContactKind::particle_face;
     record.first = particle.id, record.second = face.id;
@@ -247,7 +247,7 @@ Real hold_particle(const Entities<Dim>& entities, LocalIndex place, PairFinder& 
     record.add(particle.node, 0);
     held.n_first = held.n_nodes;
     for (int c = 0; c < face.n_nodes; ++c) {
-      const LocalIndex node = face.node[static_cast<std::size_t>(c)];
+      const LocalIndex node = face.node[slot_of(c)];
       held.take(entities.nodes, node);
       record.add(node, 0);
     }
@@ -264,7 +264,7 @@ Real hold_particle(const Entities<Dim>& entities, LocalIndex place, PairFinder& 
     fill(held, -1, record, part);
     part.particle_on_face.push_back(record);
     std::erase_if(part.hits, [&](const auto& hit) { return hit.body == face.body; });
-    const Real mass = entities.nodes.mass[static_cast<std::size_t>(particle.node)];
+    const Real mass = entities.nodes.mass[slot_of(particle.node)];
     if (mass > 0) squared_frequency += held.spring.slope(held.closest) * area / mass;
   }
   return squared_frequency;
@@ -274,8 +274,8 @@ template <int Dim>
 Real close_joint(const Entities<Dim>& entities, const FaceCandidate& candidate,
                  const CommonPlane<Dim>& plane, const EvaluationStep& step,
                  typename Records<Dim>::Part& part) {
-  const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-  const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+  const auto& lower = entities.faces[slot_of(candidate.lower)];
+  const auto& upper = entities.faces[slot_of(candidate.upper)];
   const HoldingSpring spring = spring_between(lower, upper, *candidate.laws.holds);
   if (spring.max_closure == kInfinity) return 1;
   auto& record = part.face_on_face.back();

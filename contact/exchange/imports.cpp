@@ -84,7 +84,7 @@ void ContactImports<Dim>::renew(const ImportBoxes<Dim>& offers, Entities<Dim>& e
   auto lists = who_wants<Dim>(ranks(), boxes, offers.wanted);
   std::vector<Bytes> to;
   for (auto& list : lists) {
-    for (auto& one : list) one = face[static_cast<std::size_t>(one)];
+    for (auto& one : list) one = face[slot_of(one)];
     to.push_back(pack_faces(list, entities));
   }
   std::vector<ContactFace<Dim>> imported;
@@ -103,10 +103,10 @@ Bytes ContactImports<Dim>::pack_faces(const std::vector<LocalIndex>& chosen,
                                       const Entities<Dim>& entities) const {
   Packer packer;
   for (const LocalIndex f : chosen) {
-    const auto& face = entities.faces[static_cast<std::size_t>(f)];
+    const auto& face = entities.faces[slot_of(f)];
     packer << data_of(face);
     for (int c = 0; c < face.n_nodes; ++c) {
-      const auto i = static_cast<std::size_t>(face.node[static_cast<std::size_t>(c)]);
+      const auto i = slot_of(face.node[slot_of(c)]);
       Corner<Dim> corner{entities.nodes.id[i], entities.nodes.mass[i], {}, {}};
       for (int d = 0; d < Dim; ++d) {
         corner.x[d] = entities.nodes.x[i][d];
@@ -134,8 +134,7 @@ void ContactImports<Dim>::unpack_faces(const Bytes& bytes, Entities<Dim>& entiti
       from >> corner;
       if (here) continue;
       const Vec<Dim> x(corner.x), v(corner.v);
-      face.node[static_cast<std::size_t>(c)] =
-          node_of(face.surface, corner.id, corner.mass, x, v, entities);
+      face.node[slot_of(c)] = node_of(face.surface, corner.id, corner.mass, x, v, entities);
     }
     if (!here) faces.push_back(face);
   }
@@ -147,12 +146,12 @@ LocalIndex ContactImports<Dim>::node_of(LocalIndex surface, GlobalId id, Real ma
                                         Entities<Dim>& entities) {
   const auto [it, is_new] = place_.try_emplace({surface, id}, 0);
   if (!is_new) return it->second;
-  const auto& points = *surfaces_[static_cast<std::size_t>(surface)]->points;
+  const auto& points = *surfaces_[slot_of(surface)]->points;
   const LocalIndex here = points.find(id);
   it->second = here >= 0 ? entities.nodes.add(surface, here, points)
                          : entities.nodes.add_remote(surface, id, mass, x, v);
   // Of a loaded state that of the last evaluation, which a copy of the point does not have.
-  entities.nodes.v[static_cast<std::size_t>(it->second)] = v;
+  entities.nodes.v[slot_of(it->second)] = v;
   return it->second;
 }
 
@@ -177,10 +176,10 @@ void ContactImports<Dim>::plan(const ContactNodes<Dim>& nodes) {
 /// Ranks that forces of this one may go to, and ranks that may send some here.
 template <int Dim>
 void ContactImports<Dim>::find_peers(const ContactNodes<Dim>& nodes) {
-  const auto n = static_cast<std::size_t>(ranks().size());
+  const auto n = slot_of(ranks().size());
   std::vector<char> is_peer(n, 0);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!nodes.owned[i]) is_peer[static_cast<std::size_t>(ranks_.owner_of(nodes.id[i]))] = 1;
+    if (!nodes.owned[i]) is_peer[slot_of(ranks_.owner_of(nodes.id[i]))] = 1;
   }
   std::vector<Bytes> word(n);
   for (std::size_t r = 0; r < n; ++r) {
@@ -189,7 +188,7 @@ void ContactImports<Dim>::find_peers(const ContactNodes<Dim>& nodes) {
   const auto heard = ranks().exchange(word);
   const std::vector<int> before = std::exchange(neighbours_, {});
   for (int r = 0; r < ranks().size(); ++r) {
-    const auto k = static_cast<std::size_t>(r);
+    const auto k = slot_of(r);
     if (r != ranks().rank() && (is_peer[k] || !heard[k].empty())) neighbours_.push_back(r);
   }
   peers_.clear();
@@ -230,12 +229,12 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
     const Records<Dim>& records, const ContactNodes<Dim>& nodes) const {
   std::vector<Contribution<Dim>> received;
   if (ranks().alone()) return received;
-  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  std::vector<Packer> to(slot_of(ranks().size()));
   records.visit_whole([&](const WholeRecord<Dim>& whole) {
     const auto& record = whole.record;
     for (int i = 0; i < record.n_nodes; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const auto at = static_cast<std::size_t>(record.node[k]);
+      const auto k = slot_of(i);
+      const auto at = slot_of(record.node[k]);
       if (nodes.owned[at]) continue;
       const Vec<Dim> spring = whole.spring_on(k);
       const Vec<Dim> damping = record.weight[k] * record.damping * record.normal;
@@ -245,7 +244,7 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
         letter.what.damping[c] = damping[c];
         if (whole.friction != nullptr) letter.what.friction[c] = whole.friction->force[k][c];
       }
-      to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
+      to[slot_of(ranks_.owner_of(nodes.id[at]))] << letter;
     }
   });
   deliver<Letter<Dim>>(to, [&](Letter<Dim> letter) {

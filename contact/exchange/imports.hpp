@@ -102,7 +102,7 @@ template <class Letter, class Take>
 void ContactImports<Dim>::deliver(std::vector<Packer>& to, const Take& take) const {
   std::vector<Bytes> bytes;
   bytes.reserve(peers_.size());
-  for (const int peer : peers_) bytes.push_back(to[static_cast<std::size_t>(peer)].take());
+  for (const int peer : peers_) bytes.push_back(to[slot_of(peer)].take());
   for (const Bytes& from : ranks().exchange(peers_, bytes)) {
     Unpacker unpacker(from);
     while (!unpacker.done()) {

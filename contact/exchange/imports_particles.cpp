@@ -19,7 +19,7 @@ struct Visitor {
 
 template <int Dim>
 Visitor<Dim> visitor_of(const ContactParticle& p, const ContactNodes<Dim>& nodes) {
-  const auto i = static_cast<std::size_t>(p.node);
+  const auto i = slot_of(p.node);
   Visitor<Dim> one{
       p.surface,    p.id,          p.body,          p.piece, p.radius, p.modulus, p.conductivity,
       p.effusivity, nodes.mass[i], p.specific_heat, p.held,  p.born,   {},        {}};
@@ -37,7 +37,7 @@ void ContactImports<Dim>::import_particles(const ImportBoxes<Dim>& boxes, Entiti
   for (const auto& list : lists) {
     Packer packer;
     for (const LocalIndex k : list) {
-      const auto p = static_cast<std::size_t>(boxes.particle[static_cast<std::size_t>(k)]);
+      const auto p = slot_of(boxes.particle[slot_of(k)]);
       packer << visitor_of(entities.particles[p], entities.nodes);
     }
     to.push_back(packer.take());
@@ -69,13 +69,13 @@ void ContactImports<Dim>::send_sides(
     GlobalId lower, upper;
     PairSide side;
   };
-  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  std::vector<Packer> to(slot_of(ranks().size()));
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     const auto& pair = candidates[c];
     if (pair.other > pair.particle || pair.mirror >= 0 || sides[c].area == 0) continue;
-    const GlobalId lower = entities.particles[static_cast<std::size_t>(pair.other)].id;
-    const GlobalId upper = entities.particles[static_cast<std::size_t>(pair.particle)].id;
-    to[static_cast<std::size_t>(ranks_.owner_of(lower))] << Letter{lower, upper, sides[c]};
+    const GlobalId lower = entities.particles[slot_of(pair.other)].id;
+    const GlobalId upper = entities.particles[slot_of(pair.particle)].id;
+    to[slot_of(ranks_.owner_of(lower))] << Letter{lower, upper, sides[c]};
   }
   deliver<Letter>(to, [&](const Letter& letter) { take(letter.lower, letter.upper, letter.side); });
 }

@@ -27,9 +27,9 @@ void ContactImports<Dim>::plan_temperatures(const ContactNodes<Dim>& nodes) {
       }
     }
     std::sort(sent.from.begin(), sent.from.end(), [&](LocalIndex a, LocalIndex b) {
-      return nodes.id[static_cast<std::size_t>(a)] < nodes.id[static_cast<std::size_t>(b)];
+      return nodes.id[slot_of(a)] < nodes.id[slot_of(b)];
     });
-    for (const LocalIndex i : sent.from) owned.push_back(nodes.id[static_cast<std::size_t>(i)]);
+    for (const LocalIndex i : sent.from) owned.push_back(nodes.id[slot_of(i)]);
     sent.plan = plan_ghosts(ranks(), ids, places, owners, owned);
   }
 }
@@ -39,9 +39,7 @@ void ContactImports<Dim>::refresh_temperatures(std::vector<Real>& temperature) c
   for (const auto& sent : temperatures_) {
     refresh_ghosts(
         ranks(), sent.plan, 1,
-        [&](std::size_t i, Real* out) {
-          *out = temperature[static_cast<std::size_t>(sent.from[i])];
-        },
+        [&](std::size_t i, Real* out) { *out = temperature[slot_of(sent.from[i])]; },
         [&](std::size_t i, const Real* in) { temperature[i] = *in; });
   }
 }
@@ -59,20 +57,20 @@ std::vector<HeatShare> ContactImports<Dim>::send_heat(const Records<Dim>& record
     Real heat;  // [W], of what ended [J]
     bool ended;
   };
-  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  std::vector<Packer> to(slot_of(ranks().size()));
   for (const auto& one : ended) {
     if (!ranks_.owns(one.point)) {
-      to[static_cast<std::size_t>(ranks_.owner_of(one.point))]
+      to[slot_of(ranks_.owner_of(one.point))]
           << Letter{one.key, one.surface, one.point, one.heat, true};
     }
   }
   std::erase_if(ended, [&](const auto& one) { return !ranks_.owns(one.point); });
   records.visit_heat([&](const HeatFlow<Dim>& flow) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(flow.n_nodes); ++k) {
-      const auto at = static_cast<std::size_t>(flow.node[k]);
+    for (std::size_t k = 0; k < slot_of(flow.n_nodes); ++k) {
+      const auto at = slot_of(flow.node[k]);
       if (nodes.owned[at]) continue;
       const Letter letter{flow.key, nodes.surface[at], nodes.id[at], flow.rate[k], false};
-      to[static_cast<std::size_t>(ranks_.owner_of(nodes.id[at]))] << letter;
+      to[slot_of(ranks_.owner_of(nodes.id[at]))] << letter;
     }
   });
   deliver<Letter>(to, [&](const Letter& letter) {
@@ -93,7 +91,7 @@ std::vector<HeatShare> ContactImports<Dim>::send_heat(const Records<Dim>& record
 template <int Dim>
 int ContactImports<Dim>::owner_of(const Entities<Dim>& entities,
                                   const ContactFace<Dim>& face) const {
-  return ranks_.owner_of(entities.nodes.id[static_cast<std::size_t>(face.node[0])]);
+  return ranks_.owner_of(entities.nodes.id[slot_of(face.node[0])]);
 }
 
 template <int Dim>
@@ -123,7 +121,7 @@ void ContactImports<Dim>::refresh_tractions(Entities<Dim>& entities) const {
   refresh_ghosts(
       ranks(), tractions_, 2 + Dim,
       [&](std::size_t i, Real* out) {
-        const auto& from = entities.tractions[static_cast<std::size_t>(sent_from_[i])];
+        const auto& from = entities.tractions[slot_of(sent_from_[i])];
         out[0] = from.area;
         for (int c = 0; c < Dim; ++c) out[1 + c] = from.force[c];
         out[1 + Dim] = from.growth;
@@ -140,7 +138,7 @@ void ContactImports<Dim>::refresh_materials(std::vector<SurfaceMaterial>& materi
   refresh_ghosts(
       ranks(), tractions_, 2,
       [&](std::size_t i, Real* out) {
-        const auto& from = materials[static_cast<std::size_t>(sent_from_[i])];
+        const auto& from = materials[slot_of(sent_from_[i])];
         out[0] = from.temperature, out[1] = from.flow_stress;
       },
       [&](std::size_t i, const Real* in) {
@@ -153,15 +151,15 @@ std::vector<TractionShare<Dim>> ContactImports<Dim>::send_tractions(
     const Records<Dim>& records, const Entities<Dim>& entities) const {
   std::vector<TractionShare<Dim>> received;
   if (ranks().alone()) return received;
-  std::vector<Packer> to(static_cast<std::size_t>(ranks().size()));
+  std::vector<Packer> to(slot_of(ranks().size()));
   records.visit_with_friction([&](const ContactRecord<Dim>& record, const Friction<Dim>* friction) {
     if (friction == nullptr || record.kind != ContactKind::face_face) return;
-    const auto& upper = entities.faces[static_cast<std::size_t>(record.second_place)];
+    const auto& upper = entities.faces[slot_of(record.second_place)];
     if (upper.owned || upper.rigid()) return;
     TractionShare<Dim> share{friction->key, friction->area, {}};
     const Vec<Dim> force = friction->slider();
     for (int c = 0; c < Dim; ++c) share.force[c] = force[c];
-    to[static_cast<std::size_t>(owner_of(entities, upper))] << share;
+    to[slot_of(owner_of(entities, upper))] << share;
   });
   deliver<TractionShare<Dim>>(to, [&](TractionShare<Dim> share) { received.push_back(share); });
   std::sort(received.begin(), received.end(),

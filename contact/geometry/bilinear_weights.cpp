@@ -93,7 +93,7 @@ std::array<std::array<Real, 4>, 4> bilinear_weights(const std::array<const Polyg
                                                     const std::array<Vec<2>, 4>& p) {
   Place<Pack> place[4], point{};
   for (int k = 0; k < kLanes; ++k) {
-    const auto lane = static_cast<std::size_t>(k);
+    const auto lane = slot_of(k);
     for (int a = 0; a < 4; ++a) {
       place[a].x[k] = (*face[lane])[a][0], place[a].y[k] = (*face[lane])[a][1];
     }
@@ -103,7 +103,7 @@ std::array<std::array<Real, 4>, 4> bilinear_weights(const std::array<const Polyg
   find_weights(place, point, weight);
   std::array<std::array<Real, 4>, 4> lanes{};
   for (int k = 0; k < kLanes; ++k) {
-    for (std::size_t a = 0; a < 4; ++a) lanes[static_cast<std::size_t>(k)][a] = weight[a][k];
+    for (std::size_t a = 0; a < 4; ++a) lanes[slot_of(k)][a] = weight[a][k];
   }
   return lanes;
 }

@@ -14,7 +14,7 @@ class BoxQuery {
   /// True if the box, wider by reach [m] on all sides, holds the point.
   bool in(const SearchBox<Dim>& box, Real reach) const {
     for (int c = 0; c < Dim; ++c) {
-      const auto k = static_cast<std::size_t>(c);
+      const auto k = slot_of(c);
       if (x_[c] < box.lo[k] - reach || x_[c] > box.hi[k] + reach) return false;
     }
     return true;
@@ -23,7 +23,7 @@ class BoxQuery {
   Real squared_distance(const SearchBox<Dim>& box) const {
     Real square = 0;
     for (int c = 0; c < Dim; ++c) {
-      const auto k = static_cast<std::size_t>(c);
+      const auto k = slot_of(c);
       const Real out = std::max({box.lo[k] - x_[c], x_[c] - box.hi[k], 0.0});
       square += out * out;
     }

@@ -39,10 +39,10 @@ bool apart(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Vec<D
            const Vec<Dim>& origin, Real opening) {
   Real top = -kInfinity, bottom = kInfinity;
   for (int i = 0; i < lower.n_corners; ++i) {
-    top = std::max(top, n.dot(lower.corner[static_cast<std::size_t>(i)] - origin));
+    top = std::max(top, n.dot(lower.corner[slot_of(i)] - origin));
   }
   for (int i = 0; i < upper.n_corners; ++i) {
-    bottom = std::min(bottom, n.dot(upper.corner[static_cast<std::size_t>(i)] - origin));
+    bottom = std::min(bottom, n.dot(upper.corner[slot_of(i)] - origin));
   }
   // The planes lean against n by 45 degrees at most: their corners are nearer than 1.42 warps.
   return bottom - top >= 1.42 * (lower.warp + upper.warp) + opening;
@@ -72,7 +72,7 @@ Polygon project(const FacePlane<3>& face, const CommonPlane<3>& plane, bool reve
   Polygon polygon;
   for (int i = 0; i < face.n_corners; ++i) {
     const int k = reverse ? face.n_corners - 1 - i : i;
-    const Vec3 arm = face.corner[static_cast<std::size_t>(k)] - plane.origin;
+    const Vec3 arm = face.corner[slot_of(k)] - plane.origin;
     polygon.push(Vec<2>(arm.dot(plane.axis_1), arm.dot(plane.axis_2)),
                  static_cast<std::uint8_t>(i));
   }

@@ -13,7 +13,7 @@ struct Heights {
   Real least = kInfinity, largest = -kInfinity;
 
   Heights(const FacePlane<Dim>& face, const FacePlane<Dim>& over) {
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_corners); ++c) {
+    for (std::size_t c = 0; c < slot_of(face.n_corners); ++c) {
       at[c] = over.normal.dot(face.corner[c] - over.center);
       least = std::min(least, at[c]);
       largest = std::max(largest, at[c]);
@@ -27,7 +27,7 @@ struct SharedSpan {
 
   SharedSpan(const FacePlane<3>& face, const Heights<3>& height, const Vec3& direction,
              const Vec3& origin) {
-    const auto n = static_cast<std::size_t>(face.n_corners);
+    const auto n = slot_of(face.n_corners);
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t next = (c + 1) % n;
       const Real a = height.at[c], b = height.at[next];

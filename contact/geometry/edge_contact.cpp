@@ -49,9 +49,7 @@ struct Blade {
   int n_corners = kCorners, edge = 0;
   std::uint8_t borders = 0;
 
-  const Vector<Number>& at(int c) const {
-    return corner[static_cast<std::size_t>((c + n_corners) % n_corners)];
-  }
+  const Vector<Number>& at(int c) const { return corner[slot_of((c + n_corners) % n_corners)]; }
   const Vector<Number>& from() const { return at(edge); }
   Vector<Number> along() const { return minus(at(edge + 1), at(edge)); }
   Vector<Number> normal() const {
@@ -114,8 +112,8 @@ Blade<Number> blade_of(const FacePlane<3>& face, int edge, int first) {
   blade.n_corners = face.n_corners, blade.edge = edge, blade.borders = face.borders;
   for (int c = 0; c < face.n_corners; ++c) {
     for (int k = 0; k < 3; ++k) {
-      blade.corner[static_cast<std::size_t>(c)][static_cast<std::size_t>(k)] =
-          variable<Number>(face.corner[static_cast<std::size_t>(c)][k], 3 * (first + c) + k);
+      blade.corner[slot_of(c)][slot_of(k)] =
+          variable<Number>(face.corner[slot_of(c)][k], 3 * (first + c) + k);
     }
   }
   return blade;
@@ -123,7 +121,7 @@ Blade<Number> blade_of(const FacePlane<3>& face, int edge, int first) {
 
 /// From the edge into the face.
 Vec3 inwards(const FacePlane<3>& face, int edge) {
-  const auto at = [&](int c) { return face.corner[static_cast<std::size_t>(c % face.n_corners)]; };
+  const auto at = [&](int c) { return face.corner[slot_of(c % face.n_corners)]; };
   return face.normal.cross(at(edge + 1) - at(edge)).normalized();
 }
 }  // namespace
@@ -140,16 +138,14 @@ bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upp
   const Number square = push.depth * push.depth;
   const Number energy =
       push.share * square * (Number(0.5) + Number(0.25 / (stiffening * stiffening)) * square);
-  for (int c = 0; c < 3; ++c) contact.normal[c] = found.normal[static_cast<std::size_t>(c)];
+  for (int c = 0; c < 3; ++c) contact.normal[c] = found.normal[slot_of(c)];
   const Real d = found.depth, s = found.shares_lower, t = found.shares_upper;
   contact.penetration = d;
   contact.share = found.share;
   contact.force = found.share * d * (1 + d * d / (stiffening * stiffening));
   contact.energy = energy.value;
   contact.weight.fill(0);
-  const auto corner = [](const FacePlane<3>& face, int c) {
-    return static_cast<std::size_t>(c % face.n_corners);
-  };
+  const auto corner = [](const FacePlane<3>& face, int c) { return slot_of(c % face.n_corners); };
   const std::size_t a = corner(lower, i), b = corner(lower, i + 1);
   const std::size_t p = corner(upper, j), q = corner(upper, j + 1);
   contact.weight[a] = s - 1, contact.weight[b] = -s;

@@ -15,10 +15,10 @@ Real complete_sum(int degree, const std::array<Real, N>& values) {
   sum[0] = 1;
   for (const Real value : values) {
     for (int m = 1; m <= degree; ++m) {
-      sum[static_cast<std::size_t>(m)] += value * sum[static_cast<std::size_t>(m - 1)];
+      sum[slot_of(m)] += value * sum[slot_of(m - 1)];
     }
   }
-  return sum[static_cast<std::size_t>(degree)];
+  return sum[slot_of(degree)];
 }
 }  // namespace
 

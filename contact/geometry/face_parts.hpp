@@ -36,7 +36,7 @@ class FaceParts {
     const std::array<Value, 4> of_part = weight;
     weight.fill(none);
     for (std::size_t c = 0; c < 3; ++c) {
-      weight[static_cast<std::size_t>(halves_.corners[i - 1][c])] = of_part[c];
+      weight[slot_of(halves_.corners[i - 1][c])] = of_part[c];
     }
   }
 

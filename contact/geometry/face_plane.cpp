@@ -96,11 +96,11 @@ SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
   for (int c = 0; c < Dim; ++c) {
     Real lo = face.corner[0][c], hi = lo;
     for (int i = 1; i < face.n_corners; ++i) {
-      lo = std::min(lo, face.corner[static_cast<std::size_t>(i)][c]);
-      hi = std::max(hi, face.corner[static_cast<std::size_t>(i)][c]);
+      lo = std::min(lo, face.corner[slot_of(i)][c]);
+      hi = std::max(hi, face.corner[slot_of(i)][c]);
     }
-    box.lo[static_cast<std::size_t>(c)] = lo - reach;
-    box.hi[static_cast<std::size_t>(c)] = hi + reach;
+    box.lo[slot_of(c)] = lo - reach;
+    box.hi[slot_of(c)] = hi + reach;
   }
   return box;
 }
@@ -108,7 +108,7 @@ SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
 SplitFace split(const FacePlane<3>& face) {
   const auto& x = face.corner;
   const auto twice = [&](int a, int b, int c) {
-    const auto at = [&](int k) { return x[static_cast<std::size_t>(k)]; };
+    const auto at = [&](int k) { return x[slot_of(k)]; };
     return (at(b) - at(a)).cross(at(c) - at(a)).dot(face.normal);
   };
   const bool first_fits = twice(0, 1, 2) >= 0 && twice(0, 2, 3) >= 0;
@@ -125,7 +125,7 @@ SplitFace split(const FacePlane<3>& face) {
     part.n_corners = 3;
     part.sharpness = face.sharpness;
     for (std::size_t c = 0; c < 3; ++c) {
-      part.corner[c] = x[static_cast<std::size_t>(halves.corners[p][c])];
+      part.corner[c] = x[slot_of(halves.corners[p][c])];
     }
     part.corner[3].setZero();
     // Edges that are the face's keep their borders; the diagonal is none.

@@ -60,7 +60,7 @@ GradientNumber<n> root_of(const GradientNumber<n>& x) {
 template <class Number>
 Number variable(Real value, int i) {
   Number x(value);
-  if constexpr (!std::is_same_v<Number, Real>) x.slope[static_cast<std::size_t>(i)] = 1;
+  if constexpr (!std::is_same_v<Number, Real>) x.slope[slot_of(i)] = 1;
   return x;
 }
 

@@ -136,8 +136,8 @@ void find_on_quad(const FacePlane<3>& face, const Vec3& x, NearestPoint<3>& near
   nearest.normal = vector(lane(found.normal)).normalized();
   const Real of_center = 0.25 * weight.z;
   nearest.weight.fill(of_center);
-  nearest.weight[static_cast<std::size_t>(k)] = of_center + weight.x;
-  nearest.weight[static_cast<std::size_t>(j)] = of_center + weight.y;
+  nearest.weight[slot_of(k)] = of_center + weight.x;
+  nearest.weight[slot_of(j)] = of_center + weight.y;
   if (!inside(weight)) name_feature(weight, {k, j, -1}, true, nearest);
 }
 

@@ -25,9 +25,7 @@ struct Edge {
 Edge edge_of(const OverlapArea& overlap, bool of_upper, int side) {
   const Polygon& face = of_upper ? overlap.above : overlap.below;
   const int next = side + 1 == face.size ? 0 : side + 1;
-  const auto corner = [&](int k) {
-    return static_cast<std::size_t>(of_upper ? face.size - 1 - k : k);
-  };
+  const auto corner = [&](int k) { return slot_of(of_upper ? face.size - 1 - k : k); };
   return {face[side], face[next] - face[side], corner(side), corner(next)};
 }
 
@@ -77,7 +75,7 @@ class AreaGradient {
         layer_(layer),
         density_(fade, plane),
         c_(plane.half_cosine()) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(fade.n); ++k) {
+    for (std::size_t k = 0; k < slot_of(fade.n); ++k) {
       const auto& pair = fade.pair[k];
       rooms_[n_rooms_++] = {border_of(overlap, false, pair.lower),
                             border_of(overlap, true, pair.upper), density_.by_room[k],
@@ -116,7 +114,7 @@ class AreaGradient {
     const Real all = density_.squared * (a * a + a * b + b * b) / 3 + (at_p + at_q) / 2;
     const Real late =
         density_.squared * (a * a + 2 * a * b + 3 * b * b) / 12 + (at_p + 2 * at_q) / 6;
-    const int side = area.side[static_cast<std::size_t>(i)];
+    const int side = area.side[slot_of(i)];
     if (side != Polygon::kCut) return move_side(p, q, side, {all, late});
     if (n_rooms_ == 0) return;
     const Real width = (q - p).norm() / (c_ * overlap_.penetration.slope.norm());
@@ -128,7 +126,7 @@ class AreaGradient {
     push(3 * density_.cubed * deep.squared, 3 * density_.cubed * deep.moment);
     const auto& area = deep.polygon;
     for (int i = 0; i < area.size; ++i) {
-      const int side = area.side[static_cast<std::size_t>(i)];
+      const int side = area.side[slot_of(i)];
       if (side == Polygon::kCut) continue;
       const Vec<2>& p = area[i];
       const Vec<2>& q = area[i + 1 == area.size ? 0 : i + 1];

@@ -34,7 +34,7 @@ struct Density {
     even = plane.energy_by_fade * fade.by_area;
     if (plane.barrier.onset > 0) cubed = plane.ramp * plane.barrier.steepness() / 3;
     for (int b = 0; b < fade.n; ++b) {
-      const auto k = static_cast<std::size_t>(b);
+      const auto k = slot_of(b);
       by_room[k] = plane.energy_by_fade * fade.pair[k].by_room;
     }
   }

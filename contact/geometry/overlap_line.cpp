@@ -13,7 +13,7 @@ struct End {
 };
 End end_of(const OverlapLine& overlap, bool of_upper, int c) {
   const auto& edge = of_upper ? overlap.above : overlap.below;
-  const Real at = edge[static_cast<std::size_t>(c)], other = edge[static_cast<std::size_t>(1 - c)];
+  const Real at = edge[slot_of(c)], other = edge[slot_of(1 - c)];
   return {at, other > at ? 1.0 : -1.0};
 }
 
@@ -35,13 +35,11 @@ class LineGradient {
     const Real steep = 3 * density_.cubed;
     push(steep * overlap.deep.squared, steep * overlap.deep.moment);
     for (const std::size_t e : {0, 1}) add_end(e);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(fade.n); ++k) {
+    for (std::size_t k = 0; k < slot_of(fade.n); ++k) {
       const auto& pair = fade.pair[k];
       const Vec<2> in = density_.by_room[k] * overlap.area * plane.axis_1;
-      gradient_.lower[static_cast<std::size_t>(pair.lower)] -=
-          end_of(overlap, false, pair.lower).into * in;
-      gradient_.upper[static_cast<std::size_t>(pair.upper)] -=
-          end_of(overlap, true, pair.upper).into * in;
+      gradient_.lower[slot_of(pair.lower)] -= end_of(overlap, false, pair.lower).into * in;
+      gradient_.upper[slot_of(pair.upper)] -= end_of(overlap, true, pair.upper).into * in;
     }
     if (overlap.section.geometry == Geometry::axisymmetric) add_rings();
   }
@@ -59,7 +57,7 @@ class LineGradient {
   /// dU/dA at s, where G is g, without the barrier.
   Real squares(Real s, Real g) const {
     Real sum = density_.squared * g * g + density_.linear * g + density_.even;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(fade_.n); ++k) {
+    for (std::size_t k = 0; k < slot_of(fade_.n); ++k) {
       const auto& pair = fade_.pair[k];
       const End lower = end_of(overlap_, false, pair.lower);
       const End upper = end_of(overlap_, true, pair.upper);

@@ -74,7 +74,7 @@ Vec<Dim> turn_of_outline(const FacePlane<Dim>& face, const CommonPlane<Dim>& pla
                          const std::array<Vec<Dim>, CommonPlane<Dim>::kCorners>& by_place) {
   Vec<Dim> sum = Vec<Dim>::Zero();
   for (int i = 0; i < face.n_corners; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = slot_of(i);
     sum -= plane.normal.dot(face.corner[k] - plane.origin) * by_place[k];
   }
   return sum;
@@ -101,8 +101,8 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real r
     const Real by_depth = ends ? 0.0 : squared * fading.by_depth / (value * area * limit);
     by_volume += slope + by_depth;
     by_area -= by_depth * volume / area;
-    pair[static_cast<std::size_t>(n++)] = {lower, upper, ends ? 0.0 : -slope * rho,
-                                           -2 * facing * (1 - fading.value) / value};
+    pair[slot_of(n++)] = {lower, upper, ends ? 0.0 : -slope * rho,
+                          -2 * facing * (1 - fading.value) / value};
   }
   factor *= value;
 }
@@ -131,11 +131,11 @@ void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real openi
   };
   plane.share = share;
   for (int i = 0; i < lower.n_corners; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = slot_of(i);
     plane.lower_push[k] = beside(of_lower[k] + lower_centre, -plane.lower_weight[k]);
   }
   for (int i = 0; i < upper.n_corners; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = slot_of(i);
     plane.upper_push[k] = beside(of_upper[k] + upper_centre, plane.upper_weight[k]);
   }
 }

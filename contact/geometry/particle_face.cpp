@@ -15,15 +15,15 @@ using Edge = std::pair<LocalIndex, LocalIndex>;
 /// The nodes of the nearest feature, ascending; a vertex twice.
 template <int Dim>
 Edge feature_nodes(const ParticleHit<Dim>& hit) {
-  const auto a = hit.node[static_cast<std::size_t>(hit.nearest.corner[0])];
-  const auto b = hit.node[static_cast<std::size_t>(hit.nearest.corner[1])];
+  const auto a = hit.node[slot_of(hit.nearest.corner[0])];
+  const auto b = hit.node[slot_of(hit.nearest.corner[1])];
   return {std::min(a, b), std::max(a, b)};
 }
 
 template <int Dim>
 int corner_of(const ParticleHit<Dim>& hit, LocalIndex node) {
   for (int c = 0; c < hit.plane->n_corners; ++c) {
-    if (hit.node[static_cast<std::size_t>(c)] == node) return c;
+    if (hit.node[slot_of(c)] == node) return c;
   }
   return -1;
 }
@@ -67,7 +67,7 @@ void drop_shared(std::span<ParticleHit<Dim>> hits, Real radius) {
 
 Real angle_at(const FacePlane<3>& face, int corner) {
   const int n = face.n_corners;
-  const auto at = [&](int k) { return face.corner[static_cast<std::size_t>((k + n) % n)]; };
+  const auto at = [&](int k) { return face.corner[slot_of((k + n) % n)]; };
   const Vec3 a = at(corner + 1) - at(corner), b = at(corner - 1) - at(corner);
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -91,7 +91,7 @@ bool closed_normal(std::span<const ParticleHit<Dim>> hits, const ParticleHit<Dim
     // Each edge at the vertex must belong to a second face.
     const int n = face.plane->n_corners;
     for (const int step : {1, n - 1}) {
-      const auto next = face.node[static_cast<std::size_t>((corner + step) % n)];
+      const auto next = face.node[slot_of((corner + step) % n)];
       int holders = 0;
       for (const auto& other : hits) {
         holders += has_edge(other, {nodes.first, next}) ? 1 : 0;

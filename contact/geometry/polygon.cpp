@@ -23,13 +23,13 @@ bool clip_to(const Polygon& polygon, const LinearField& keep, std::uint8_t name,
     const Real at_p = at[last], at_q = at[i];
     if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
       const Vec<2>& p = polygon[last];
-      const std::uint8_t entered = polygon.side[static_cast<std::size_t>(last)];
+      const std::uint8_t entered = polygon.side[slot_of(last)];
       kept.push(p + (at_p / (at_p - at_q)) * (polygon[i] - p), at_p > 0 ? name : entered);
     }
     if (!(at_q >= 0)) continue;
     const int next = i + 1 == polygon.size ? 0 : i + 1;
     const bool leaves = at_q == 0 && at[next] < 0;
-    kept.push(polygon[i], leaves ? name : polygon.side[static_cast<std::size_t>(i)]);
+    kept.push(polygon[i], leaves ? name : polygon.side[slot_of(i)]);
   }
   return true;
 }

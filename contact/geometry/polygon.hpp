@@ -16,10 +16,10 @@ struct Polygon {
   int size = 0;
 
   void push(const Vec<2>& p, std::uint8_t of = kCut) {
-    side[static_cast<std::size_t>(size)] = of;
-    corner[static_cast<std::size_t>(size++)] = p;
+    side[slot_of(size)] = of;
+    corner[slot_of(size++)] = p;
   }
-  const Vec<2>& operator[](int i) const { return corner[static_cast<std::size_t>(i)]; }
+  const Vec<2>& operator[](int i) const { return corner[slot_of(i)]; }
 };
 
 /// A linear function over the plane: value + slope . p.

@@ -55,7 +55,7 @@ int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, con
   const int n = common_planes<Dim>(lower, upper, section, plane, needs);
   Real deepest = 0;
   for (int i = 0; i < n; ++i) {
-    auto& one = plane[static_cast<std::size_t>(i)];
+    auto& one = plane[slot_of(i)];
     soften(layer, one);
     deepest = std::max(deepest, one.deepest);
   }
@@ -64,7 +64,7 @@ int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, con
   const int m = common_planes<Dim>(lower, upper, section, firm,
                                    {.middle = true, .opening = needs.opening - layer.depth});
   for (int j = 0; j < m; ++j) {
-    const auto& under = firm[static_cast<std::size_t>(j)];
+    const auto& under = firm[slot_of(j)];
     const auto end = plane.begin() + n;
     const auto over = std::find_if(plane.begin(), end, [&](const CommonPlane<Dim>& one) {
       return one.ordinal == under.ordinal;

@@ -40,7 +40,7 @@ std::map<Label, Shown> shown_bodies(const std::vector<Surface<Dim>*>& surfaces) 
       shown.take(facet.piece);
     }
     for (const auto& particle : surface->particles) {
-      const auto point = static_cast<std::size_t>(particle.point);
+      const auto point = slot_of(particle.point);
       auto& shown = bodies[surface->points->body[point]];
       shown.particles = true;
       shown.take(surface->points->piece[point]);
@@ -120,7 +120,7 @@ std::optional<std::size_t> PairTable::find(Label a, Label b) const {
   const std::pair<Label, Label> wanted = std::minmax(a, b);
   const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), wanted);
   if (at == pairs_.end() || *at != wanted) return {};
-  return static_cast<std::size_t>(at - pairs_.begin());
+  return slot_of(at - pairs_.begin());
 }
 
 std::string PairTable::name(std::size_t pair) const {

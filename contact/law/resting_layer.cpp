@@ -29,13 +29,11 @@ std::map<Label, RestingBody> resting_bodies(const std::vector<Surface<Dim>*>& su
   std::map<Label, Extent> extents;
   for (const auto* surface : surfaces) {
     const auto& points = *surface->points;
-    const auto height = [&](LocalIndex p) {
-      return down.dot(points.x_start[static_cast<std::size_t>(p)]);
-    };
+    const auto height = [&](LocalIndex p) { return down.dot(points.x_start[slot_of(p)]); };
     for (const auto& facet : surface->facets) {
       if (surface->held || facet.rigid()) continue;
       for (int c = 0; c < facet.n_nodes(); ++c) {
-        const Real at = height(facet.node[static_cast<std::size_t>(c)]);
+        const Real at = height(facet.node[slot_of(c)]);
         extents[facet.body].take(at, at);
       }
       auto& body = bodies[facet.body];
@@ -43,7 +41,7 @@ std::map<Label, RestingBody> resting_bodies(const std::vector<Surface<Dim>*>& su
       take(facet.stiffness * facet.depth, 2 * facet.areal_mass / facet.depth, body);
     }
     for (const auto& one : surface->particles) {
-      const auto p = static_cast<std::size_t>(one.point);
+      const auto p = slot_of(one.point);
       const Label label = points.body[p];
       extents[label].take(height(one.point) - one.radius, height(one.point) + one.radius);
       const Real volume = std::pow(2 * one.radius, Dim) * section.breadth(points.x_start[p][0]);

@@ -76,9 +76,8 @@ void Evaluation<Dim>::complete_pair_heat(const ContactSetup<Dim>& setup,
     if (heat.per_area == 0) return;
     const auto& pair = rows[heat.candidate];
     const auto& key = heat.flow.key;
-    heat.complete(sides_[heat.candidate], pair.mirror >= 0
-                                              ? sides_[static_cast<std::size_t>(pair.mirror)]
-                                              : elsewhere.at({key.first, key.second}));
+    heat.complete(sides_[heat.candidate], pair.mirror >= 0 ? sides_[slot_of(pair.mirror)]
+                                                           : elsewhere.at({key.first, key.second}));
   });
 }
 

@@ -40,29 +40,29 @@ std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
   const auto& nodes = entities.nodes;
   std::vector<std::vector<Real>> work;
   for (const auto* surface : own.setup.surfaces) {
-    work.emplace_back(static_cast<std::size_t>(surface->points->n_owned), 0.0);
+    work.emplace_back(slot_of(surface->points->n_owned), 0.0);
   }
   const auto add = [&](LocalIndex node, Real cost) {
-    const auto i = static_cast<std::size_t>(node);
+    const auto i = slot_of(node);
     if (!nodes.owned[i] || nodes.point[i] < 0) return;
-    auto& of_surface = work[static_cast<std::size_t>(nodes.surface[i])];
-    const auto point = static_cast<std::size_t>(nodes.point[i]);
+    auto& of_surface = work[slot_of(nodes.surface[i])];
+    const auto point = slot_of(nodes.point[i]);
     if (point < of_surface.size()) of_surface[point] += cost;
   };
   for (const auto& pair : candidates.faces()) {
-    const auto& face = entities.faces[static_cast<std::size_t>(pair.lower)];
+    const auto& face = entities.faces[slot_of(pair.lower)];
     for (int c = 0; c < face.n_nodes; ++c) {
-      add(face.node[static_cast<std::size_t>(c)], kFacePair / face.n_nodes);
+      add(face.node[slot_of(c)], kFacePair / face.n_nodes);
     }
   }
   const ParticleRows rows = candidates.particle_rows(own.setup.pairs, own.last.ahead);
   for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
     const auto [first, last] = rows.range(row);
-    const auto particle = static_cast<std::size_t>(rows.row_clearances[row].entity);
+    const auto particle = slot_of(rows.row_clearances[row].entity);
     add(entities.particles[particle].node, kParticleOnFace * static_cast<Real>(last - first));
   }
   for (const auto& pair : candidates.pairs()) {
-    add(entities.particles[static_cast<std::size_t>(pair.particle)].node, kParticlePair);
+    add(entities.particles[slot_of(pair.particle)].node, kParticlePair);
   }
   return work;
 }
@@ -107,8 +107,8 @@ std::vector<HeldPair> ContactManager<Dim>::held_pairs() const {
   for (const auto& candidate : own.search.candidates().faces()) {
     const auto* options = candidate.laws.holds;
     if (options == nullptr || !options->joint) continue;
-    const auto& lower = entities.faces[static_cast<std::size_t>(candidate.lower)];
-    const auto& upper = entities.faces[static_cast<std::size_t>(candidate.upper)];
+    const auto& lower = entities.faces[slot_of(candidate.lower)];
+    const auto& upper = entities.faces[slot_of(candidate.upper)];
     const auto it = find(std::minmax(lower.body, upper.body));
     if (it == by_pair.end()) continue;
     const HoldingSpring spring = spring_between(lower, upper, *options);

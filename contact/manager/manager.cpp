@@ -139,8 +139,8 @@ void ContactManager<Dim>::add_heat(Real dt) {
   apply_heat<Dim>(evaluation.records(), elsewhere, setup.surfaces, nodes);
   if (!(dt > 0)) return;
   for (const auto& one : ended) {
-    auto& points = *setup.surfaces[static_cast<std::size_t>(one.surface)]->points;
-    points.heat_rate[static_cast<std::size_t>(points.find(one.point))] += one.heat / dt;
+    auto& points = *setup.surfaces[slot_of(one.surface)]->points;
+    points.heat_rate[slot_of(points.find(one.point))] += one.heat / dt;
   }
 }
 

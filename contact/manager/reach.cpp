@@ -7,7 +7,7 @@ namespace brunt {
 namespace {
 template <int Dim>
 ContactNodeName name_of(const ContactNodes<Dim>& nodes, LocalIndex node) {
-  const auto i = static_cast<std::size_t>(node);
+  const auto i = slot_of(node);
   return {nodes.surface[i], nodes.id[i]};
 }
 }  // namespace
@@ -22,7 +22,7 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
     auto& one = all.faces.emplace_back();
     one.box = own.search.candidates().box_of_face(entities, f);
     one.id = face.id, one.rigid = face.everywhere, one.n_nodes = face.n_nodes;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
+    for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
       one.node[c] = name_of(entities.nodes, face.node[c]);
     }
   }
@@ -34,23 +34,22 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
     one.node[0] = name_of(entities.nodes, particle.node);
   }
   for (const auto& pair : own.search.candidates().faces()) {
-    ++all.faces[static_cast<std::size_t>(pair.lower)].candidates;
+    ++all.faces[slot_of(pair.lower)].candidates;
   }
   const ParticleRows rows = own.search.candidates().particle_rows(own.setup.pairs, own.last.ahead);
   for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
     const auto [first, last] = rows.range(row);
-    all.particles[static_cast<std::size_t>(rows.row_clearances[row].entity)].candidates +=
-        last - first;
+    all.particles[slot_of(rows.row_clearances[row].entity)].candidates += last - first;
   }
   for (const auto& pair : own.search.candidates().pairs()) {
-    ++all.particles[static_cast<std::size_t>(pair.particle)].candidates;
+    ++all.particles[slot_of(pair.particle)].candidates;
   }
   own.evaluation.records().visit([&](const ContactRecord<Dim>& record) {
     auto& touch = all.touches.emplace_back();
     touch.kind = record.kind;
     touch.evaluator = record.kind == ContactKind::face_face ? entities.face_with(record.first)
                                                             : entities.particle_with(record.first);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(record.n_nodes); ++i) {
+    for (std::size_t i = 0; i < slot_of(record.n_nodes); ++i) {
       touch.node.push_back(name_of(entities.nodes, record.node[i]));
     }
   });

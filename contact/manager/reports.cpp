@@ -82,8 +82,8 @@ void visit_forces(const ContactNodes<Dim>& nodes, const WholeRecord<Dim>& whole,
     // A particle is the upper side, and comes first.
     const bool faces = record.kind == ContactKind::face_face;
     for (auto k = faces ? whole.push->n_lower : 0; k < (faces ? record.n_nodes : 1); ++k) {
-      const auto at = static_cast<std::size_t>(record.node[static_cast<std::size_t>(k)]);
-      visit(nodes.x[at], whole.push->force[static_cast<std::size_t>(k)]);
+      const auto at = slot_of(record.node[slot_of(k)]);
+      visit(nodes.x[at], whole.push->force[slot_of(k)]);
     }
   }
   if (whole.friction != nullptr) visit(whole.friction->point, whole.friction->resultant());
@@ -115,9 +115,9 @@ template <class Contact>
 void add_temperatures(const Contact& contact, const std::vector<Real>& temperature,
                       MeanTemperature& mean) {
   Real side[2] = {0, 0};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.n_nodes); ++k) {
+  for (std::size_t k = 0; k < slot_of(contact.n_nodes); ++k) {
     const Real w = contact.weight[k];
-    side[w < 0 ? 0 : 1] += std::fabs(w) * temperature[static_cast<std::size_t>(contact.node[k])];
+    side[w < 0 ? 0 : 1] += std::fabs(w) * temperature[slot_of(contact.node[k])];
   }
   for (const Real T : side) {
     if (!(T > 0)) continue;
@@ -136,7 +136,7 @@ void append_polygon(const Entities<Dim>& entities, const Section& section,
   const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes,
                                    {.opening = record.opening, .whole = record.bonded});
   for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[static_cast<std::size_t>(i)];
+    const auto& plane = planes[slot_of(i)];
     if (plane.ordinal != record.ordinal) continue;
     for (int c = 0; c < plane.polygon.size; ++c) {
       const Vec<2>& p = plane.polygon[c];
@@ -195,11 +195,11 @@ std::vector<PairReport> ContactManager<Dim>::reports(const Vec<Dim>& origin) con
     const Label reported_on = own.setup.pairs.reported_body(reported[known->second]);
     const Real sign = first == second ? 0.0 : (record.upper_body == reported_on ? 1.0 : -1.0);
     const Vec<Dim> force = force_of(nodes, whole);
-    for (int c = 0; c < Dim; ++c) sum.force[static_cast<std::size_t>(c)].add(sign * force[c]);
+    for (int c = 0; c < Dim; ++c) sum.force[slot_of(c)].add(sign * force[c]);
     if (own.setup.section.geometry != Geometry::axisymmetric) {
       const Vec3 torque = torque_of(nodes, whole, origin);
       for (int c = 0; c < 3; ++c) {
-        sum.torque[static_cast<std::size_t>(c)].add(sign * torque[c]);
+        sum.torque[slot_of(c)].add(sign * torque[c]);
       }
     }
     if (whole.friction != nullptr && own.last.dt > 0) {
@@ -240,7 +240,7 @@ std::vector<LostPair> ContactManager<Dim>::lost_pairs(const Vec<Dim>& origin) co
     LostReport one{is(kLetGo), is(kFromBehind), is(kCrossed), contact.time, contact.depth,
                    {},         contact.key};
     for (int c = 0; c < Dim; ++c) {
-      one.point[static_cast<std::size_t>(c)] = origin[c] + contact.point[c];
+      one.point[slot_of(c)] = origin[c] + contact.point[c];
     }
     merge(found[*pair], one);
   }

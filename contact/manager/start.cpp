@@ -14,20 +14,18 @@ void press(const ContactSetup<Dim>& setup, const Records<Dim>& records,
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     nodes.spring_work[i] = 0;
     if (!nodes.owned[i]) continue;
-    surfaces[static_cast<std::size_t>(nodes.surface[i])]
-        ->points->f[static_cast<std::size_t>(nodes.point[i])]
-        .setZero();
+    surfaces[slot_of(nodes.surface[i])]->points->f[slot_of(nodes.point[i])].setZero();
   }
   const auto elsewhere = search.imports().send_home(records, nodes);
   apply<Dim>(records, elsewhere, 0, surfaces, nodes);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes.owned[i] || nodes.mass[i] == 0) continue;
-    auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
-    const auto p = static_cast<std::size_t>(nodes.point[i]);
+    auto& points = *surfaces[slot_of(nodes.surface[i])]->points;
+    const auto p = slot_of(nodes.point[i]);
     points.a[p] = points.f[p] / nodes.mass[i];
   }
   for (const auto* surface : surfaces) {
-    for (const LocalIndex p : surface->axis) surface->points->a[static_cast<std::size_t>(p)][0] = 0;
+    for (const LocalIndex p : surface->axis) surface->points->a[slot_of(p)][0] = 0;
   }
   records.visit([&](const ContactRecord<Dim>& record) {
     nodes.spring_work[book_of(entities, key_of(record))] += record.stored;

@@ -41,7 +41,7 @@ std::vector<std::size_t> nodes_of(const ContactNodes<Dim>& nodes, std::size_t su
                                   bool owned_only) {
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (static_cast<std::size_t>(nodes.surface[i]) != surface || nodes.point[i] < 0) continue;
+    if (slot_of(nodes.surface[i]) != surface || nodes.point[i] < 0) continue;
     if (nodes.owned[i] || !owned_only) chosen.push_back(i);
   }
   return chosen;

@@ -40,12 +40,11 @@ void find_nearby(const Entities<Dim>& entities, const PairTable& pairs, SearchMo
   bounds.reserve(pieces.size());
   for (const auto& piece : pieces) bounds.push_back(piece.bounds);
   const auto meet = [&](LocalIndex i, LocalIndex j) {
-    return pairs.of_particles(pieces[static_cast<std::size_t>(i)].body,
-                              pieces[static_cast<std::size_t>(j)].body) != nullptr;
+    return pairs.of_particles(pieces[slot_of(i)].body, pieces[slot_of(j)].body) != nullptr;
   };
   for (const auto& [i, j] : overlapping_pairs<Dim>(bounds, meet, mode)) {
-    pieces[static_cast<std::size_t>(i)].beside.push_back(static_cast<std::size_t>(j));
-    pieces[static_cast<std::size_t>(j)].beside.push_back(static_cast<std::size_t>(i));
+    pieces[slot_of(i)].beside.push_back(slot_of(j));
+    pieces[slot_of(j)].beside.push_back(slot_of(i));
   }
   for (std::size_t p = 0; p < particles.size(); ++p) {
     if (!entities.is_near(particles[p].body)) continue;
@@ -62,8 +61,8 @@ void find_nearby(const Entities<Dim>& entities, const PairTable& pairs, SearchMo
 template <int Dim>
 PairCandidate candidate_of(const Entities<Dim>& entities, const PairTable& pairs, LocalIndex i,
                            LocalIndex j) {
-  const auto& a = entities.particles[static_cast<std::size_t>(i)];
-  const auto& b = entities.particles[static_cast<std::size_t>(j)];
+  const auto& a = entities.particles[slot_of(i)];
+  const auto& b = entities.particles[slot_of(j)];
   const PairOptions& options = *pairs.of_particles(a.body, b.body);
   const auto own = [](const ContactParticle& one) {
     return one.modulus * (Dim == 3 ? 2 * one.radius : 1.0);
@@ -83,7 +82,7 @@ SearchBox<Dim> Candidates<Dim>::box_beside_particles(const Entities<Dim>& entiti
                                                      std::size_t particle) const {
   const auto& one = entities.particles[particle];
   if (!entities.is_near(one.body)) return SearchBox<Dim>::empty();
-  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
+  const Vec<Dim>& x = entities.nodes.x[slot_of(one.node)];
   return finite_box<Dim>(SearchBox<Dim>::about(
       x,
       (1 + 2 * kTouchingGap) * one.radius + 0.5 * (speed_reach_ + skin_ + entities.gap(one.body))));
@@ -100,7 +99,7 @@ void Candidates<Dim>::find_pairs(const Entities<Dim>& entities, const PairTable&
   for (std::size_t p = 0; p < boxes.size(); ++p) boxes[p] = box_beside_particles(entities, p);
   find_nearby<Dim>(entities, pairs, mode_, boxes, nearby, places);
   const auto particle = [&](LocalIndex near) -> const ContactParticle& {
-    return particles[static_cast<std::size_t>(places[static_cast<std::size_t>(near)])];
+    return particles[slot_of(places[slot_of(near)])];
   };
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto &a = particle(i), &b = particle(j);
@@ -111,8 +110,8 @@ void Candidates<Dim>::find_pairs(const Entities<Dim>& entities, const PairTable&
   // Rows of owned particles: those with smaller ids first, as they come, then the others.
   std::vector<std::size_t> lower(places.size() + 1, 0), upper(places.size() + 1, 0);
   for (const auto& [i, j] : found) {
-    if (particle(i).owned) ++upper[static_cast<std::size_t>(i)];
-    if (particle(j).owned) ++lower[static_cast<std::size_t>(j)];
+    if (particle(i).owned) ++upper[slot_of(i)];
+    if (particle(j).owned) ++lower[slot_of(j)];
   }
   std::size_t end = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -124,18 +123,17 @@ void Candidates<Dim>::find_pairs(const Entities<Dim>& entities, const PairTable&
   if (end > 0) pair_starts_.push_back(end);
   pairs_.resize(end);
   for (const auto& [i, j] : found) {
-    const LocalIndex a = places[static_cast<std::size_t>(i)],
-                     b = places[static_cast<std::size_t>(j)];
+    const LocalIndex a = places[slot_of(i)], b = places[slot_of(j)];
     auto forward = candidate_of(entities, pairs, a, b), backward = forward;
     std::swap(backward.particle, backward.other);
     const bool both = particle(i).owned && particle(j).owned;
-    const auto at_i = upper[static_cast<std::size_t>(i)], at_j = lower[static_cast<std::size_t>(j)];
+    const auto at_i = upper[slot_of(i)], at_j = lower[slot_of(j)];
     if (both) {
       forward.mirror = static_cast<LocalIndex>(at_j);
       backward.mirror = static_cast<LocalIndex>(at_i);
     }
-    if (particle(i).owned) pairs_[upper[static_cast<std::size_t>(i)]++] = forward;
-    if (particle(j).owned) pairs_[lower[static_cast<std::size_t>(j)]++] = backward;
+    if (particle(i).owned) pairs_[upper[slot_of(i)]++] = forward;
+    if (particle(j).owned) pairs_[lower[slot_of(j)]++] = backward;
   }
 }
 

@@ -44,7 +44,7 @@ bool share_a_node(const ContactFace<Dim>& a, const ContactFace<Dim>& b) {
   if (a.surface != b.surface) return false;
   for (int i = 0; i < a.n_nodes; ++i) {
     for (int j = 0; j < b.n_nodes; ++j) {
-      if (a.node[static_cast<std::size_t>(i)] == b.node[static_cast<std::size_t>(j)]) return true;
+      if (a.node[slot_of(i)] == b.node[slot_of(j)]) return true;
     }
   }
   return false;
@@ -168,7 +168,7 @@ SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
                                                 std::size_t particle) const {
   const auto& one = entities.particles[particle];
   if (!entities.is_near(one.body)) return SearchBox<Dim>::empty();
-  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(one.node)];
+  const Vec<Dim>& x = entities.nodes.x[slot_of(one.node)];
   const Real ahead = std::max(speed_reach_, entities.gap(one.body));
   const Real deepest = entities.any_open ? kOpenDepthRadii : kDepthRadii;
   const Real reach = std::max(deepest * one.radius, one.radius + ahead);
@@ -181,10 +181,10 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
   faces_.clear();
   std::vector<SearchBox<Dim>> boxes(near.size());
   for (std::size_t k = 0; k < near.size(); ++k) {
-    boxes[k] = box_of_face(entities, static_cast<std::size_t>(near[k]));
+    boxes[k] = box_of_face(entities, slot_of(near[k]));
   }
   const auto face = [&](LocalIndex k) -> const ContactFace<Dim>& {
-    return entities.faces[static_cast<std::size_t>(near[static_cast<std::size_t>(k)])];
+    return entities.faces[slot_of(near[slot_of(k)])];
   };
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto &a = face(i), &b = face(j);
@@ -196,7 +196,7 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     const auto &a = face(i), &b = face(j);
     const PairOptions& options = pairs.of(a.body, b.body);
     const auto law = law_of(a, b, options, pairs.resting(a.body, b.body));
-    faces_.push_back({near[static_cast<std::size_t>(i)], near[static_cast<std::size_t>(j)], law,
+    faces_.push_back({near[slot_of(i)], near[slot_of(j)], law,
                       PairLaws(options, a.capacity > 0 && b.capacity > 0)});
   }
 }
@@ -212,7 +212,7 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
   if (particles.empty() || near_faces.empty()) return;
   std::vector<SearchBox<Dim>> face_boxes(near_faces.size()), boxes;
   for (std::size_t k = 0; k < near_faces.size(); ++k) {
-    const auto& plane = entities.planes[static_cast<std::size_t>(near_faces[k])];
+    const auto& plane = entities.planes[slot_of(near_faces[k])];
     face_boxes[k] = finite_box<Dim>(box_of(plane, kReachPerWarp * plane.warp + 0.5 * skin_));
   }
   const auto particle_box = [&](std::size_t p) {
@@ -223,19 +223,19 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
   const std::size_t n = near.size();
   boxes.insert(boxes.end(), face_boxes.begin(), face_boxes.end());
   const auto admits = [&](LocalIndex i, LocalIndex j) {
-    const auto p = static_cast<std::size_t>(i), f = static_cast<std::size_t>(j);
+    const auto p = slot_of(i), f = slot_of(j);
     if (p >= n || f < n) return false;
-    const auto& face = entities.faces[static_cast<std::size_t>(near_faces[f - n])];
-    const auto& particle = particles[static_cast<std::size_t>(near[p])];
+    const auto& face = entities.faces[slot_of(near_faces[f - n])];
+    const auto& particle = particles[slot_of(near[p])];
     return !same_piece(particle, face) && !pairs.of(particle.body, face.body).ignore;
   };
   for (const auto& [k, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
-    const LocalIndex i = near[static_cast<std::size_t>(k)];
+    const LocalIndex i = near[slot_of(k)];
     if (row_particles.empty() || row_particles.back() != i) {
       starts_.push_back(row_faces.size());
       row_particles.push_back(i);
     }
-    row_faces.push_back(near_faces[static_cast<std::size_t>(j) - n]);
+    row_faces.push_back(near_faces[slot_of(j) - n]);
   }
   starts_.push_back(row_faces.size());
 }
@@ -248,10 +248,9 @@ void Candidates<Dim>::find_clearances(const Entities<Dim>& entities,
   row_clearances_.resize(row_particles.size());
 #pragma omp parallel for schedule(static) if (row_clearances_.size() > kWorthThreads)
   for (std::size_t row = 0; row < row_clearances_.size(); ++row) {
-    const auto& particle = entities.particles[static_cast<std::size_t>(row_particles[row])];
+    const auto& particle = entities.particles[slot_of(row_particles[row])];
     for (std::size_t i = starts_[row]; i < starts_[row + 1]; ++i) {
-      const Clearance one =
-          clearance_of(entities, particle, static_cast<std::size_t>(row_faces[i]));
+      const Clearance one = clearance_of(entities, particle, slot_of(row_faces[i]));
       clearances_.set(i, one);
       if (i == starts_[row]) row_clearances_[row] = one;
       row_clearances_[row].take(one);

@@ -15,7 +15,7 @@ namespace brunt {
 /// The box, or a point where it is not a number any more: that touches nothing.
 template <int Dim>
 SearchBox<Dim> finite_box(SearchBox<Dim> box) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(Dim); ++c) {
+  for (std::size_t c = 0; c < slot_of(Dim); ++c) {
     if (!std::isfinite(box.lo[c]) || !std::isfinite(box.hi[c])) box.lo[c] = box.hi[c] = 0;
   }
   return box;

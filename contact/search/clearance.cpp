@@ -14,10 +14,10 @@ Clearance clearance_of(const Entities<Dim>& entities, const ContactParticle& par
                        std::size_t face) {
   const auto& plane = entities.planes[face];
   const auto& box = entities.boxes[face];
-  const Vec<Dim>& x = entities.nodes.x[static_cast<std::size_t>(particle.node)];
+  const Vec<Dim>& x = entities.nodes.x[slot_of(particle.node)];
   Real apart = -kInfinity;
   for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
+    const auto k = slot_of(c);
     apart = std::max({apart, box.lo[k] - x[c], x[c] - box.hi[k]});
   }
   const Vec<Dim> arm = x - plane.center;

@@ -48,7 +48,7 @@ class Clearances {
     block.before[k] = one.before, block.arm[k] = one.arm;
   }
   std::size_t entity(std::size_t i) const {
-    return static_cast<std::size_t>(blocks_[i / kLanes].entity[i % kLanes]);
+    return slot_of(blocks_[i / kLanes].entity[i % kLanes]);
   }
   /// Entities of first .. last, in their order, to `near`, which has room for four more: all that
   /// the loss does not leave out, and few more. Returns how many.
@@ -67,7 +67,7 @@ class Clearances {
       const unsigned kept = ~left & among & 0b1111U;
       among = 0b1111U;
       store_permuted(near + found, block.entity, kCompression.lane[kept]);
-      found += static_cast<std::size_t>(kCompression.count[kept]);
+      found += slot_of(kCompression.count[kept]);
     }
     return found;
   }

@@ -45,10 +45,10 @@ std::vector<typename NearBodies<Dim>::Reach> NearBodies<Dim>::reaches(
   const auto& nodes = entities.nodes;
   // Those of other ranks are counted there.
   const auto enclose = [&](Label body, LocalIndex node) {
-    const auto i = static_cast<std::size_t>(node);
+    const auto i = slot_of(node);
     if (nodes.point[i] < 0) return;
-    const auto& points = *surfaces[static_cast<std::size_t>(nodes.surface[i])]->points;
-    const Vec<Dim>& x = points.x[static_cast<std::size_t>(nodes.point[i])];
+    const auto& points = *surfaces[slot_of(nodes.surface[i])]->points;
+    const Vec<Dim>& x = points.x[slot_of(nodes.point[i])];
     of[body].box.enclose(SearchBox<Dim>::about(x, 0));
   };
   const auto widen = [&](Label body, Real by) {
@@ -57,7 +57,7 @@ std::vector<typename NearBodies<Dim>::Reach> NearBodies<Dim>::reaches(
   for (const auto& face : entities.faces) {
     if (face.body >= n_bodies) continue;  // it may touch nothing
     for (int c = 0; c < face.n_nodes; ++c) {
-      enclose(face.body, face.node[static_cast<std::size_t>(c)]);
+      enclose(face.body, face.node[slot_of(c)]);
     }
     widen(face.body, face.rigid() ? 0.0 : face.depth);
   }
@@ -94,14 +94,13 @@ bool NearBodies<Dim>::look(const std::vector<Surface<Dim>*>& surfaces,
     near[b] = pairs.find(body.back(), body.back()).has_value();
   }
   const auto touch = [&](LocalIndex i, LocalIndex j) {
-    return pairs.find(body[static_cast<std::size_t>(i)], body[static_cast<std::size_t>(j)])
-        .has_value();
+    return pairs.find(body[slot_of(i)], body[slot_of(j)]).has_value();
   };
   if (all) {
     near.clear();
   } else {
     for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, touch, SearchMode::grid)) {
-      near[body[static_cast<std::size_t>(i)]] = near[body[static_cast<std::size_t>(j)]] = 1;
+      near[body[slot_of(i)]] = near[body[slot_of(j)]] = 1;
     }
   }
   if (std::find(near.begin(), near.end(), 0) == near.end()) near.clear();

@@ -19,19 +19,19 @@ class Numbering {
   Numbering(const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes)
       : surfaces_(surfaces), nodes_(nodes), known_(surfaces.size()) {
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      known_[s].assign(static_cast<std::size_t>(surfaces[s]->points->size()), -1);
+      known_[s].assign(slot_of(surfaces[s]->points->size()), -1);
     }
   }
   LocalIndex operator()(LocalIndex surface, LocalIndex point) {
-    const auto s = static_cast<std::size_t>(surface);
-    auto& number = known_[s][static_cast<std::size_t>(point)];
+    const auto s = slot_of(surface);
+    auto& number = known_[s][slot_of(point)];
     if (number < 0) number = nodes_.add(surface, point, *surfaces_[s]->points);
     return number;
   }
 
   void name_corners(ContactFace<Dim>& face) {
     for (int c = 0; c < face.n_nodes; ++c) {
-      auto& node = face.node[static_cast<std::size_t>(c)];
+      auto& node = face.node[slot_of(c)];
       node = (*this)(face.surface, node);
     }
   }
@@ -76,8 +76,8 @@ Real area_at_start(const ContactFace<Dim>& face, const Points<Dim>& points) {
   plane.n_corners = face.n_nodes;
   for (auto& corner : plane.corner) corner.setZero();
   for (int c = 0; c < face.n_nodes; ++c) {
-    const auto k = static_cast<std::size_t>(c);
-    plane.corner[k] = points.x_start[static_cast<std::size_t>(face.node[k])];
+    const auto k = slot_of(c);
+    plane.corner[k] = points.x_start[slot_of(face.node[k])];
   }
   refresh(plane);
   return plane.area;
@@ -87,7 +87,7 @@ template <int Dim>
 SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, Real gap, const SearchBox<Dim>& box) {
   SearchBox<Dim> reach;
   for (int c = 0; c < Dim; ++c) {
-    const auto k = static_cast<std::size_t>(c);
+    const auto k = slot_of(c);
     const Real by = kReachPerDepth * depth * std::fabs(plane.normal[c]) +
                     kReachPerWarp * plane.warp + 0.5 * gap;
     reach.lo[k] = box.lo[k] - by;
@@ -153,7 +153,7 @@ template <int Dim>
 ContactParticle particle_from(const SurfaceParticle& shown, const Surface<Dim>& surface,
                               LocalIndex number) {
   const auto& points = *surface.points;
-  const auto p = static_cast<std::size_t>(shown.point);
+  const auto p = slot_of(shown.point);
   ContactParticle particle{shown.point,      number,       points.id[p],  points.body[p],
                            points.piece[p],  shown.radius, shown.modulus, shown.conductivity,
                            shown.effusivity, surface.held};
@@ -201,7 +201,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
     }
     for (const auto& shown : surface.particles) {
       if (shown.point >= surface.points->n_owned) continue;
-      const auto p = static_cast<std::size_t>(shown.point);
+      const auto p = slot_of(shown.point);
       if (pairs.strongest(surface.points->body[p]).ignore) continue;
       particles.push_back(particle_from(shown, surface, static_cast<LocalIndex>(s)));
       sizes.push_back(2 * shown.radius);
@@ -260,7 +260,7 @@ std::size_t place_of(const Table& table, GlobalId id) {
   const auto at =
       std::lower_bound(table.begin(), table.end(), id,
                        [](const auto& one, GlobalId wanted) { return one.id < wanted; });
-  return static_cast<std::size_t>(at - table.begin());
+  return slot_of(at - table.begin());
 }
 }  // namespace
 
@@ -290,8 +290,8 @@ void Entities<Dim>::read_materials(const std::vector<Surface<Dim>*>& surfaces) {
 #pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (faces[f].facet < 0) continue;
-    const auto& surface = *surfaces[static_cast<std::size_t>(faces[f].surface)];
-    const auto at = static_cast<std::size_t>(faces[f].facet);
+    const auto& surface = *surfaces[slot_of(faces[f].surface)];
+    const auto at = slot_of(faces[f].facet);
     materials[f] = surface.facet_material.empty()
                        ? SurfaceMaterial{surface.facets[at].temperature, kInfinity}
                        : surface.facet_material[at];
@@ -313,9 +313,9 @@ void Entities<Dim>::refresh_plane(std::size_t f) {
   plane.borders = face.borders;
   plane.sharpness = face.sharpness;
   for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
-    const auto k = static_cast<std::size_t>(c);
+    const auto k = slot_of(c);
     const bool there = c < face.n_nodes;
-    plane.corner[k] = there ? nodes.x[static_cast<std::size_t>(face.node[k])] : Vec<Dim>::Zero();
+    plane.corner[k] = there ? nodes.x[slot_of(face.node[k])] : Vec<Dim>::Zero();
   }
   plane.area_start = face.area_start > 0 ? face.area_start : kInfinity;
   refresh(plane);
@@ -352,8 +352,8 @@ void Entities<Dim>::refresh_planes() {
 #pragma omp for schedule(static) nowait
     for (std::size_t first = 0; first < n; first += kBlock) {
       const std::size_t last = std::min(first + kBlock, n);
-      for (std::size_t k = first; k < last; ++k) refresh_plane(static_cast<std::size_t>(face[k]));
-      for (std::size_t k = first; k < last; ++k) look_at(static_cast<std::size_t>(face[k]), part);
+      for (std::size_t k = first; k < last; ++k) refresh_plane(slot_of(face[k]));
+      for (std::size_t k = first; k < last; ++k) look_at(slot_of(face[k]), part);
     }
 #pragma omp critical(brunt_contact_step_limit)
     all.take(part);
@@ -374,7 +374,7 @@ template <int Dim>
 void Entities<Dim>::refresh_reaches() {
 #pragma omp parallel for schedule(static) if (near_faces.size() > kWorthThreads)
   for (std::size_t k = 0; k < near_faces.size(); ++k) {
-    const auto f = static_cast<std::size_t>(near_faces[k]);
+    const auto f = slot_of(near_faces[k]);
     const auto& face = faces[f];
     const Real depth = face.rigid() ? deepest : face.depth;
     reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);

@@ -167,8 +167,8 @@ struct Entities {
   Vec<Dim> face_velocity(std::size_t face) const {
     const auto& one = faces[face];
     Vec<Dim> sum = Vec<Dim>::Zero();
-    for (std::size_t c = 0; c < static_cast<std::size_t>(one.n_nodes); ++c) {
-      sum += nodes.v[static_cast<std::size_t>(one.node[c])];
+    for (std::size_t c = 0; c < slot_of(one.n_nodes); ++c) {
+      sum += nodes.v[slot_of(one.node[c])];
     }
     return sum / one.n_nodes;
   }

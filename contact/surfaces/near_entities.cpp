@@ -17,12 +17,12 @@ void Entities<Dim>::find_near() {
     const auto& face = faces[f];
     if (!is_near(face.body)) continue;
     near_faces.push_back(static_cast<LocalIndex>(f));
-    for (std::size_t c = 0; c < static_cast<std::size_t>(face.n_nodes); ++c) {
-      of_node[static_cast<std::size_t>(face.node[c])] = 1;
+    for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+      of_node[slot_of(face.node[c])] = 1;
     }
   }
   for (const auto& particle : particles) {
-    if (is_near(particle.body)) of_node[static_cast<std::size_t>(particle.node)] = 1;
+    if (is_near(particle.body)) of_node[slot_of(particle.node)] = 1;
   }
   nodes.choose(of_node);
 }

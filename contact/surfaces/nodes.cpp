@@ -9,7 +9,7 @@ namespace brunt {
 template <int Dim>
 LocalIndex ContactNodes<Dim>::add(LocalIndex on_surface, LocalIndex at_point,
                                   const Points<Dim>& points) {
-  const auto p = static_cast<std::size_t>(at_point);
+  const auto p = slot_of(at_point);
   const LocalIndex place =
       add_remote(on_surface, points.id[p], points.mass[p], points.x[p], points.v[p]);
   point.back() = at_point;
@@ -69,16 +69,16 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
   Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
   const Vec<Dim>* const from_x = x_made.data();
   motion = bounds_of<Dim>(near.size(), [&](std::size_t k, MotionBounds<Dim>& part) {
-    const auto i = static_cast<std::size_t>(near[k]);
-    const Motion& from = of[static_cast<std::size_t>(whose[i])];
+    const auto i = slot_of(near[k]);
+    const Motion& from = of[slot_of(whose[i])];
     const Vec<Dim> now = from.x[place[i]], velocity = from.v[place[i]];
     to_x[i] = now;
     to_v[i] = velocity;
     part.take(now - from_x[i], velocity);
   });
   motion.take(bounds_of<Dim>(far.size(), [&](std::size_t k, MotionBounds<Dim>& part) {
-    const auto i = static_cast<std::size_t>(far[k]);
-    to_v[i] = of[static_cast<std::size_t>(whose[i])].v[place[i]];
+    const auto i = slot_of(far[k]);
+    to_v[i] = of[slot_of(whose[i])].v[place[i]];
     part.take_velocity(to_v[i]);
   }));
   if (turns || needs_material || conduct) read_matter(surfaces);
@@ -88,9 +88,9 @@ template <int Dim>
 void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) {
 #pragma omp parallel for schedule(static) if (near.size() > kWorthThreads)
   for (std::size_t k = 0; k < near.size(); ++k) {
-    const auto i = static_cast<std::size_t>(near[k]);
-    const auto& from = *surfaces[static_cast<std::size_t>(surface[i])];
-    const auto p = static_cast<std::size_t>(point[i]);
+    const auto i = slot_of(near[k]);
+    const auto& from = *surfaces[slot_of(surface[i])];
+    const auto p = slot_of(point[i]);
     if (turns && p < from.spin.size()) spin[i] = from.spin[p];
     if (needs_material && p < from.particle_material.size())
       material[i] = from.particle_material[p];
@@ -104,9 +104,9 @@ template <int Dim>
 void ContactNodes<Dim>::predict_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt) {
   for (std::size_t i = 0; i < size(); ++i) {
     if (!owned[i]) continue;
-    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
+    const auto& points = *surfaces[slot_of(surface[i])]->points;
     if (!points.conducts) continue;
-    const auto p = static_cast<std::size_t>(point[i]);
+    const auto p = slot_of(point[i]);
     temperature[i] = points.capacity_varies(p)
                          ? points.temperature_with(p, points.heat[p] + dt * points.heat_rate[p])
                          : points.temperature[p] + dt * points.heat_rate[p] / points.capacity[p];
@@ -123,9 +123,9 @@ std::vector<Real> ContactNodes<Dim>::present_temperatures(
     const std::vector<Surface<Dim>*>& surfaces) const {
   std::vector<Real> present(size(), 0.0);
   for (std::size_t i = 0; i < size(); ++i) {
-    const auto& points = *surfaces[static_cast<std::size_t>(surface[i])]->points;
+    const auto& points = *surfaces[slot_of(surface[i])]->points;
     if (!owned[i] || !points.conducts) continue;
-    present[i] = points.temperature[static_cast<std::size_t>(point[i])];
+    present[i] = points.temperature[slot_of(point[i])];
   }
   return present;
 }

@@ -16,7 +16,7 @@ StepLimit step_limit_of_particles(const PairTable& pairs, const Section& section
   StepLimit step_limit;
   std::map<Label, PairOptions> options;
   for (const auto& particle : entities.particles) {
-    const auto node = static_cast<std::size_t>(particle.node);
+    const auto node = slot_of(particle.node);
     const Real mass = entities.nodes.mass[node];
     if (!(mass > 0) || particle.held) continue;
     auto it = options.find(particle.body);
@@ -89,7 +89,7 @@ template <int Dim>
 Real area_of(const Section& section, const Entities<Dim>& entities, const ContactFace<Dim>& face) {
   Real middle = 0;  // [m] x of the face
   for (int c = 0; c < face.n_nodes; ++c) {
-    const auto node = static_cast<std::size_t>(face.node[static_cast<std::size_t>(c)]);
+    const auto node = slot_of(face.node[slot_of(c)]);
     middle += entities.nodes.x[node][0] / face.n_nodes;
   }
   return std::max(face.area_start, face.footprint) * section.breadth(std::fabs(middle));
