@@ -90,8 +90,8 @@ TEST(RandomImpacts, FacesThatWarpKeepTheirDiagonal) {
 }
 
 // A side of an element half an element deep in a chisel, nearly perpendicular to it: it turned
-// through all angles at which pressure fades in within one step, and made 5.6 %; steps that are halved
-// at most leave 2.2 % of it (seed 4).
+// through all angles at which pressure fades in within one step, and made 5.6 %; steps that are
+// halved at most leave 2.2 % of it (seed 4).
 TEST(RandomImpacts, SidesThatArePressedTurnNoFasterThanStepsSee) {
   const Outcome outcome = outcome_of(random_impact(4));
   EXPECT_EQ(outcome.failure, "");
