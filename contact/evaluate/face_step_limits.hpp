@@ -20,11 +20,4 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
                       StepLimit& step_limit);
 
-/// Takes in the bound of two faces that turn where their pressure fades in with the angle between
-/// them, docs/theory/contact.md (C55): half of the step at which the moment of what they hold
-/// there, the steepest that the fade has, is stable beside their elements.
-template <int Dim>
-void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                      const Section& section, StepLimit& step_limit);
-
 }  // namespace brunt

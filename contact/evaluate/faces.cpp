@@ -6,6 +6,7 @@
 #include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
 #include "contact/evaluate/ties.hpp"
+#include "contact/surfaces/start_warp.hpp"
 
 namespace brunt {
 
@@ -50,6 +51,7 @@ FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real
     plane.corner[c] -= dt * entities.nodes.v[slot_of(face.node[c])];
   }
   refresh(plane);
+  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
   return plane;
 }
 
@@ -82,7 +84,7 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
   // Both faces may have moved: most pairs cannot have been as deep.
   if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.normal.limit)
     return false;
-  Planes<Dim> planes;
+  std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
                                    before_step(entities, candidate.upper, dt), section, planes,
                                    {.barrier = candidate.normal.barrier()});
@@ -287,7 +289,6 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     if (held<Dim>(entities, candidate, section, step, part)) continue;
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
-    limit_by_turning<Dim>(entities, candidate, section, part.step_limit);
     const ContactKey key =
         touch_key(ContactKind::face_face, entities.faces[l].id, entities.faces[u].id);
     FirstTouch touch = touch_before(entities, candidate, key, section, step.touches);

@@ -75,7 +75,7 @@ void begin_face_ties(const Entities<Dim>& entities, const FaceCandidate& candida
   const auto u = slot_of(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   const Real size = meeting_distance(lower, upper) / kMeets;
-  Planes<Dim> planes;
+  std::array<CommonPlane<Dim>, 4> planes;
   const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
   TiePoint tie;
   tie.key = {ContactKind::face_face, 0, entities.faces[l].id, entities.faces[u].id};

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/geometry/bilinear_weights.hpp"
-#include "contact/geometry/face_parts.hpp"
 #include "contact/geometry/overlap_push.hpp"
 
 namespace brunt {
@@ -175,9 +173,8 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (!needs.whole) {
     deep = deep_area(plane.polygon, penetration, plane.half_cosine(), plane.deepest, plane.barrier);
   }
-  const OverlapArea area{below, above,         penetration,
-                         sum,   lower.borders, upper.borders,
-                         deep,  needs.opening, needs.barrier.limit()};
+  const OverlapArea area{below,         above,         penetration, sum,
+                         lower.borders, upper.borders, deep,        needs.opening};
   const bool pushes = needs.pushes && !needs.whole;
   BorderFade<3> fade;
   if (pushes) fade = fade_of(lower, upper, area, plane);
@@ -307,7 +304,6 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
                          upper.borders,
                          deep,
                          needs.opening,
-                         needs.barrier.limit(),
                          section};
   const bool pushes = needs.pushes && !needs.whole;
   const auto fade = pushes ? fade_of(lower, upper, line, plane) : BorderFade<2>();
@@ -326,34 +322,39 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   return true;
 }
 
-/// Lets a plane between parts of faces count by their weights, and lets it push by what these
-/// change with the corners: the energy of all planes together has a gradient.
-void weigh(const FaceParts& below, std::size_t i, const FaceParts& above, std::size_t j,
-           CommonPlane<3>& plane) {
-  const Real energy = plane.energy, lower = below.weight(i), upper = above.weight(j);
-  const Real all = lower * upper;
-  plane.area *= all;
-  plane.volume *= all;
-  plane.energy *= all;
-  if (!(plane.share > 0)) {
-    plane.lower_push.fill(Vec3::Zero());
-    plane.upper_push.fill(Vec3::Zero());
-    plane.share = std::numeric_limits<Real>::min();
+/// A face as one or two simple parts with the corners that each has in the face.
+struct Parts {
+  explicit Parts(const FacePlane<3>& face) : whole(face) {
+    if (face.simple) return;
+    halves = split(face);
+    count = 2;
   }
-  for (std::size_t c = 0; c < 4; ++c) {
-    plane.lower_push[c] = all * plane.lower_push[c] - energy * upper * below.slope(i, c);
-    plane.upper_push[c] = all * plane.upper_push[c] - energy * lower * above.slope(j, c);
+  const FacePlane<3>& operator[](std::size_t i) const {
+    return count == 1 ? whole : halves.part[i];
   }
-}
+  /// Puts the weights of part i where the corners of the whole face are.
+  template <class Value>
+  void spread(std::size_t i, const Value& none, std::array<Value, 4>& weight) const {
+    if (count == 1) return;
+    const std::array<Value, 4> of_part = weight;
+    weight.fill(none);
+    for (std::size_t c = 0; c < 3; ++c) {
+      weight[slot_of(halves.corners[i][c])] = of_part[c];
+    }
+  }
+  const FacePlane<3>& whole;
+  SplitFace halves;
+  std::size_t count = 1;
+};
 
-int planes_of_parts(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
-                    const PlaneNeeds& needs, Planes<3>& plane) {
-  const FaceParts below(lower, !needs.whole), above(upper, !needs.whole);
+int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
+                 const PlaneNeeds& needs, std::array<CommonPlane<3>, 4>& plane) {
+  const Parts below(lower), above(upper);
   std::size_t n = 0;
-  for (std::size_t i = below.first(); i < below.last(); ++i) {
-    for (std::size_t j = above.first(); j < above.last(); ++j) {
+  for (std::size_t i = 0; i < below.count; ++i) {
+    for (std::size_t j = 0; j < above.count; ++j) {
       if (!one_plane(below[i], above[j], section, needs, plane[n])) continue;
-      plane[n].ordinal = static_cast<std::uint32_t>(3 * i + j);
+      plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
       below.spread(i, 0.0, plane[n].lower_weight);
       above.spread(j, 0.0, plane[n].upper_weight);
       below.spread(i, 0.0, plane[n].lower_at_middle);
@@ -362,7 +363,6 @@ int planes_of_parts(const FacePlane<3>& lower, const FacePlane<3>& upper, const 
         below.spread(i, Vec3(Vec3::Zero()), plane[n].lower_push);
         above.spread(j, Vec3(Vec3::Zero()), plane[n].upper_push);
       }
-      if (below.shared() || above.shared()) weigh(below, i, above, j, plane[n]);
       ++n;
     }
   }
@@ -372,19 +372,17 @@ int planes_of_parts(const FacePlane<3>& lower, const FacePlane<3>& upper, const 
 
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                  Planes<Dim>& plane, const PlaneNeeds& needs) {
+                  std::array<CommonPlane<Dim>, 4>& plane, const PlaneNeeds& needs) {
   if constexpr (Dim == 3) {
-    const auto in_parts = [](const FacePlane<3>& face) { return face.between || !face.simple; };
-    if (in_parts(lower) || in_parts(upper))
-      return planes_of_parts(lower, upper, section, needs, plane);
+    if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, needs, plane);
   }
   plane[0].ordinal = 0;
   return one_plane(lower, upper, section, needs, plane[0]) ? 1 : 0;
 }
 
-template int common_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&, Planes<2>&,
-                              const PlaneNeeds&);
-template int common_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&, Planes<3>&,
-                              const PlaneNeeds&);
+template int common_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
+                              std::array<CommonPlane<2>, 4>&, const PlaneNeeds&);
+template int common_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
+                              std::array<CommonPlane<3>, 4>&, const PlaneNeeds&);
 
 }  // namespace brunt

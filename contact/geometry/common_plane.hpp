@@ -72,7 +72,7 @@ struct CommonPlane {
   Real deepest = 0;           ///< [m] largest penetration
   Real layered = 0;           ///< [m] mean penetration, where a soft layer lies over the spring
   Real mean_slope = 1;        ///< of the pressure, over k: its mean over the area; 1: no barrier
-  std::uint32_t ordinal = 0;  ///< 3 i + j of the parts of both faces (FaceParts)
+  std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
   /// The centre of the area under pressure with its weights, where asked for: friction acts there,
   /// since a place that followed the pressure would couple normal motion to friction, one way only.
@@ -104,15 +104,10 @@ struct PlaneNeeds {
   FaceBarrier barrier = {};
 };
 
-/// The planes between two faces: one, up to four where both are split, up to nine where both count
-/// as whole and as split (contact/geometry/face_parts.hpp).
-template <int Dim>
-using Planes = std::array<CommonPlane<Dim>, 9>;
-
-/// Sets the planes between two faces, lower first by id. Returns how many of them carry pressure;
-/// `plane` holds these in fixed order.
+/// The planes between two faces, lower first by id: one, or up to four where warped or concave
+/// quads are split. Returns how many of them carry pressure; `plane` holds these in fixed order.
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                  Planes<Dim>& plane, const PlaneNeeds& needs = {});
+                  std::array<CommonPlane<Dim>, 4>& plane, const PlaneNeeds& needs = {});
 
 }  // namespace brunt

@@ -23,8 +23,6 @@ struct FaceBarrier {
   Real growth = 0;            ///< derivative of ln b by the cosine
 
   static FaceBarrier before(Real limit) { return {kOnset * limit}; }
-  /// [m] that limit; infinite where there is none.
-  Real limit() const { return onset > 0 ? onset / kOnset : kInfinity; }
   /// The same between faces at an angle, by its cosine.
   FaceBarrier at(Real facing) const {
     const Real s = std::clamp((facing - kFadesIn) / (kIsWhole - kFadesIn), 0.0, 1.0);

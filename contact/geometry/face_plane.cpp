@@ -8,6 +8,8 @@
 namespace brunt {
 
 namespace {
+/// A corner counts as convex if its parallelogram has at least this part of the face's area.
+constexpr Real kConvexLimit = 0.02;
 /// A diagonal is the shorter one where its square is less than this part of the other's.
 constexpr Real kShorter = 0.5;
 
@@ -36,15 +38,11 @@ void finish_quad(FacePlane<3>& face) {
   face.normal = twice / norm;
   // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
   face.warp = 0.25 * std::fabs(((x[0] - x[1]) + (x[2] - x[3])).dot(face.normal));
-  const Real width = std::sqrt(std::min(face.area, face.area_start));
+  face.simple = face.warp <= kWarpLimit * std::sqrt(face.area);
   const Place<Pack> from = corners(x), edge = next(from) - from;
   const Pack turns = dot(cross(edge, next(edge)), everywhere(face.normal));  // left at each corner
-  const auto turn_by = [&](Real part) {
-    return mask_bits(turns >= broadcast<Pack>(part * face.area)) == 0b1111;
-  };
-  face.simple = face.warp <= kWarpLimit * width && turn_by(kConvexLimit);
-  const bool whole = face.warp <= kWarpFrom * width && turn_by(kConvexFrom);
-  face.between = !whole && face.warp < kWarpTo * width && turn_by(kConvexLimit);
+  const unsigned convex = mask_bits(turns >= broadcast<Pack>(kConvexLimit * face.area));
+  face.simple = face.simple && convex == 0b1111;
 }
 }  // namespace
 
@@ -52,7 +50,6 @@ template <int Dim>
 void refresh(FacePlane<Dim>& face) {
   face.warp = 0;
   face.simple = true;
-  face.between = false;
   if constexpr (Dim == 2) {
     finish(face);
   } else if (face.n_corners == 3) {
@@ -64,7 +61,6 @@ void refresh(FacePlane<Dim>& face) {
     face.area = 0;
     face.warp = 0;
     face.simple = true;
-    face.between = false;
     face.normal.setZero();
   }
 }

@@ -19,21 +19,13 @@ struct FacePlane {
   Real area = 0;                       ///< [m^2]; 2D: length [m]; 0 if degenerate
   Real warp = 0;                       ///< [m] distance of the corners from the mean plane
   bool simple = true;                  ///< one plane will do: convex, warp within kWarpLimit
-  bool between = false;                ///< nearly: it counts as both (face_parts.hpp)
-  /// [m^2] at time 0. Faces that grow keep their depth and their spring, and a corner that dips in
-  /// by a part of what they have grown to would be far in the barrier once they split.
-  Real area_start = kInfinity;
 };
 
-/// A quad whose corners leave their mean plane by more than this times the root of its area, now or
-/// at time 0, is two triangles; from a part of that on it begins to be.
-inline constexpr Real kWarpLimit = 0.05, kWarpFrom = 0.02, kWarpTo = 0.08;
-/// A corner counts as convex if its parallelogram has at least this part of the face's area, as
-/// wholly so from the second part on.
-inline constexpr Real kConvexLimit = 0.02, kConvexFrom = 0.1;
+/// A quad whose corners leave their mean plane by more than this times sqrt(area) is split.
+inline constexpr Real kWarpLimit = 0.05;
 
-/// Fills all but `corner`, `n_corners`, `borders`, `sharpness` and `area_start`. A face without
-/// area or with a NaN gets area 0.
+/// Fills all but `corner`, `n_corners`, `borders` and `sharpness`. A face without area or with a
+/// NaN gets area 0.
 template <int Dim>
 void refresh(FacePlane<Dim>& face);
 

@@ -185,7 +185,7 @@ class AreaGradient {
   }
 
   Real rooms_at(const Vec<2>& p) const {
-    Real sum = density_.even;
+    Real sum = 0;
     for (std::size_t k = 0; k < n_rooms_; ++k) sum += rooms_[k].at(p);
     return sum;
   }
@@ -216,7 +216,6 @@ class AreaGradient {
 BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
                       const OverlapArea& overlap, const CommonPlane<3>& plane) {
   BorderFade<3> fade;
-  fade.area = overlap.sum.area, fade.limit = overlap.limit;
   if (lower.borders == 0 || upper.borders == 0) return fade;
   const auto& sum = overlap.sum;
   const Real volume = plane.half_cosine() * sum.total;

@@ -56,7 +56,7 @@ class LineGradient {
   }
   /// dU/dA at s, where G is g, without the barrier.
   Real squares(Real s, Real g) const {
-    Real sum = density_.squared * g * g + density_.linear * g + density_.even;
+    Real sum = density_.squared * g * g + density_.linear * g;
     for (std::size_t k = 0; k < slot_of(fade_.n); ++k) {
       const auto& pair = fade_.pair[k];
       const End lower = end_of(overlap_, false, pair.lower);
@@ -138,7 +138,6 @@ class LineGradient {
 BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
                       const OverlapLine& overlap, const CommonPlane<2>& plane) {
   BorderFade<2> fade;
-  fade.area = overlap.area, fade.limit = overlap.limit;
   const Real volume = plane.half_cosine() * overlap.total;
   const auto room_of = [&](const End& end) {
     return end.into * (overlap.first + (overlap.middle() - end.at) * overlap.area);

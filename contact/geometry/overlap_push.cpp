@@ -7,33 +7,18 @@
 namespace brunt {
 
 namespace {
-/// 0 up to x = low, 1 from high on, with its slope.
-struct Step {
-  Real value = 0, slope = 0;
-  Step(Real x, Real low, Real high) {
-    const Real s = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    value = s * s * (3 - 2 * s);
-    slope = 6 * s * (1 - s) / (high - low);
-  }
-};
-
 /// v: 1 up to rho = 1, then 1/(1 + (rho - 1)^2): the energy of sides that are deep over a low
 /// height a falls as a^3, whatever their depth, so that no edge feels a step where it comes in
-/// beside them. A second fade from 5 to 10 ends them. A third ends what has begun to fade, from
-/// rho = 2 on the whole of it, as its mean depth grows: where pressure acts it is up to 1.8 times
-/// as deep, and along the normal up to 1.36 times, and it may not be let go before nothing is left.
-/// depth  mean of G over the depth at which faces let go
+/// beside them. A second fade from 5 to 10 ends them, before they are let go as an element deep.
 struct Fading {
-  Real value = 1, slope = 0, by_depth = 0;
+  Real value = 1, slope = 0;
 };
-Fading fades(Real rho, Real depth) {
-  constexpr Real kLast = 5, kDeepFrom = 0.2, kGone = 0.4;
-  if (rho >= 2 * kLast) return {0, 0, 0};
+Fading fades(Real rho) {
+  constexpr Real kLast = 5;
+  if (rho >= 2 * kLast) return {0, 0};
   const Real u = std::max(rho - 1, 0.0), v = 1 / (1 + u * u);
-  const Step ends(rho, kLast, 2 * kLast), begun(rho, 1, 2), deep(depth, kDeepFrom, kGone);
-  const Real w = 1 - ends.value, z = 1 - begun.value * deep.value;
-  return {v * w * z, (-2 * u * v * v * w - v * ends.slope) * z - v * w * begun.slope * deep.value,
-          -v * w * begun.value * deep.slope};
+  const Real s = std::clamp(rho / kLast - 1, 0.0, 1.0), w = 1 - s * s * (3 - 2 * s);
+  return {v * w, -2 * u * v * v * w - v * 6 * s * (1 - s) / kLast};
 }
 
 /// How much of the force between two borders the potential has, for what they ask.
@@ -87,7 +72,7 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real r
   constexpr Real kNothing = 1e-12;  // less is a rest of rounding, by which nothing is divided
   const Real squared = facing * facing;
   const Real rho = room > 0 ? volume / room : kInfinity;
-  const Fading fading = fades(rho, volume / (area * limit));
+  const Fading fading = fades(rho);
   const Real value = 1 - squared * (1 - fading.value);
   if (value < kNothing) {
     factor = 0;
@@ -98,9 +83,7 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real r
     // Where nothing is left of v nothing can be divided by the room, which may be none.
     const bool ends = fading.value == 0;
     const Real slope = ends ? 0.0 : squared * fading.slope / (value * room);
-    const Real by_depth = ends ? 0.0 : squared * fading.by_depth / (value * area * limit);
-    by_volume += slope + by_depth;
-    by_area -= by_depth * volume / area;
+    by_volume += slope;
     pair[slot_of(n++)] = {lower, upper, ends ? 0.0 : -slope * rho,
                           -2 * facing * (1 - fading.value) / value};
   }

@@ -15,8 +15,7 @@ namespace brunt {
 /// directions into the faces, 1 where they are opposite. omega is the product over all such pairs
 /// of 1 - kappa^2 (1 - v(rho)), where v is 1 up to rho = 1 and falls as 1/rho^2 beyond. Two boxes
 /// that overlap by p > a at their edges have p/a on the sides that are p deep, a/p on the others:
-/// these push. What fades is gone before it is as deep as faces are let go. Borders on the same
-/// side, of faces that end flush, fade nothing.
+/// these push. Borders on the same side, of faces that end flush, fade nothing.
 template <int Dim>
 struct BorderFade {
   struct Borders {
@@ -27,12 +26,9 @@ struct BorderFade {
   static constexpr int kMost = Facet<Dim>::kNodes * Facet<Dim>::kNodes;
   std::array<Borders, kMost> pair;
   int n = 0;
-  Real factor = 1;         ///< omega
-  Real share = 0;          ///< what potential_share asks for, 0 .. 1
-  Real by_volume = 0;      ///< [1/m^Dim] derivative of ln omega by int G
-  Real by_area = 0;        ///< [1/m^(Dim-1)] the same by the area
-  Real area = 1;           ///< [m^(Dim-1)] of the overlap
-  Real limit = kInfinity;  ///< [m] depth at which its faces let go
+  Real factor = 1;     ///< omega
+  Real share = 0;      ///< what potential_share asks for, 0 .. 1
+  Real by_volume = 0;  ///< [1/m^Dim] derivative of ln omega by int G
 
   /// Takes in two borders by kappa and the integrals of G and of D_l + D_u [m^Dim].
   /// filled  which part of the distance from border to border the overlap takes up, 0 .. 1
@@ -77,7 +73,6 @@ struct OverlapArea {
   unsigned lower_borders, upper_borders;  ///< as of Facet
   const DeepArea& deep;                   ///< where the barrier pushes
   Real opening;                           ///< [m] of it, which is no distance of the faces
-  Real limit;                             ///< [m] depth at which the faces let go
 
   /// Largest less smallest penetration over the area, of the mean.
   Real change(const CommonPlane<3>& plane) const {
@@ -99,7 +94,6 @@ struct OverlapLine {
   unsigned lower_borders, upper_borders;  ///< as of Facet
   const DeepLine& deep;                   ///< where the barrier pushes
   Real opening;                           ///< [m]
-  Real limit;                             ///< [m] as of OverlapArea
   const Section& section;
 
   Real middle() const { return 0.5 * (end[0] + end[1]); }

@@ -7,6 +7,7 @@
 
 #include "contact/law/springs.hpp"
 #include "contact/surfaces/own_springs.hpp"
+#include "contact/surfaces/start_warp.hpp"
 #include "core/parallel/packing.hpp"
 
 namespace brunt {
@@ -317,8 +318,8 @@ void Entities<Dim>::refresh_plane(std::size_t f) {
     const bool there = c < face.n_nodes;
     plane.corner[k] = there ? nodes.x[slot_of(face.node[k])] : Vec<Dim>::Zero();
   }
-  plane.area_start = face.area_start > 0 ? face.area_start : kInfinity;
   refresh(plane);
+  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
   boxes[f] = box_of(plane, 0.0);
 }
 

@@ -55,7 +55,7 @@ expect 0 "$brunt" run four.yaml --refine --quiet --out few
 check few
 # By a key, two sizes, more sizes.
 expect 0 "$brunt" run bar.yaml --refine=2 --refine-key bodies.bar.cells --quiet --out two
-grep -q '"convergence": "two sizes tell no order"' two/summary.json || fail "two sizes told an order"
+grep -q '"convergence": "two sizes give no order"' two/summary.json || fail "two sizes gave an order"
 expect 0 "$brunt" run bar.yaml --refine=4 --quiet --json --out many
 grep -q '"bound"' out.txt || fail "no bound in the summary that is printed"
 check many

@@ -21,7 +21,7 @@ struct Pair {
   Real opening = 0;
   FaceBarrier barrier;
 
-  Planes<Dim> planes;
+  std::array<CommonPlane<Dim>, 4> planes;
   int meet() {
     refresh(lower), refresh(upper);
     return common_planes<Dim>(lower, upper, section, planes,
