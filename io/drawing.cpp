@@ -5,24 +5,6 @@
 namespace brunt {
 
 namespace {
-std::string escaped_xml(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if (static_cast<unsigned char>(c) >= 32) {
-      out += c;
-    }
-  }
-  return out;
-}
-
 std::string hex_of(const Ink& ink) {
   static constexpr const char* kDigits = "0123456789abcdef";
   std::string text = "#";
@@ -53,6 +35,24 @@ std::string svg_text(const Drawing::Text& text) {
   return out + ">" + escaped_xml(text.text) + "</text>\n";
 }
 }  // namespace
+
+std::string escaped_xml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else if (c == '"') {
+      out += "&quot;";
+    } else if (static_cast<unsigned char>(c) >= 32 || c == '\n') {
+      out += c;
+    }
+  }
+  return out;
+}
 
 std::string to_svg(const Drawing& drawing) {
   const std::string size =

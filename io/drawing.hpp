@@ -42,6 +42,10 @@ struct Drawing {
   std::vector<Text> texts;  ///< above all
 };
 
+/// Text as SVG and HTML take it: with <, >, & and quotes by name, without control characters but
+/// ends of lines.
+std::string escaped_xml(const std::string& text);
+
 /// The drawing as an SVG file.
 std::string to_svg(const Drawing& drawing);
 

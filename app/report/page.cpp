@@ -24,32 +24,9 @@ img{max-width:49%;margin:0 4px 8px 0;border:1px solid #e2e5e9}
 svg{max-width:100%;height:auto;display:block;margin:0 0 10px}
 pre{background:#f5f6f8;padding:12px;overflow:auto;font-size:13px})";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::string text_cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
+std::string text_cell(const std::string& text) { return "<td>" + escaped_xml(text) + "</td>"; }
 std::string number_cell(const std::string& text) {
-  return "<td class=\"n\">" + escaped(text) + "</td>";
+  return "<td class=\"n\">" + escaped_xml(text) + "</td>";
 }
 std::string percent(Real share) { return rounded(100 * share, 3) + " %"; }
 
@@ -57,8 +34,8 @@ std::string percent(Real share) { return rounded(100 * share, 3) + " %"; }
 std::string table(const std::vector<std::string>& names, const std::vector<std::string>& rows) {
   std::string out = "<table><tr>";
   for (const auto& name : names) {
-    out += name.starts_with('#') ? "<th class=\"n\">" + escaped(name.substr(1)) + "</th>"
-                                 : "<th>" + escaped(name) + "</th>";
+    out += name.starts_with('#') ? "<th class=\"n\">" + escaped_xml(name.substr(1)) + "</th>"
+                                 : "<th>" + escaped_xml(name) + "</th>";
   }
   out += "</tr>\n";
   for (const auto& row : rows) out += "<tr>" + row + "</tr>\n";
@@ -68,14 +45,14 @@ std::string table(const std::vector<std::string>& names, const std::vector<std::
 std::string heading(const RunReport& report) {
   const auto& summary = report.summary;
   const bool good = summary.status == kDone;
-  std::string out = "<h1>" + escaped(report.title) + "</h1>\n<p class=\"" +
+  std::string out = "<h1>" + escaped_xml(report.title) + "</h1>\n<p class=\"" +
                     (good ? "ended" : "bad") + "\">" + status_word(summary.status);
-  if (!summary.reason.empty()) out += ": " + escaped(summary.reason);
+  if (!summary.reason.empty()) out += ": " + escaped_xml(summary.reason);
   if (!report.history.rows.empty()) {
     out += ", at " + rounded(report.history.rows.back().front(), 6) + " s";
   }
-  out += ", " + std::to_string(summary.steps) + " steps; brunt " + escaped(summary.version) +
-         ", deck " + escaped(summary.deck_hash) + "</p>\n";
+  out += ", " + std::to_string(summary.steps) + " steps; brunt " + escaped_xml(summary.version) +
+         ", deck " + escaped_xml(summary.deck_hash) + "</p>\n";
   std::vector<std::string> rows;
   for (const auto& [name, text] : summary.parameters) {
     rows.push_back(text_cell(name) + text_cell(text));
@@ -123,7 +100,7 @@ std::string pictures(const RunReport& report) {
   if (report.pictures.empty()) return "";
   std::string out = "<h2>Pictures</h2>\n";
   for (const auto& [name, bytes] : report.pictures) {
-    out += "<img alt=\"" + escaped(name) + "\" title=\"" + escaped(name) +
+    out += "<img alt=\"" + escaped_xml(name) + "\" title=\"" + escaped_xml(name) +
            "\" src=\"data:image/png;base64," + base64(bytes) + "\">\n";
   }
   return out;
@@ -145,10 +122,10 @@ std::string ledger(const RunReport& report) {
                     rounded(summary.drift, 3) + "; energy that nobody put in, at most " +
                     percent(summary.energy.created) + " of the largest";
   for (const auto& [name, share] : summary.energy.sources) {
-    out += ", " + escaped(name) + " " + percent(share);
+    out += ", " + escaped_xml(name) + " " + percent(share);
   }
   for (const auto& [body, share] : summary.energy.hourglass) {
-    out += "; hourglass of " + escaped(body) + " " + percent(share) + " of its stress work";
+    out += "; hourglass of " + escaped_xml(body) + " " + percent(share) + " of its stress work";
   }
   return out + ".</p>\n";
 }
@@ -156,7 +133,8 @@ std::string ledger(const RunReport& report) {
 std::string warnings(const RunSummary& summary) {
   if (summary.warnings.empty()) return "";
   std::string out = "<h2>Warnings</h2>\n<ul>\n";
-  for (const auto& warning : summary.warnings) out += "<li>" + escaped(warning.text) + "</li>\n";
+  for (const auto& warning : summary.warnings)
+    out += "<li>" + escaped_xml(warning.text) + "</li>\n";
   return out + "</ul>\n";
 }
 
@@ -198,11 +176,12 @@ std::string base64(const std::string& bytes) {
 
 std::string html_page(const RunReport& report) {
   std::string out = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                    escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>\n";
+                    escaped_xml(report.title) + "</title><style>" + kStyle +
+                    "</style></head><body>\n";
   out += heading(report) + measures(report.summary) + warnings(report.summary) +
          charts(report.history) + pictures(report) + ledger(report) + cost(report.summary);
   out += "<h2>Deck</h2>\n<details><summary>as it was resolved, in SI</summary><pre>" +
-         escaped(report.deck) + "</pre></details>\n";
+         escaped_xml(report.deck) + "</pre></details>\n";
   return out + "</body></html>\n";
 }
 

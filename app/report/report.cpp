@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "app/deck/deck.hpp"
 #include "app/report/page.hpp"
@@ -19,11 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* kName = "report.html";
 constexpr std::size_t kMostPictures = 8;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 /// The title of the deck that a run resolved; the folder's name where it has none.
 std::string title_of(const fs::path& folder) {
@@ -46,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> pictures_in(const fs::path& fol
   const std::size_t n = std::min(names.size(), kMostPictures);
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t at = n == 1 ? names.size() - 1 : k * (names.size() - 1) / (n - 1);
-    pictures.emplace_back(names[at], bytes_of(folder / names[at]));
+    pictures.emplace_back(names[at], read_file(folder / names[at]));
   }
   return pictures;
 }
@@ -65,7 +58,7 @@ bool write_report(const fs::path& folder) {
   if (fs::exists(folder / "history.csv", error)) {
     report.history = read_history(folder / "history.csv");
   }
-  report.deck = bytes_of(folder / "deck.resolved.yaml");
+  report.deck = read_file(folder / "deck.resolved.yaml");
   report.pictures = pictures_in(folder);
   list_files(folder, {kName});
   replace_file(folder / kName, html_page(report));

@@ -144,7 +144,9 @@ template <int Dim>
 void Monitor<Dim>::watch(const HistoryRow& row, const Clock& clock) {
   const RunLook look{row.energies, row.created, collector_->energies(), row.deepest_pair};
   for (const auto& warning : watch_.look(look, clock)) warn(warning);
-  if (is_looked_at(clock.step())) inertia_.look(row.energies, clock.time());
+  if (deck_.time.process_speed != 1 && is_looked_at(clock.step())) {
+    inertia_.look(row.energies, clock.time());
+  }
 }
 
 template <int Dim>
