@@ -144,6 +144,10 @@ RunSummary from_json(const Json& json) {
   s.drift = real_at(json, "drift", s.drift);
   s.state_hash = json.value("state_hash", s.state_hash);
   s.energy = energy_from(object_at(json, "energy"));
+  const Json bounds = object_at(json, "step_bounds");
+  for (const auto& [what, unused] : bounds.items()) {
+    s.step_bounds.emplace_back(what, real_at(bounds, what.c_str(), 0));
+  }
   const Json margins = object_at(json, "step_margins");
   for (const auto& [body, unused] : margins.items()) {
     s.step_margins.emplace_back(body, real_at(margins, body.c_str(), kUnknown));
@@ -215,6 +219,7 @@ std::string to_json(const RunSummary& s) {
   if (!s.state_hash.empty()) json["state_hash"] = s.state_hash;
   json["energy"] = energy_json(s.energy);
   if (s.process_speed != 1) json["process"] = process_json(s);
+  if (!s.step_bounds.empty()) json["step_bounds"] = shares_json(s.step_bounds);
   if (!s.step_margins.empty()) json["step_margins"] = shares_json(s.step_margins);
   if (!s.eroded.empty()) json["eroded"] = shares_json(s.eroded);
   json["measures"] = measures_json(s.measures);

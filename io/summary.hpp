@@ -62,10 +62,12 @@ struct RunSummary {
   std::string reason;  ///< why it ended
   std::int64_t steps = 0;
   std::int64_t planned_steps = 0;  ///< if all were as long as the first that a material bounds
-  Real planned_memory = 0;         ///< [byte] as `brunt plan` estimates it; 0: several ranks
-  std::int64_t first_step = 0;     ///< the step from which this process went on; 0: from the start
-  Real wall_seconds = 0;           ///< [s]
-  Real cpu_seconds = 0;            ///< [s] processor time of all threads and ranks of this process
+  /// Parts of the steps, by what bounded them: "element of bar", the largest first.
+  std::vector<std::pair<std::string, Real>> step_bounds;
+  Real planned_memory = 0;      ///< [byte] as `brunt plan` estimates it; 0: several ranks
+  std::int64_t first_step = 0;  ///< the step from which this process went on; 0: from the start
+  Real wall_seconds = 0;        ///< [s]
+  Real cpu_seconds = 0;         ///< [s] processor time of all threads and ranks of this process
   std::int64_t points = 0;
   std::int64_t elements = 0;
   std::int64_t particles = 0;

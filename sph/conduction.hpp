@@ -50,7 +50,7 @@ BRUNT_INLINE PairHeat sum_heat(const MotionRecord<Dim>* motion, const HeatRecord
   Pack rate = broadcast<Pack>(0.0), conductance = rate;
   for (std::size_t n = 0; n < row.size(); n += kLanes) {
     const LocalIndex* j = row.data() + n;
-    FourPairs<Dim> pairs;
+    PairPack<Dim> pairs;
     set_arms(motion, motion[i].data, j, pairs);
     Pack other[8];
     for (int half = 0; half < 8; half += 4) {

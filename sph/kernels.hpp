@@ -2,9 +2,9 @@
 /// Smoothing kernels of support 2 h:
 ///   W(r) = alpha / h^Dim f(q),  q = r/h;   grad_i W = alpha / h^(Dim+2) (f'(q)/q) (x_i - x_j).
 /// docs/theory/sph.md (S1)
-/// Written on V = Real or Pack, for q in [0, 2], without branches and without pow. slope_over_q is
-/// f'/q, out of q and 1/q where the kernel divides by it.
-#include "core/simd.hpp"
+/// Written on V = Real, Pack or SinglePack, for q in [0, 2], without branches and without pow.
+/// slope_over_q is f'/q, out of q and 1/q where the kernel divides by it.
+#include "core/simd_single.hpp"
 #include "sph/options.hpp"
 
 namespace brunt {
@@ -99,12 +99,12 @@ struct WendlandC4Kernel {
   template <class V>
   static BRUNT_INLINE V value(V q) {
     const V rest = 1.0 - 0.5 * q, cube = rest * rest * rest;
-    return cube * cube * (1.0 + q * (3.0 + (35.0 / 12.0) * q));
+    return cube * cube * (1.0 + q * (3.0 + number_of<V>(35.0 / 12.0) * q));
   }
   template <class V>
   static BRUNT_INLINE V slope_over_q(V q, V) {
     const V rest = 1.0 - 0.5 * q, square = rest * rest;
-    return (-14.0 / 3.0) * (1.0 + 2.5 * q) * (square * square * rest);
+    return number_of<V>(-14.0 / 3.0) * (1.0 + 2.5 * q) * (square * square * rest);
   }
 };
 

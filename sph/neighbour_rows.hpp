@@ -9,7 +9,8 @@ namespace brunt {
 
 /// Candidates within the skin, and out of them the true neighbours of the present positions, in
 /// rows padded to whole packs by the particle itself: sums run over the true neighbours in the
-/// order of their ids, so that nothing depends on what the skin lets in.
+/// order of their ids, so that nothing depends on what the skin lets in. Room is for packs of
+/// either precision.
 template <int Dim>
 class NeighbourRows {
  public:
@@ -19,12 +20,13 @@ class NeighbourRows {
   /// one after the other.
   void merge_copies(std::span<const GlobalId> id, LocalIndex n_owned);
   /// Finds j with |x_i - x_j| < 2 h_ij among the candidates of i.
-  void refresh(const MotionRecord<Dim>* records, LocalIndex i);
+  template <class P>
+  void refresh(const MotionRecord<Dim, P>* records, LocalIndex i);
 
-  /// Places of the true neighbours of i, padded by i.
-  std::span<const LocalIndex> row(LocalIndex i) const {
+  /// Places of the true neighbours of i, padded by i to whole packs.
+  std::span<const LocalIndex> row(LocalIndex i, int lanes = kLanes) const {
     const auto k = slot_of(i);
-    const auto padded = slot_of((count_[k] + kLanes - 1) / kLanes * kLanes);
+    const auto padded = slot_of((count_[k] + lanes - 1) / lanes * lanes);
     return {near_.data() + first_[k], padded};
   }
   /// What the first pass leaves to the second of each pair of the row, beside row(i).

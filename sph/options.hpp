@@ -4,6 +4,9 @@
 
 namespace brunt {
 
+/// In what numbers sums over pairs of particles are formed (sph/pair_precision.hpp).
+enum class PairPrecision : int { double_precision, single_precision };
+
 enum class KernelKind : int { cubic, quadratic, hyperbolic, wendland_c2, wendland_c4 };
 
 struct MonaghanViscosity {
@@ -20,6 +23,7 @@ struct SphOptions {
   Real artificial_stress = 0;  ///< epsilon of Gray, Monaghan & Swift 2001
   MonaghanViscosity viscosity;
   Real xsph = 0;
+  PairPrecision pair_precision = PairPrecision::double_precision;
 };
 
 inline void describe(Schema& s, MonaghanViscosity& viscosity) {
@@ -30,7 +34,8 @@ inline void describe(Schema& s, MonaghanViscosity& viscosity) {
 inline void describe(Schema& s, SphOptions& sph) {
   static constexpr const char* kKernels[] = {"cubic", "quadratic", "hyperbolic", "wendland-c2",
                                              "wendland-c4"};
-  static constexpr const char* kLater[] = {"formulation", "hourglass", "pair_precision"};
+  static constexpr const char* kPrecisions[] = {"double", "single"};
+  static constexpr const char* kLater[] = {"formulation", "hourglass"};
   s.choice({"kernel", "smoothing kernel"}, sph.kernel, kKernels);
   s.real({"smoothing", "smoothing length over particle spacing"}, sph.smoothing,
          {"1", positive(), between(0.9, 2.5)});
@@ -41,6 +46,9 @@ inline void describe(Schema& s, SphOptions& sph) {
   s.object({"viscosity", "artificial viscosity that spreads shocks"}, sph.viscosity);
   s.real({"xsph", "share of the neighbours' velocity with which particles move"}, sph.xsph,
          {"1", between(0, 1)});
+  s.choice(
+      {"pair_precision", "numbers of the sums over pairs: single is faster, and wrong by 1e-6"},
+      sph.pair_precision, kPrecisions);
   s.later(kLater);
 }
 

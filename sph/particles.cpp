@@ -18,6 +18,7 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
       sum_of_piece_(std::move(sum_of_piece)) {
   assert(spacing.size() == points_.x.size());
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
+  if (!spacing.empty()) unit_ = SingleUnit(*std::min_element(spacing.begin(), spacing.end()));
   take_sets(std::move(sets), spacing);
   const auto conducts = [](const auto& block) { return block.set.conducts; };
   const bool any_conducts = std::any_of(blocks_.begin(), blocks_.end(), conducts);
@@ -37,6 +38,10 @@ void SphParticles<Dim>::hold(std::size_t n) {
   motion_.resize(n);
   stress_.resize(n);
   artificial_.resize(n);
+  if (!any_single()) return;
+  single_motion_.resize(n);
+  single_stress_.resize(n);
+  single_artificial_.resize(n);
 }
 
 template <int Dim>
@@ -73,6 +78,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
     blocks_.push_back({std::move(set), std::move(state), std::move(given)});
     for (const LocalIndex i : blocks_.back().set.particle) set_size(slot_of(i));
   }
+  hold(n_owned());  // what the sets need
 }
 
 /// docs/theory/sph.md (S5).
@@ -99,26 +105,8 @@ void SphParticles<Dim>::refresh_motion() {
     record[Record::kInverse] = 1.0 / smoothing_length_[i];
     record[Record::kVolume] = state_[i].volume / depth_;
     stress_[i].data[StressRecord<Dim>::kDensity] = weighed_mass(i) / state_[i].volume;
+    if (!single_motion_.empty()) set_single_motion(i);
   });
-}
-
-template <int Dim>
-void SphParticles<Dim>::refresh_gradients() {
-  for (const auto& block : blocks_) {
-    const bool corrected = block.set.options.correction;
-    with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
-      for_each(block.set.particle.size(), [&](std::size_t slot) {
-        const LocalIndex i = block.set.particle[slot];
-        rows_.refresh(motion_.data(), i);
-        const auto sums =
-            sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i), rows_.weights(i));
-        auto& state = state_[i];
-        const bool usable = corrected && rows_.count(i) >= Dim + 1;
-        invert_moment<Dim>(sums.moment, usable, state.correction);
-        correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
-      });
-    });
-  }
 }
 
 /// What of the spin w = curl v / 2 no shear accounts for: w max(0, 1 - 2 s/|w|), s^2 = D':D'/2 of
@@ -183,40 +171,6 @@ void SphParticles<Dim>::update_state(Real dt) {
     });
   }
   if (surface_.needs_material) publish_materials();
-}
-
-template <int Dim>
-void SphParticles<Dim>::add_internal_forces(Real dt) {
-  if (held_) return;
-  const ForceRecords<Dim> records{motion_.data(), stress_.data(), artificial_.data()};
-  for (const auto& block : blocks_) {
-    const SphOptions& options = block.set.options;
-    with_kernel(options.kernel, [&]<class Kernel>(Kernel) {
-      const SphPairOptions pair{options.viscosity.alpha, options.viscosity.beta,
-                                1.0 / Kernel::value(1.0 / options.smoothing)};
-      for_each(block.set.particle.size(), [&](std::size_t slot) {
-        const LocalIndex i = block.set.particle[slot];
-        const auto k = slot_of(i);
-        const auto sums = sum_forces<Dim, Kernel>(records, i, rows_.row(i), rows_.weights(i), pair);
-        auto& state = state_[k];
-        const Real volume = depth_ * motion_[k].data[MotionRecord<Dim>::kVolume];
-        for (int d = 0; d < Dim; ++d) {
-          state.stress_force[d] = volume * sums.stress[d];
-          state.viscous_force[d] = volume * sums.viscosity[d];
-          state.artificial_force[d] = volume * sums.artificial[d];
-          points_.f[k][d] +=
-              (state.stress_force[d] + state.viscous_force[d]) + state.artificial_force[d];
-        }
-        state.viscous_power = volume * sums.viscosity_power;
-        state.viscous_work += 0.5 * dt * state.viscous_power;
-        state.artificial_work += 0.5 * dt * volume * sums.artificial_power;
-        state.speed = sums.speed;
-        state.mu = sums.mu;
-        find_spread(block, i);
-      });
-    });
-  }
-  if (rides()) give_forces_to_nodes();
 }
 
 template class SphParticles<2>;

@@ -151,7 +151,18 @@ class SphParticles final : public Solid<Dim> {
   bool sums_hold(bool mine_hold) const;
   bool lists_hold() const;
   void refresh_motion();
+  bool any_single() const;
+  void set_single_motion(std::size_t i);
+  void refresh_single_stress();
   void refresh_gradients();
+  template <class P>
+  ForceRecords<Dim, P> pair_records() const;
+  template <class P>
+  void find_gradients(const ParticleBlock& block);
+  template <class Take>
+  void sum_block_forces(const ParticleBlock& block, const MonaghanViscosity& viscosity,
+                        const Take& take);
+  void take_forces(const ParticleBlock& block, LocalIndex i, const ForceSums<Dim>& sums, Real dt);
   void move_with_neighbours(Real dt);
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
   void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
@@ -183,6 +194,11 @@ class SphParticles final : public Solid<Dim> {
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
   std::vector<ArtificialRecord<Dim>> artificial_;
+  // What those of pair_precision: single read, of all particles; empty where there are none.
+  std::vector<MotionRecord<Dim, SinglePairs>> single_motion_;
+  std::vector<StressRecord<Dim, SinglePairs>> single_stress_;
+  std::vector<ArtificialRecord<Dim, SinglePairs>> single_artificial_;
+  SingleUnit unit_;                    // of their lengths: the least spacing of the whole
   std::vector<HeatRecord<Dim>> heat_;  // empty: heat is not conducted
   bool held_ = false;                  // nothing of it ever moves: only its heat is computed
   bool settled_ = false;               // rows, weights and corrections of what is held are there

@@ -94,27 +94,6 @@ void SphParticles<Dim>::find_spread(const ParticleBlock& block, LocalIndex i) {
                                      shear_share(*block.set.material, state));
 }
 
-/// Speeds of approach of the start, which the first step limit needs.
-template <int Dim>
-void SphParticles<Dim>::seed_step_limits() {
-  refresh_motion();
-  refresh_gradients();
-  const SphPairOptions inviscid;
-  const ForceRecords<Dim> records{motion_.data(), stress_.data(), artificial_.data()};
-  for (const auto& block : blocks_) {
-    with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
-      for_each(block.set.particle.size(), [&](std::size_t slot) {
-        const LocalIndex i = block.set.particle[slot];
-        const auto sums =
-            sum_forces<Dim, Kernel>(records, i, rows_.row(i), rows_.weights(i), inviscid);
-        state_[i].speed = sums.speed;
-        state_[i].mu = sums.mu;
-        find_spread(block, i);
-      });
-    });
-  }
-}
-
 /// Half of a h/c_eff with c_eff = c + |v_ij| + 1.2 (alpha c + beta max |mu_ij|), a from the
 /// dispersion of the kernel on a lattice, half for disorder; and 0.25 sqrt(h/|a_i|).
 /// docs/theory/sph.md (S21) to (S24).
@@ -160,8 +139,6 @@ template void SphParticles<2>::rearrange();
 template void SphParticles<3>::rearrange();
 template void SphParticles<2>::find_spread(const ParticleBlock&, LocalIndex);
 template void SphParticles<3>::find_spread(const ParticleBlock&, LocalIndex);
-template void SphParticles<2>::seed_step_limits();
-template void SphParticles<3>::seed_step_limits();
 template StepLimit SphParticles<2>::stable_step() const;
 template StepLimit SphParticles<3>::stable_step() const;
 

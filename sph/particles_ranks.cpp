@@ -24,6 +24,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
                                 const Communicator& ranks)
     : depth_(whole.depth_),
       sum_of_piece_(whole.sum_of_piece_),
+      unit_(whole.unit_),
       held_(whole.held_),
       ranks_(&ranks),
       skin_ratio_(whole.skin_ratio_),

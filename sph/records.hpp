@@ -1,11 +1,13 @@
 #pragma once
-/// What a particle shows to its neighbours, one record a pass: read four at a time and transposed,
-/// so that lane k holds neighbour k. Volumes are areal in 2D (volume over depth), as kernels are.
+/// What a particle shows to its neighbours, one record a pass: read a pack at a time and
+/// transposed, so that lane k holds neighbour k. Volumes are areal in 2D (volume over depth), as
+/// kernels are.
 #include <algorithm>
+#include <bit>
 #include <span>
 
-#include "core/simd.hpp"
 #include "sph/kernels.hpp"
+#include "sph/pair_precision.hpp"
 
 namespace brunt {
 
@@ -22,30 +24,32 @@ constexpr int symmetric_place(int i, int j) {
 }
 
 /// Geometry and motion at x(n+1), v(n+1/2); V and h as the density of time n gives them. The h of a
-/// pair is the harmonic mean of both: its inverse needs no division.
-template <int Dim>
-struct alignas(64) MotionRecord {
+/// pair is the harmonic mean of both: its inverse needs no division. In single precision positions
+/// are integers, in steps of 1/kSteps of the unit of length in which arms, h and V are then.
+template <int Dim, class P = DoublePairs>
+struct alignas(8 * sizeof(typename P::Number)) MotionRecord {
   static constexpr int kInverse = Dim;     ///< [1/m] 1/h, after the position
   static constexpr int kVelocity = 4;      ///< [m/s]
   static constexpr int kVolume = 4 + Dim;  ///< [m^Dim]
-  Real data[8] = {};
+  typename P::Number data[8] = {};
 };
 
 /// Stress times gradient correction, row by row; then sound speed, density, and 1 in tension.
-template <int Dim>
+template <int Dim, class P = DoublePairs>
 struct alignas(32) StressRecord {
   static constexpr int kSoundSpeed = Dim * Dim;   ///< [m/s]
   static constexpr int kDensity = Dim * Dim + 1;  ///< [kg/m^3]
   static constexpr int kTension = Dim * Dim + 2;  ///< 1: the artificial stress is not zero
   static constexpr int kSize = Dim == 3 ? 12 : 8;
   static constexpr int kScalars = kSize - 4;  ///< the last four, in space with a stress before
-  Real data[kSize] = {};
+  typename P::Number data[kSize] = {};
 };
 
 /// Artificial stress [Pa], symmetric.
-template <int Dim>
+template <int Dim, class P = DoublePairs>
 struct alignas(32) ArtificialRecord {
-  Real data[Dim == 3 ? 8 : 4] = {};
+  static constexpr int kSize = Dim == 3 ? 8 : 4;
+  typename P::Number data[kSize] = {};
 };
 
 /// Four rows of four numbers: out[c] holds component c of the rows at a, b, c and d.
@@ -62,33 +66,42 @@ BRUNT_INLINE void load_transposed(const Real* a, const Real* b, const Real* c, c
   out[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
+/// Four numbers of the records of a pack of particles, from number g on.
+template <class P, class Record>
+BRUNT_INLINE void load_four(const Record* records, const LocalIndex* j, int g,
+                            typename P::Pack* out) {
+  if constexpr (P::kLanes == kLanes) {
+    load_transposed(records[j[0]].data + g, records[j[1]].data + g, records[j[2]].data + g,
+                    records[j[3]].data + g, out);
+  } else {
+    load_transposed({records[j[0]].data + g, records[j[1]].data + g, records[j[2]].data + g,
+                     records[j[3]].data + g, records[j[4]].data + g, records[j[5]].data + g,
+                     records[j[6]].data + g, records[j[7]].data + g},
+                    out);
+  }
+}
+
 /// Sum of the lanes in a fixed order.
 BRUNT_INLINE Real sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+BRUNT_INLINE Real sum_lanes(SinglePack a) { return sum_lanes(low_half(a) + high_half(a)); }
 BRUNT_INLINE Real max_lanes(Pack a) { return vmax(vmax(a[0], a[1]), vmax(a[2], a[3])); }
+BRUNT_INLINE Real max_lanes(SinglePack a) { return max_lanes(vmax(low_half(a), high_half(a))); }
 
-/// (r/h)^2 of four pairs (i, j): they interact where it is below 4.
-template <int Dim>
-struct SquaredRatio {
-  Pack inverse_h;  ///< [1/m]
-  Pack q2;         ///< [1]
+/// x_j - x_i of a pack of neighbours along an axis.
+BRUNT_INLINE Pack difference(Pack others, Real own) { return others - own; }
+/// Of integer steps, whose difference is exact, wherever the origin is.
+BRUNT_INLINE SinglePack difference(SinglePack others, float own) {
+  const auto steps = reinterpret_cast<SingleBits>(others) - std::bit_cast<std::uint32_t>(own);
+  return static_cast<float>(1 / SinglePairs::kSteps) *
+         __builtin_convertvector(reinterpret_cast<SingleMask>(steps), SinglePack);
+}
 
-  BRUNT_INLINE SquaredRatio(const MotionRecord<Dim>* records, const Real* own,
-                            const LocalIndex* j) {
-    constexpr int inverse = MotionRecord<Dim>::kInverse;
-    Pack part[4];
-    load_transposed(records[j[0]].data, records[j[1]].data, records[j[2]].data, records[j[3]].data,
-                    part);
-    Pack r2 = (part[0] - own[0]) * (part[0] - own[0]);
-    for (int d = 1; d < Dim; ++d) r2 = r2 + (part[d] - own[d]) * (part[d] - own[d]);
-    inverse_h = 0.5 * (part[inverse] + own[inverse]);
-    q2 = r2 * (inverse_h * inverse_h);
-  }
-};
-
-/// Four pairs (i, j) of a row, kept from one sum over the row to the next: each sum runs by itself,
-/// so that its accumulators stay in registers, and roots and divisions of many pairs overlap.
-template <int Dim>
-struct FourPairs {
+/// A pack of pairs (i, j) of a row, kept from one sum over the row to the next: each sum runs by
+/// itself, so that its accumulators stay in registers, and roots and divisions of many pairs
+/// overlap.
+template <int Dim, class P = DoublePairs>
+struct PairPack {
+  using Pack = typename P::Pack;
   Pack arm[Dim];       ///< [m] x_j - x_i
   Pack velocity[Dim];  ///< [m/s] v_j - v_i
   Pack inverse_h;      ///< [1/m]
@@ -98,43 +111,45 @@ struct FourPairs {
 };
 
 /// Pairs of a stretch of a row.
-template <int Dim>
+template <int Dim, class P = DoublePairs>
 struct RowStretch {
   static constexpr std::size_t kLength = 128;
-  FourPairs<Dim> pairs[kLength / kLanes];
+  PairPack<Dim, P> pairs[kLength / P::kLanes];
 };
 
-/// Arms and ratios of four pairs (i, j).
-/// own  record of i;  j  four places
-template <int Dim>
-BRUNT_INLINE void set_arms(const MotionRecord<Dim>* records, const Real* own, const LocalIndex* j,
-                           FourPairs<Dim>& pairs) {
+/// Arms and ratios of a pack of pairs (i, j).
+/// own  record of i;  j  as many places as there are lanes
+template <int Dim, class P>
+BRUNT_INLINE void set_arms(const MotionRecord<Dim, P>* records, const typename P::Number* own,
+                           const LocalIndex* j, PairPack<Dim, P>& pairs) {
+  using Record = MotionRecord<Dim, P>;
+  using Pack = typename P::Pack;
   Pack part[4];
-  load_transposed(records[j[0]].data, records[j[1]].data, records[j[2]].data, records[j[3]].data,
-                  part);
+  load_four<P>(records, j, 0, part);
   Pack arm[Dim];
-  for (int d = 0; d < Dim; ++d) pairs.arm[d] = arm[d] = part[d] - own[d];
+  for (int d = 0; d < Dim; ++d) pairs.arm[d] = arm[d] = difference(part[d], own[d]);
   Pack r2 = arm[0] * arm[0];
   for (int d = 1; d < Dim; ++d) r2 = r2 + arm[d] * arm[d];
-  pairs.inverse_h = 0.5 * (part[MotionRecord<Dim>::kInverse] + own[MotionRecord<Dim>::kInverse]);
+  pairs.inverse_h = 0.5 * (part[Record::kInverse] + own[Record::kInverse]);
   pairs.q2 = r2 * (pairs.inverse_h * pairs.inverse_h);
 }
 
-/// Relative velocities of four pairs (i, j); returns the volumes of j [m^Dim].
-template <int Dim>
-BRUNT_INLINE Pack set_velocities(const MotionRecord<Dim>* records, const Real* own,
-                                 const LocalIndex* j, FourPairs<Dim>& pairs) {
-  using Record = MotionRecord<Dim>;
-  Pack part[4];
-  load_transposed(records[j[0]].data + 4, records[j[1]].data + 4, records[j[2]].data + 4,
-                  records[j[3]].data + 4, part);
+/// Relative velocities of a pack of pairs (i, j); returns the volumes of j [m^Dim].
+template <int Dim, class P>
+BRUNT_INLINE typename P::Pack set_velocities(const MotionRecord<Dim, P>* records,
+                                             const typename P::Number* own, const LocalIndex* j,
+                                             PairPack<Dim, P>& pairs) {
+  using Record = MotionRecord<Dim, P>;
+  typename P::Pack part[4];
+  load_four<P>(records, j, 4, part);
   for (int d = 0; d < Dim; ++d) pairs.velocity[d] = part[d] - own[Record::kVelocity + d];
   return part[Record::kVolume - 4];
 }
 
-/// w of four pairs without V_j [1/m^(Dim+2)].
-template <int Dim, class Kernel>
-BRUNT_INLINE Pack kernel_weight(const FourPairs<Dim>& pairs) {
+/// w of a pack of pairs (i, j) without V_j [1/m^(Dim+2)].
+template <int Dim, class Kernel, class P>
+BRUNT_INLINE typename P::Pack kernel_weight(const PairPack<Dim, P>& pairs) {
+  using Pack = typename P::Pack;
   const Pack q = vsqrt(pairs.q2);
   Pack inverse_q = {};
   if constexpr (Kernel::kDivides) {
@@ -144,7 +159,8 @@ BRUNT_INLINE Pack kernel_weight(const FourPairs<Dim>& pairs) {
   Pack scale = pairs.inverse_h * pairs.inverse_h;
   scale = scale * scale;
   if constexpr (Dim == 3) scale = scale * pairs.inverse_h;
-  return (-Kernel::template kAlpha<Dim> * scale) * Kernel::slope_over_q(q, inverse_q);
+  return (number_of<Pack>(-Kernel::template kAlpha<Dim>) * scale) *
+         Kernel::slope_over_q(q, inverse_q);
 }
 
 }  // namespace brunt

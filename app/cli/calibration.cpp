@@ -16,14 +16,11 @@ namespace brunt {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr Real kSampleSeconds = 0.7;          // processor time that a plan takes for it
-constexpr std::int64_t kSampleSteps = 20000;  // more add nothing
-
 /// Watches as a run does, and stops the clock when enough was seen.
 template <int Dim>
 class Sample final : public Observer<Dim> {
  public:
-  explicit Sample(Monitor<Dim>& monitor) : monitor_(monitor) {}
+  Sample(Monitor<Dim>& monitor, const SampleLimits& limits) : monitor_(monitor), limits_(limits) {}
   void begin(Scene<Dim>& scene, Clock& clock) override {
     monitor_.begin(scene, clock);
     first_ = processor_seconds();
@@ -38,15 +35,18 @@ class Sample final : public Observer<Dim> {
     monitor_.step_done(scene, clock);
     last_ = processor_seconds();
     steps_ = clock.step();
-    if (last_ - first_ > kSampleSeconds || steps_ >= kSampleSteps) clock.stop();
+    if (last_ - first_ > limits_.seconds || steps_ >= limits_.steps) clock.stop();
   }
-  std::optional<Calibration> result() const {
+  std::optional<Calibration> result(const Clock& clock) const {
     if (steps_ == 0) return std::nullopt;
-    return Calibration{steps_, (last_ - first_) / static_cast<Real>(steps_), first_};
+    const Real each = (last_ - first_) / static_cast<Real>(steps_);
+    return Calibration{
+        steps_, each, first_, clock.planned_step(), clock.time(), clock.time() >= clock.end()};
   }
 
  private:
   Monitor<Dim>& monitor_;
+  SampleLimits limits_;
   Real first_ = 0, last_ = 0;  // [s]
   std::int64_t steps_ = 0;
 };
@@ -59,7 +59,8 @@ Real processor_seconds() {
 }
 
 template <int Dim>
-std::optional<Calibration> calibrate(const LoadedDeck& loaded, Scene<Dim>& scene) {
+std::optional<Calibration> calibrate(const LoadedDeck& loaded, Scene<Dim>& scene,
+                                     const SampleLimits& limits) {
   const Deck& deck = loaded.deck;
   std::error_code error;
   const fs::path folder =
@@ -72,11 +73,11 @@ std::optional<Calibration> calibrate(const LoadedDeck& loaded, Scene<Dim>& scene
     HistoryWriter history(folder / "history.csv", HistoryColumns<Dim>(scene).names());
     const auto frames = make_frame_sink(folder, lone_rank());
     Monitor<Dim> monitor(deck, &history, frames.get(), true, [](const RunWarning&) {});
-    Sample<Dim> sample(monitor);
+    Sample<Dim> sample(monitor, limits);
     Clock clock(deck.time.end, deck.time.safety, deck.time.max_step.value_or(kInfinity),
                 deck.time.min_step, deck.time.process_speed);
     run_time_loop<Dim>(scene, clock, sample);
-    found = sample.result();
+    found = sample.result(clock);
   } catch (const std::exception&) {
     found.reset();  // a plan says nothing of what breaks; the run will
   }
@@ -85,7 +86,7 @@ std::optional<Calibration> calibrate(const LoadedDeck& loaded, Scene<Dim>& scene
   return found;
 }
 
-template std::optional<Calibration> calibrate(const LoadedDeck&, Scene<2>&);
-template std::optional<Calibration> calibrate(const LoadedDeck&, Scene<3>&);
+template std::optional<Calibration> calibrate(const LoadedDeck&, Scene<2>&, const SampleLimits&);
+template std::optional<Calibration> calibrate(const LoadedDeck&, Scene<3>&, const SampleLimits&);
 
 }  // namespace brunt

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include "app/cli/calibration.hpp"
+#include "io/number.hpp"
 
 namespace brunt {
 
@@ -39,6 +40,35 @@ void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary
   }
 }
 
+template <int Dim>
+void fill_step_bounds(const Scene<Dim>& scene, const Clock& clock, RunSummary& summary) {
+  const auto shares = clock.bounds().sorted();
+  Real steps = 0;
+  for (const auto& share : shares) steps += static_cast<Real>(share.steps);
+  for (const auto& share : shares) {
+    std::string what = share.reason;
+    if (what != "max_step") what += " of " + scene.body_names[share.body];
+    summary.step_bounds.emplace_back(what, static_cast<Real>(share.steps) / steps);
+  }
+}
+
+std::string step_bounds_line(const std::vector<std::pair<std::string, Real>>& bounds) {
+  constexpr Real kLeast = 0.01;
+  std::string line = "steps bounded by";
+  Real others = 0;
+  const char* separator = " ";
+  for (const auto& [what, part] : bounds) {
+    if (part < kLeast) {
+      others += part;
+      continue;
+    }
+    line += separator + what + " " + rounded(100 * part, 2) + " %";
+    separator = ", ";
+  }
+  if (others > 0) line += separator + ("others " + rounded(100 * others, 2) + " %");
+  return line;
+}
+
 void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& summary) {
   summary.ranks = ranks.size();
   constexpr double kMicro = 1e-6;
@@ -54,6 +84,8 @@ void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& sum
   summary.reductions_step = static_cast<double>(own.reductions) / static_cast<double>(steps);
 }
 
+template void fill_step_bounds(const Scene<2>&, const Clock&, RunSummary&);
+template void fill_step_bounds(const Scene<3>&, const Clock&, RunSummary&);
 template void fill_costs(const Scene<2>&, std::int64_t, RunSummary&);
 template void fill_costs(const Scene<3>&, std::int64_t, RunSummary&);
 

@@ -3,27 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/deck/flow_stress.hpp"
+
 namespace brunt {
 
 namespace {
-/// Flow stress [Pa] of slow straining at room temperature, without pressure.
-Real flow_stress(const StrengthLaw& law, Real strain) {
-  constexpr Real kRoom = 293.15;
-  return std::visit(
-      [&](const auto& chosen) {
-        if constexpr (FlowLaw<std::decay_t<decltype(chosen)>>) {
-          return Real{chosen.flow_stress(strain, 0.0, kRoom)};
-        } else if constexpr (PressureLaw<std::decay_t<decltype(chosen)>>) {
-          auto law = chosen;
-          law.prepare();
-          return law.flow_stress(PressureState<Real>{{strain, 0.0, kRoom}, 0.0, 1.0});
-        } else {
-          return kInfinity;
-        }
-      },
-      law);
-}
-
 constexpr Real kMostStrain = 3;
 
 /// The strain at which a body of this material has taken up rho v^2 / 2.
@@ -36,7 +20,7 @@ Real stopping_strain(const deck::Material& material, Real speed) {
   constexpr Real kStep = 1e-3;
   Real taken = 0, strain = 0;
   for (; taken < energy && strain < kMostStrain; strain += kStep) {
-    taken += kStep * flow_stress(material.strength, strain + 0.5 * kStep);
+    taken += kStep * deck::slow_flow_stress(material.strength, strain + 0.5 * kStep);
   }
   return strain;
 }
@@ -70,7 +54,7 @@ Real Flattening::most_steps() const {
 Flattening flattening_of(const Deck& deck) {
   Flattening worst;
   for (const auto& [name, body] : deck.bodies) {
-    if (body.rigid || body.method != deck::Method::fe) continue;
+    if (body.rigid) continue;
     const auto material =
         std::find_if(deck.materials.begin(), deck.materials.end(),
                      [&wanted = body.material](const auto& one) { return one.name == wanted; });

@@ -14,7 +14,7 @@ struct Flattening {
   Real most_steps() const;
 };
 
-/// Of the bodies of finite elements that deform. The strain stops a body at that speed:
+/// Of the bodies that deform. The strain stops a body at that speed:
 ///   int_0^strain flow stress = rho v^2 / 2, or v/c where it does not yield
 Flattening flattening_of(const Deck& deck);
 

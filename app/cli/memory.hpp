@@ -7,15 +7,17 @@ namespace brunt {
 /// What a run will need, counted from the sizes of its structures; peak_memory of a run is within a
 /// factor of 1.5 of the total (tests/cli/plan.sh).
 struct MemoryEstimate {
-  Real program = 0;     ///< [byte] the program and its libraries, as measured when it starts
+  Real program = 0;     ///< [byte] the program and its libraries, as measured when it starts, and
+                        ///< what of them stepping and writing bring in
   Real elements = 0;    ///< [byte] with their nodes
   Real particles = 0;   ///< [byte] with their points
   Real neighbours = 0;  ///< [byte] lists of particles, at the expected number of neighbours
   Real contact = 0;     ///< [byte] faces, nodes, lists
   Real building = 0;    ///< [byte] meshes before they are scenes: free again, seldom given back
-  Real output = 0;      ///< [byte] history, and a frame or a checkpoint while it is written
+  Real output = 0;      ///< [byte] a frame or a checkpoint while it is written
+  Real rows = 0;        ///< [byte] of the history, all of them
   Real total() const {
-    return program + elements + particles + neighbours + contact + building + output;
+    return program + elements + particles + neighbours + contact + building + output + rows;
   }
 };
 
@@ -24,6 +26,8 @@ struct MemoryInputs {
   Real program = 0;      ///< [byte] resident before the scene was built
   int gauss = 1;         ///< most material points of an element
   Real smoothing = 1.2;  ///< largest smoothing length over spacing
+  bool bricks = false;   ///< some body is of bricks, whose faces touch from time 0 on
+  bool single = false;   ///< some particles have pair_precision: single
   Real rows = 2000;      ///< of the history
   std::size_t columns = 0;
 };

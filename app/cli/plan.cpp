@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -5,6 +6,7 @@
 #include "app/cli/forecast.hpp"
 #include "app/cli/memory.hpp"
 #include "app/cli/plan_pairs.hpp"
+#include "app/cli/rehearsal.hpp"
 #include "app/cli/run.hpp"
 #include "app/deck/findings.hpp"
 #include "app/setup/heat.hpp"
@@ -13,6 +15,7 @@
 #include "app/setup/sound_part.hpp"
 #include "app/watch/history_columns.hpp"
 #include "app/watch/progress.hpp"
+#include "io/number.hpp"
 
 namespace brunt {
 
@@ -75,21 +78,22 @@ void print_physics(const LoadedDeck& loaded) {
   if (conducts.empty() && heated.empty()) {
     std::printf("heat       none: no material is heated, no temperature is kept\n");
   }
-  if (!loaded.deck.gravity.empty()) std::printf("gravity    yes\n");
+  if (loaded.deck.has_gravity()) std::printf("gravity    yes\n");
   const Real speed = loaded.deck.time.process_speed;
   if (loaded.deck.damping) std::printf("damping    %g 1/s\n", loaded.deck.damping->rate / speed);
   if (speed != 1) std::printf("process    stepped %g times faster; all times are real\n", speed);
 }
 
-template <int Dim>
-void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
-  const MemoryEstimate memory = memory_of(scene, memory_inputs(deck, scene, program));
+/// The memory that a run will need, and of it the parts that matter.
+void print_memory(const MemoryEstimate& memory) {
   std::printf("memory     about %.0f MB:", memory.total() / 1e6);
-  const std::pair<const char*, Real> parts[] = {
-      {"program", memory.program},     {"elements", memory.elements},
-      {"particles", memory.particles}, {"neighbours", memory.neighbours},
-      {"contact", memory.contact},     {"building", memory.building},
-      {"output", memory.output}};
+  const std::pair<const char*, Real> parts[] = {{"program", memory.program},
+                                                {"elements", memory.elements},
+                                                {"particles", memory.particles},
+                                                {"neighbours", memory.neighbours},
+                                                {"contact", memory.contact},
+                                                {"building", memory.building},
+                                                {"output", memory.output + memory.rows}};
   const char* separator = " ";
   for (const auto& [name, bytes] : parts) {
     if (bytes < 0.5e6) continue;
@@ -99,25 +103,63 @@ void print_memory(const Deck& deck, const Scene<Dim>& scene, Real program) {
   std::printf("\n");
 }
 
-/// How many steps a run will take: of elements that keep their shapes, and a range where it is not
-/// known how far they flatten.
-void print_steps(const Deck& deck, Real steps) {
-  const Flattening flattening = flattening_of(deck);
-  const std::string end = deck::time_text(deck.time.real(deck.time.end));
-  Real most = flattening.most_steps() * steps;
-  const Real digits = std::pow(10, std::floor(std::log10(most)) - 1);
-  most = digits * std::ceil(most / digits);  // more than two are not known
-  constexpr Real kHardly = 1.2;
-  if (flattening.most_steps() < kHardly) {
-    std::printf("steps      about %.0f to %s; more where elements are driven flat\n", steps,
-                end.c_str());
+constexpr Real kHardly = 1.2;  // growth of the steps that is not worth a word
+
+/// What is known of the steps of a run.
+struct PlannedSteps {
+  Real kept = 0;                      ///< if all were as long as the first
+  std::vector<Rehearsal> rehearsals;  ///< of elements that may flatten
+  Flattening flattening;
+
+  bool flattens() const { return flattening.most_steps() >= kHardly; }
+  Real expected() const { return kept * expected_growth(rehearsals); }
+  /// Without a rehearsal: if they flatten as far as the energy allows.
+  Real most() const {
+    return flattens() && rehearsals.empty() ? kept * flattening.most_steps() : expected();
+  }
+};
+
+/// Rehearses a run of elements that may flatten.
+PlannedSteps plan_steps(const RunArguments& arguments, const LoadedDeck& loaded, Real kept,
+                        const std::optional<Calibration>& measured) {
+  PlannedSteps steps{kept, {}, flattening_of(loaded.deck)};
+  if (!steps.flattens() || !measured) return steps;
+  steps.rehearsals =
+      rehearse(arguments.deck, arguments.overrides, loaded, measured->seconds_per_step * kept);
+  return steps;
+}
+
+/// Rounded up; more digits are not known.
+Real two_digits(Real steps) {
+  const Real digits = std::pow(10, std::floor(std::log10(steps)) - 1);
+  return digits * std::ceil(steps / digits);
+}
+
+/// How many steps a run will take.
+void print_steps(const Deck& deck, const PlannedSteps& steps) {
+  std::string end = deck::time_text(deck.time.real(deck.time.end));
+  if (!deck.stop.when.empty() || deck.stop.at_rest || deck.stop.beyond) end += ", or until `stop`";
+  const std::string speed = deck::short_text(steps.flattening.speed);
+  if (steps.most() < kHardly * steps.kept) {
+    std::printf("steps      about %.0f to %s; more where elements are driven flat\n",
+                std::ceil(steps.expected()), end.c_str());
     return;
   }
+  if (steps.rehearsals.empty()) {
+    std::printf(
+        "steps      %.0f to %.0f up to %s: %.0f while elements keep their shapes, and how far "
+        "those\n           that meet at %s m/s flatten is not known; a step is as long as the "
+        "thinnest is thick\n",
+        steps.kept, two_digits(steps.most()), end.c_str(), steps.kept, speed.c_str());
+    return;
+  }
+  std::string sizes = rounded(steps.rehearsals.front().factor, 2);
+  if (steps.rehearsals.size() > 1) sizes += " and " + rounded(steps.rehearsals[1].factor, 2);
   std::printf(
-      "steps      %.0f to %.0f up to %s: %.0f while elements keep their shapes, and how far "
-      "those\n           that meet at %s m/s flatten is not known; a step is as long as the "
-      "thinnest is thick\n",
-      steps, most, end.c_str(), steps, deck::short_text(flattening.speed).c_str());
+      "steps      about %.0f to %s: %.0f while shapes stay as they are, but what meets at %s m/s "
+      "is\n           flattened: %s times as many, by rehearsals with sizes %s times as large\n",
+      two_digits(steps.expected()), end.c_str(), steps.kept, speed.c_str(),
+      rounded(expected_growth(steps.rehearsals), 2).c_str(), sizes.c_str());
 }
 
 /// Names of the columns of history.csv, for measures.
@@ -172,18 +214,15 @@ void print_pairs(const Deck& deck, const Scene<Dim>& scene) {
 }
 
 /// How long the run will take on one thread, by its own first steps.
-template <int Dim>
-void print_time(const LoadedDeck& loaded, Scene<Dim>& scene, Real steps) {
-  const auto measured = calibrate(loaded, scene);
+void print_time(const PlannedSteps& steps, const std::optional<Calibration>& measured) {
   if (!measured) {
     std::printf("time       not known: the first steps do not run\n");
     return;
   }
-  const Real most = flattening_of(loaded.deck).most_steps() * steps;
   const auto seconds = [&](Real n) { return measured->start + n * measured->seconds_per_step; };
-  std::string range = duration_text(seconds(steps));
-  constexpr Real kHardly = 1.2;
-  if (most > kHardly * steps) range += " to " + duration_text(seconds(most));
+  const Real least = steps.rehearsals.empty() ? steps.kept : steps.expected();
+  std::string range = duration_text(seconds(least));
+  if (steps.most() > kHardly * least) range += " to " + duration_text(seconds(steps.most()));
   std::printf("time       about %s of one thread: %s a step, measured over the first %lld\n",
               range.c_str(), deck::time_text(measured->seconds_per_step).c_str(),
               static_cast<long long>(measured->steps));
@@ -199,7 +238,7 @@ std::unique_ptr<Scene<Dim>> build_and_warn(const LoadedDeck& loaded) {
 }
 
 template <int Dim>
-void print_plan(const LoadedDeck& loaded, Real program) {
+void print_plan(const RunArguments& arguments, const LoadedDeck& loaded, Real program) {
   auto scene = build_and_warn<Dim>(loaded);
   static constexpr const char* geometries[] = {"3d", "plane strain", "axisymmetric"};
   if (!loaded.deck.title.empty()) std::printf("%s\n", loaded.deck.title.c_str());
@@ -215,13 +254,19 @@ void print_plan(const LoadedDeck& loaded, Real program) {
   const Deck& deck = loaded.deck;
   const Real dt =
       std::min(deck.time.safety * step_limit.step, deck.time.max_step.value_or(kInfinity));
-  const Real steps = std::ceil(deck.time.end / dt);
+  const Real kept = std::ceil(deck.time.end / dt);
   const Real heat_step = deck.time.heat_every * scene->heat_step().step;
+  const MemoryEstimate memory = memory_of(*scene, memory_inputs(deck, *scene, program));
+  const std::string whose = scene->body_names[step_limit.body];
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
               scene->n_elements(), scene->n_particles());
-  print_memory(deck, *scene, program);
+  scene.reset();
+  scene = build_scene<Dim>(loaded);  // as it is at time 0
+  const auto measured = calibrate(loaded, *scene);
+  print_memory(memory);
   std::printf("step       %s, bound by %s of %s\n", deck::time_text(deck.time.real(dt)).c_str(),
-              step_limit.reason, scene->body_names[step_limit.body].c_str());
+              step_limit.reason, whose.c_str());
+  const PlannedSteps steps = plan_steps(arguments, loaded, kept, measured);
   print_steps(deck, steps);
   if (heat_step < kInfinity) {
     std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
@@ -229,8 +274,7 @@ void print_plan(const LoadedDeck& loaded, Real program) {
                 deck.time.heat_every);
   }
   print_columns(*scene);
-  scene = build_scene<Dim>(loaded);  // as it is at time 0
-  print_time(loaded, *scene, steps);
+  print_time(steps, measured);
 }
 
 }  // namespace
@@ -239,9 +283,9 @@ int plan_command(const RunArguments& arguments) {
   const LoadedDeck loaded = load_or_tell_all(arguments.deck, arguments.overrides);
   const Real program = resident_memory();
   if (loaded.deck.geometry == Geometry::three_d) {
-    print_plan<3>(loaded, program);
+    print_plan<3>(arguments, loaded, program);
   } else {
-    print_plan<2>(loaded, program);
+    print_plan<2>(arguments, loaded, program);
   }
   return kDone;
 }

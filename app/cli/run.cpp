@@ -141,6 +141,9 @@ void print_summary(const RunSummary& summary, const fs::path& folder,
   std::fprintf(stderr, "%lld steps in %s, energy drift %.1e. Results are in %s:\n",
                static_cast<long long>(summary.steps), duration_text(summary.wall_seconds).c_str(),
                summary.drift, folder.c_str());
+  if (!summary.step_bounds.empty()) {
+    std::fprintf(stderr, "  %s\n", step_bounds_line(summary.step_bounds).c_str());
+  }
   if (summary.planned_steps > 0) {
     std::fprintf(stderr, "  planned were %lld steps; memory %.0f MB",
                  static_cast<long long>(summary.planned_steps), summary.peak_memory / 1e6);
@@ -317,6 +320,7 @@ void take_costs(const Scene<Dim>& scene, const Clock& clock, std::int64_t first_
   if (clock.planned_step() > 0) {
     summary.planned_steps = std::llround(std::ceil(clock.end() / clock.planned_step()));
   }
+  fill_step_bounds(scene, clock, summary);
   fill_costs(scene, clock.step() - first_step, summary);
   fill_traffic(ranks, clock.step() - first_step, summary);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// The deck as a typed struct: what the rest of the program sees. SI, defaults in the initialisers,
 /// nothing of YAML. describe() of each struct stands in the .cpp of the same subject.
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -131,6 +132,11 @@ struct Deck {
   deck::Output output;
   deck::Ranks ranks;
   int max_cells = 400'000;  ///< elements and particles together
+
+  /// True where gravity pulls: a vector of zeros is none.
+  bool has_gravity() const {
+    return std::any_of(gravity.begin(), gravity.end(), [](Real g) { return g != 0; });
+  }
 };
 
 void describe(Schema& s, Deck& deck);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/loop/step_bounds.hpp"
 #include "core/state.hpp"
 #include "core/step_limit.hpp"
 
@@ -61,10 +62,14 @@ class Clock {
     return std::min(safety_ * step_limit.step, max_step_);
   }
   void advance(Real dt) {
+    bounds_.count(whose_);
     dt_ = dt;
     time_ = last_ ? end_ : time_ + dt;
     ++step_;
   }
+
+  /// What bounded the steps of this process.
+  const StepBounds& bounds() const { return bounds_; }
 
   /// Time, step and whose the step was, in the one row of the table "clock".
   void save_state(std::vector<StateTable>& tables) const {
@@ -97,6 +102,7 @@ class Clock {
   std::int64_t step_ = 0;
   bool last_ = false, stopped_ = false;
   StepLimit whose_;
+  StepBounds bounds_;
 };
 
 }  // namespace brunt

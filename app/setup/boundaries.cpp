@@ -208,7 +208,7 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
     add_boundary(boundary, loaded, *label, scene, problems);
   }
   add_symmetry(loaded, scene, problems);
-  if (!deck.gravity.empty()) {
+  if (deck.has_gravity()) {
     Vec<Dim> g;
     for (int c = 0; c < Dim; ++c) g[c] = deck.gravity[c];
     scene.loads.gravity(g);

@@ -105,8 +105,7 @@ std::string what_was_meant(const Deck& deck, const std::vector<Flight<Dim>>& fli
 template <int Dim>
 void warn_of_missed_aims(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn) {
   const Deck& deck = loaded.deck;
-  const auto falls = [](Real g) { return g != 0; };
-  if (std::any_of(deck.gravity.begin(), deck.gravity.end(), falls)) return;
+  if (deck.has_gravity()) return;
   const ContactOptions options = contact_options(deck);
   const auto boxes = boxes_of_bodies(scene);
   std::vector<Flight<Dim>> flights;

@@ -207,6 +207,29 @@ SizeLever find_size_lever(const std::string& deck, const std::vector<std::string
   return {{best}};
 }
 
+SizeLever own_sizes(const LoadedDeck& loaded) {
+  SizeLever lever;
+  for (const auto& body : loaded.deck.bodies) {
+    if (body.value.rigid) continue;
+    const std::string own = size_key(body);
+    if (own.empty()) return {};
+    lever.keys.push_back(own);
+  }
+  return lever;
+}
+
+std::optional<LoadedDeck> coarser_deck(const std::string& deck,
+                                       const std::vector<std::string>& overrides,
+                                       const LoadedDeck& loaded, const SizeLever& lever,
+                                       Real factor) {
+  auto all = overrides;
+  for (const auto& change : lever.at(loaded, factor)) all.push_back(change);
+  std::vector<DeckProblem> problems;
+  LoadedDeck coarse = read_deck(deck, all, problems);
+  if (!problems.empty() || !can_be_halved(loaded, coarse)) return std::nullopt;
+  return coarse;
+}
+
 std::vector<Variant> size_variants(const RefineArguments& arguments) {
   Variant own;
   own.label = "as it stands";

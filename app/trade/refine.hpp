@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,17 @@ struct SizeLever {
 /// changes no size, or the deck has none.
 SizeLever find_size_lever(const std::string& deck, const std::vector<std::string>& overrides,
                           const LoadedDeck& loaded, const std::string& key);
+
+/// The sizes and cells of all bodies that deform, each by its own key; no keys where one of them
+/// has neither, as those of mesh files.
+SizeLever own_sizes(const LoadedDeck& loaded);
+
+/// The deck with elements and particles so many times as large by all of these keys, or nothing
+/// where it is then wrong or has an axis of a single cell that had more.
+std::optional<LoadedDeck> coarser_deck(const std::string& deck,
+                                       const std::vector<std::string>& overrides,
+                                       const LoadedDeck& loaded, const SizeLever& lever,
+                                       Real factor);
 
 /// The deck as it stands first, then the other sizes: each a square root of two coarser, or finer
 /// where a coarser one cannot be built.

@@ -39,6 +39,22 @@ TEST(Clock, TheStepHasCollapsedAThousandfoldBelowTheFirstThatMaterialBounds) {
   EXPECT_EQ(Clock(1.0, 0.5, 1e-2, 1e-7).least_step(), 1e-7);
 }
 
+TEST(Clock, CountsWhatBoundedTheStepsOfEachBody) {
+  Clock clock(1.0, 1.0, 0.1);
+  for (const StepLimit limit : {StepLimit{0.05, "element", 1, 2}, StepLimit{0.04, "element", 1, 9},
+                                StepLimit{0.03, "element", 0, 2}, StepLimit{0.5, "element", 1, 2},
+                                StepLimit{0.06, "element", 1, 7}}) {
+    clock.advance(clock.limit(limit));
+  }
+  const auto bounds = clock.bounds().sorted();
+  ASSERT_EQ(bounds.size(), 3U);
+  EXPECT_STREQ(bounds[0].reason, "element");
+  EXPECT_EQ(bounds[0].body, 1U);
+  EXPECT_EQ(bounds[0].steps, 3);
+  EXPECT_EQ(bounds[1].body, 0U);
+  EXPECT_STREQ(bounds[2].reason, "max_step");
+}
+
 TEST(StepLimit, TiesGoToTheSmallerEntity) {
   StepLimit step_limit;
   step_limit.take({2.0, "b", 0, 7});

@@ -1,6 +1,8 @@
 /// Each lane of a Pack does what a Real does, bit for bit, signs of zero and NaN included.
 #include "core/simd.hpp"
 
+#include "core/simd_single.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -55,6 +57,24 @@ TEST(Simd, LoadAndStoreKeepOrder) {
   Real out[4] = {};
   store(out, load(in + 1));  // not aligned
   for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(out[lane], in[lane + 1]);
+}
+
+TEST(Simd, EightRowsOfFourAreTransposed) {
+  float rows[8][4];
+  for (int r = 0; r < 8; ++r) {
+    for (int c = 0; c < 4; ++c) rows[r][c] = static_cast<float>(10 * r + c);
+  }
+  SinglePack columns[4];
+  load_transposed({rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6], rows[7]},
+                  columns);
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 8; ++r) EXPECT_EQ(columns[c][r], rows[r][c]);
+  }
+  const SinglePack a = columns[3];
+  EXPECT_EQ(mask_bits(a < 40.0), 0x0fU);
+  EXPECT_EQ(vsqrt(a)[6], std::sqrt(63.0F));
+  const SinglePack again = joined(low_half(a), high_half(a));
+  for (int r = 0; r < 8; ++r) EXPECT_EQ(again[r], a[r]);
 }
 
 }  // namespace

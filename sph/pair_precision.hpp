@@ -1,0 +1,45 @@
+#pragma once
+/// In what numbers the sums over pairs of particles are formed; the state is in double in any case.
+#include "core/simd_single.hpp"
+
+namespace brunt {
+
+/// Four pairs at a time, in SI units.
+struct DoublePairs {
+  using Number = Real;
+  using Pack = brunt::Pack;
+  static constexpr int kLanes = brunt::kLanes;
+  static constexpr Real kSupport = 4.0;  ///< (r/h)^2 below which a pair interacts
+};
+
+/// Eight pairs at a time. Lengths are in a unit near the spacing, so that no power of them leaves
+/// the range of a float, and positions in whole steps of it, whose differences are exact.
+struct SinglePairs {
+  using Number = float;
+  using Pack = SinglePack;
+  static constexpr int kLanes = kSingleLanes;
+  /// Rounding takes in no pair that a list, made in double, may lack: a gradient is 1e-10 there.
+  static constexpr Real kSupport = 3.9999;
+  /// Steps in a unit of length: an arm of up to four units is exact as a float, and what is nearer
+  /// than 512 units is told apart from what is beyond.
+  static constexpr Real kSteps = 1 << 22;
+};
+
+/// The unit of length [m] of sums in single precision, a power of two near a spacing: scaling by it
+/// changes no bits.
+struct SingleUnit {
+  Real length = 1;   ///< [m]
+  Real inverse = 1;  ///< [1/m]
+
+  SingleUnit() = default;
+  explicit SingleUnit(Real spacing)
+      : length(std::exp2(std::floor(std::log2(spacing)))), inverse(1 / length) {}
+  /// A coordinate in whole steps, modulo 2^32.
+  std::int32_t steps(Real x) const {
+    const auto whole = std::floor(x * (inverse * SinglePairs::kSteps) + 0.5);
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
+  }
+};
+
+}  // namespace brunt
+// Tested by tests/unit/sph/pair_precision_test.cpp.

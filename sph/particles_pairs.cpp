@@ -1,0 +1,172 @@
+/// The two passes over pairs of particles, in double or in single precision.
+#include "sph/correction.hpp"
+#include "sph/parallel.hpp"
+#include "sph/particles.hpp"
+
+namespace brunt {
+
+template <int Dim>
+bool SphParticles<Dim>::any_single() const {
+  return std::any_of(blocks_.begin(), blocks_.end(), [](const auto& block) {
+    return block.set.options.pair_precision == PairPrecision::single_precision;
+  });
+}
+
+/// The record of i in single precision, out of that in double.
+template <int Dim>
+void SphParticles<Dim>::set_single_motion(std::size_t i) {
+  using Record = MotionRecord<Dim>;
+  const Real* from = motion_[i].data;
+  float* to = single_motion_[i].data;
+  for (int d = 0; d < Dim; ++d) {
+    to[d] = std::bit_cast<float>(unit_.steps(from[d]));
+    to[Record::kVelocity + d] = static_cast<float>(from[Record::kVelocity + d]);
+  }
+  to[Record::kInverse] = static_cast<float>(unit_.length * from[Record::kInverse]);
+  to[Record::kVolume] = static_cast<float>(
+      from[Record::kVolume] *
+      (Dim == 3 ? unit_.inverse * unit_.inverse * unit_.inverse : unit_.inverse * unit_.inverse));
+}
+
+template <int Dim>
+void SphParticles<Dim>::refresh_single_stress() {
+  const bool artificial = std::any_of(blocks_.begin(), blocks_.end(), [](const auto& block) {
+    return block.set.options.artificial_stress != 0;
+  });
+  for_each(state_.size(), [&](std::size_t i) {
+    const Real* stress = stress_[i].data;
+    for (int k = 0; k <= StressRecord<Dim>::kTension; ++k) {
+      single_stress_[i].data[k] = static_cast<float>(stress[k]);
+    }
+    for (int k = 0; artificial && k < kSymmetric<Dim>; ++k) {
+      single_artificial_[i].data[k] = static_cast<float>(artificial_[i].data[k]);
+    }
+  });
+}
+
+template <int Dim>
+template <class P>
+ForceRecords<Dim, P> SphParticles<Dim>::pair_records() const {
+  if constexpr (P::kLanes == kLanes) {
+    return {motion_.data(), stress_.data(), artificial_.data(), 1.0};
+  } else {
+    return {single_motion_.data(), single_stress_.data(), single_artificial_.data(), unit_.inverse};
+  }
+}
+
+/// Calls f(P) with the precision of a block.
+template <class F>
+void in_precision_of(const ParticleBlock& block, const F& f) {
+  if (block.set.options.pair_precision == PairPrecision::single_precision) {
+    f(SinglePairs{});
+  } else {
+    f(DoublePairs{});
+  }
+}
+
+template <int Dim>
+template <class P>
+void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
+  const bool corrected = block.set.options.correction;
+  const auto records = pair_records<P>();
+  with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
+      const LocalIndex i = block.set.particle[slot];
+      rows_.refresh(records.motion, i);
+      const auto sums = sum_gradients<Dim, Kernel>(records.motion, i, rows_.row(i, P::kLanes),
+                                                   records.inverse_length, rows_.weights(i));
+      auto& state = state_[i];
+      const bool usable = corrected && rows_.count(i) >= Dim + 1;
+      invert_moment<Dim>(sums.moment, usable, state.correction);
+      correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
+    });
+  });
+}
+
+template <int Dim>
+void SphParticles<Dim>::refresh_gradients() {
+  for (const auto& block : blocks_) {
+    in_precision_of(block, [&]<class P>(P) { find_gradients<P>(block); });
+  }
+}
+
+/// Calls take(i, sums) of the forces on each particle of a block.
+template <int Dim>
+template <class Take>
+void SphParticles<Dim>::sum_block_forces(const ParticleBlock& block,
+                                         const MonaghanViscosity& viscosity, const Take& take) {
+  const SphOptions& options = block.set.options;
+  in_precision_of(block, [&]<class P>(P) {
+    const auto records = pair_records<P>();
+    with_kernel(options.kernel, [&]<class Kernel>(Kernel) {
+      const SphPairOptions pair{viscosity.alpha, viscosity.beta,
+                                1.0 / Kernel::value(1.0 / options.smoothing)};
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
+        const LocalIndex i = block.set.particle[slot];
+        take(i,
+             sum_forces<Dim, Kernel>(records, i, rows_.row(i, P::kLanes), rows_.weights(i), pair));
+      });
+    });
+  });
+}
+
+/// Speeds of approach of the start, which the first step limit needs.
+template <int Dim>
+void SphParticles<Dim>::seed_step_limits() {
+  refresh_motion();
+  refresh_gradients();
+  if (any_single()) refresh_single_stress();
+  for (const auto& block : blocks_) {
+    sum_block_forces(block, {0, 0}, [&](LocalIndex i, const ForceSums<Dim>& sums) {
+      state_[i].speed = sums.speed;
+      state_[i].mu = sums.mu;
+      find_spread(block, i);
+    });
+  }
+}
+
+template <int Dim>
+void SphParticles<Dim>::take_forces(const ParticleBlock& block, LocalIndex i,
+                                    const ForceSums<Dim>& sums, Real dt) {
+  const auto k = slot_of(i);
+  auto& state = state_[k];
+  const Real volume = depth_ * motion_[k].data[MotionRecord<Dim>::kVolume];
+  for (int d = 0; d < Dim; ++d) {
+    state.stress_force[d] = volume * sums.stress[d];
+    state.viscous_force[d] = volume * sums.viscosity[d];
+    state.artificial_force[d] = volume * sums.artificial[d];
+    points_.f[k][d] += (state.stress_force[d] + state.viscous_force[d]) + state.artificial_force[d];
+  }
+  state.viscous_power = volume * sums.viscosity_power;
+  state.viscous_work += 0.5 * dt * state.viscous_power;
+  state.artificial_work += 0.5 * dt * volume * sums.artificial_power;
+  state.speed = sums.speed;
+  state.mu = sums.mu;
+  find_spread(block, i);
+}
+
+template <int Dim>
+void SphParticles<Dim>::add_internal_forces(Real dt) {
+  if (held_) return;
+  if (any_single()) refresh_single_stress();
+  for (const auto& block : blocks_) {
+    sum_block_forces(
+        block, block.set.options.viscosity,
+        [&](LocalIndex i, const ForceSums<Dim>& sums) { take_forces(block, i, sums, dt); });
+  }
+  if (rides()) give_forces_to_nodes();
+}
+
+template bool SphParticles<2>::any_single() const;
+template bool SphParticles<3>::any_single() const;
+template void SphParticles<2>::set_single_motion(std::size_t);
+template void SphParticles<3>::set_single_motion(std::size_t);
+template void SphParticles<2>::refresh_gradients();
+template void SphParticles<3>::refresh_gradients();
+template void SphParticles<2>::seed_step_limits();
+template void SphParticles<3>::seed_step_limits();
+template void SphParticles<2>::add_internal_forces(Real);
+template void SphParticles<3>::add_internal_forces(Real);
+
+}  // namespace brunt
+// Tested by tests/unit/sph/pair_precision_test.cpp.

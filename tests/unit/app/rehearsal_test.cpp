@@ -1,0 +1,38 @@
+// Rehearsals: what coarser runs lead to expect of the steps.
+#include "app/cli/rehearsal.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/source_path.hpp"
+
+namespace brunt {
+namespace {
+
+TEST(Rehearsals, ExpectTheGrowthOfTheFinestAndHalfOfItsLead) {
+  EXPECT_EQ(expected_growth({}), 1);
+  EXPECT_EQ(expected_growth({{3, 8}}), 8);
+  EXPECT_EQ(expected_growth({{3, 8}, {2, 12}}), 14);
+  EXPECT_EQ(expected_growth({{3, 12}, {2, 8}}), 8);  // no trend to go on with
+}
+
+// A bar of eight elements across that strikes a wall: with four, and with three, the foot flattens
+// less. 25,962 steps are taken at the deck's own size where the first promises 1,503: 17.3 times.
+TEST(Rehearsals, OfATaylorBarForetellItsStepsToAQuarter) {
+  const std::string deck =
+      test::source_path("decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml");
+  const auto rehearsals = rehearse(deck, {}, load_deck(deck, {}), 10);
+  ASSERT_EQ(rehearsals.size(), 2U);
+  EXPECT_GT(rehearsals[1].growth, rehearsals[0].growth);
+  EXPECT_NEAR(expected_growth(rehearsals), 17.3, 0.25 * 17.3);
+}
+
+// Two elements across are one with twice the size, and one with three times: no bar that flattens.
+TEST(Rehearsals, LeaveOutWhatCannotBeMadeCoarser) {
+  const std::string deck =
+      test::source_path("decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml");
+  const std::vector<std::string> single{"bodies.bar.cells=[2, 20]"};
+  EXPECT_TRUE(rehearse(deck, single, load_deck(deck, single), 1).empty());
+}
+
+}  // namespace
+}  // namespace brunt
