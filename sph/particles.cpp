@@ -106,6 +106,7 @@ template <int Dim>
 void SphParticles<Dim>::refresh_gradients() {
   for (const auto& block : blocks_) {
     const bool corrected = block.set.options.correction;
+    if (!corrected) plain_.resize(n_owned());
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
@@ -113,9 +114,16 @@ void SphParticles<Dim>::refresh_gradients() {
         const auto sums =
             sum_gradients<Dim, Kernel>(motion_.data(), i, rows_.row(i), rows_.weights(i));
         auto& state = state_[i];
-        const bool usable = corrected && rows_.count(i) >= Dim + 1;
-        invert_moment<Dim>(sums.moment, usable, state.correction);
-        correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
+        const bool usable = rows_.count(i) >= Dim + 1;
+        invert_moment<Dim>(sums.moment, corrected && usable, state.correction);
+        if (corrected) {
+          correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
+          return;
+        }
+        auto& plain = plain_[i];
+        std::copy_n(sums.moment, kSymmetric<Dim>, plain.moment);
+        invert_moment<Dim>(sums.moment, usable, plain.inverse);
+        correct_turn<Dim>(sums.rate, plain, state.velocity_gradient);
       });
     });
   }

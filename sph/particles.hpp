@@ -183,9 +183,10 @@ class SphParticles final : public Solid<Dim> {
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
   std::vector<ArtificialRecord<Dim>> artificial_;
-  std::vector<HeatRecord<Dim>> heat_;  // empty: heat is not conducted
-  bool held_ = false;                  // nothing of it ever moves: only its heat is computed
-  bool settled_ = false;               // rows, weights and corrections of what is held are there
+  std::vector<PlainMoment<Dim>> plain_;  // of owned ones; empty: all gradients are corrected
+  std::vector<HeatRecord<Dim>> heat_;    // empty: heat is not conducted
+  bool held_ = false;                    // nothing of it ever moves: only its heat is computed
+  bool settled_ = false;                 // rows, weights and corrections of what is held are there
 
   ParticleCarrier<Dim>* carrier_ = nullptr;  // null: they ride on no nodes
   std::vector<GlobalId> node_id_;            // of each owned particle that rides
