@@ -56,7 +56,7 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   surface_.points = &points_;
   surface_.held = held_;
   surface_.facets = outer_facets(blocks_, points_, surface_.axis);
-  start_steps();
+  refresh_steps();
   start_erosion();
   const auto conducts = [](const auto& block) { return block.conducts; };
   if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) {
@@ -96,13 +96,18 @@ AddedMass FiniteElements<Dim>::added_mass(Label body) const {
 }
 
 template <int Dim>
-void FiniteElements<Dim>::start_steps() {
+void FiniteElements<Dim>::refresh_steps() {
   const ElementStep<Dim> step = element_step(1.0);
   for (auto& block : blocks_) {
     for (int t = 0; t < block.n_tiles(); ++t) {
       block.formulation->refresh_stable_steps(block, t, step);
     }
   }
+}
+
+template <int Dim>
+void FiniteElements<Dim>::rearrange() {
+  if (!loaded_) refresh_steps();
 }
 
 template <int Dim>

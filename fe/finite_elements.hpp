@@ -45,7 +45,8 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void add_internal_forces(Real dt) override;
   void add_conduction(Real dt, std::int64_t step) override;
   StepLimit stable_step() const override;
-  void rearrange() override {}
+  /// At time 0, once boundaries have given nodes their velocities, bounds the first step by these.
+  void rearrange() override;
   void erode(Real dt) override;
   Points<Dim>& carrying_points() override { return points_; }
   const std::vector<ConvertedShare>& converted() const override { return converted_; }
@@ -72,7 +73,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void start_volumes();
   void update_volumes();
   void make_blocks(const std::vector<ElementSet<Dim>>& sets);
-  void start_steps();
+  void refresh_steps();
   void set_capacities();
   void make_rigid();
   void start_conduction();
@@ -112,6 +113,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   std::vector<Real> start_volume_, node_ratio_;
   std::vector<Real> corner_volume_;  ///< [m^3] [element][corner]
   std::vector<Vec<1>> node_volume_;  ///< [m^3] of each node, while they are summed
+  bool loaded_ = false;              ///< its state, steps too, came from a checkpoint
   bool held_ = false;                ///< nothing of it ever moves: only its heat is computed
   Surface<Dim> surface_;
   /// Block and element behind each facet; empty until contact needs their materials.

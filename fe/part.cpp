@@ -116,7 +116,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
     owners.push_back(partition.of(ids.back()));
   }
   ghosts_ = plan_ghosts(ranks, ids, places, owners, points_.owned_ids());
-  start_steps();
+  refresh_steps();
   if (points_.conducts) {
     start_conduction();
   } else if (node_ratio_.empty() && !erosion_) {

@@ -73,6 +73,35 @@ BRUNT_INLINE void correct_rate(const Real (&rate)[Dim * Dim],
   }
 }
 
+/// K and K^-1 of a particle whose gradients are not corrected, by which its turn is.
+template <int Dim>
+struct PlainMoment {
+  Real moment[kSymmetric<Dim>] = {};   ///< [1] K
+  Real inverse[kSymmetric<Dim>] = {};  ///< [1] K^-1, or I where K is ill conditioned
+};
+
+/// velocity_gradient <- R + W - W K, W the skew part of R K^-1: a plain sum R of velocities w x r
+/// is W K, not W, and would strain what only turns.
+/// docs/theory/sph.md (S8a).
+template <int Dim>
+BRUNT_INLINE void correct_turn(const Real (&rate)[Dim * Dim], const PlainMoment<Dim>& plain,
+                               Real (&velocity_gradient)[Dim * Dim]) {
+  Real full[Dim * Dim], spin[Dim][Dim];
+  correct_rate<Dim>(rate, plain.inverse, full);
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) spin[a][b] = 0.5 * (full[Dim * a + b] - full[Dim * b + a]);
+  }
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      Real sum = rate[Dim * a + b] + spin[a][b];
+      for (int c = 0; c < Dim; ++c) {
+        sum -= spin[a][c] * plain.moment[symmetric_place<Dim>(c, b)];
+      }
+      velocity_gradient[Dim * a + b] = sum;
+    }
+  }
+}
+
 /// Motion of a step about its middle, out of the gradient G = dx (x) grad at its end.
 /// docs/theory/sph.md (S6), (S11).
 template <int Dim, class V>

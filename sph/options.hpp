@@ -40,7 +40,7 @@ inline void describe(Schema& s, SphOptions& sph) {
   s.real({"smoothing", "smoothing length over particle spacing"}, sph.smoothing,
          {"1", positive(), between(0.9, 2.5)});
   s.flag({"adaptive_h", "the smoothing length follows (m/rho)^(1/dim)"}, sph.adaptive_h);
-  s.flag({"correction", "corrected gradients; without them a spin strains"}, sph.correction);
+  s.flag({"correction", "corrected gradients; without them faces are too soft"}, sph.correction);
   s.real({"artificial_stress", "against clumping in tension (Gray, Monaghan & Swift 2001)"},
          sph.artificial_stress, {"1", between(0, 1)});
   s.object({"viscosity", "artificial viscosity that spreads shocks"}, sph.viscosity);

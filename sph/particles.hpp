@@ -157,6 +157,7 @@ class SphParticles final : public Solid<Dim> {
   void refresh_gradients();
   template <class P>
   ForceRecords<Dim, P> pair_records() const;
+  void take_gradients(const ParticleBlock& block, LocalIndex i, const GradientSums<Dim>& sums);
   template <class P>
   void find_gradients(const ParticleBlock& block);
   template <class Take>
@@ -194,6 +195,7 @@ class SphParticles final : public Solid<Dim> {
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
   std::vector<ArtificialRecord<Dim>> artificial_;
+  std::vector<PlainMoment<Dim>> plain_;  // of owned ones; empty: all gradients are corrected
   // What those of pair_precision: single read, of all particles; empty where there are none.
   std::vector<MotionRecord<Dim, SinglePairs>> single_motion_;
   std::vector<StressRecord<Dim, SinglePairs>> single_stress_;

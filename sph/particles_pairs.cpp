@@ -1,4 +1,6 @@
 /// The two passes over pairs of particles, in double or in single precision.
+#include <algorithm>
+
 #include "sph/correction.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
@@ -64,21 +66,36 @@ void in_precision_of(const ParticleBlock& block, const F& f) {
   }
 }
 
+/// docs/theory/sph.md (S7), (S8), (S8a).
+template <int Dim>
+void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
+                                       const GradientSums<Dim>& sums) {
+  const bool corrected = block.set.options.correction;
+  auto& state = state_[i];
+  const bool usable = rows_.count(i) >= Dim + 1;
+  invert_moment<Dim>(sums.moment, corrected && usable, state.correction);
+  if (corrected) {
+    correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
+    return;
+  }
+  auto& plain = plain_[i];
+  std::copy_n(sums.moment, kSymmetric<Dim>, plain.moment);
+  invert_moment<Dim>(sums.moment, usable, plain.inverse);
+  correct_turn<Dim>(sums.rate, plain, state.velocity_gradient);
+}
+
 template <int Dim>
 template <class P>
 void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
-  const bool corrected = block.set.options.correction;
+  if (!block.set.options.correction) plain_.resize(n_owned());
   const auto records = pair_records<P>();
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       rows_.refresh(records.motion, i);
-      const auto sums = sum_gradients<Dim, Kernel>(records.motion, i, rows_.row(i, P::kLanes),
-                                                   records.inverse_length, rows_.weights(i));
-      auto& state = state_[i];
-      const bool usable = corrected && rows_.count(i) >= Dim + 1;
-      invert_moment<Dim>(sums.moment, usable, state.correction);
-      correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
+      take_gradients(block, i,
+                     sum_gradients<Dim, Kernel>(records.motion, i, rows_.row(i, P::kLanes),
+                                                records.inverse_length, rows_.weights(i)));
     });
   });
 }

@@ -46,6 +46,7 @@ template <int Dim>
 struct SphParticles<Dim>::TileStress {
   alignas(32) Real gradient[Dim * Dim][kTile];  // [1] L dt at x(n+1)
   alignas(32) Real correction[kSymmetric<Dim>][kTile];
+  alignas(32) Real moment[kSymmetric<Dim>][kTile];      // [1] K, where B is left out
   alignas(32) Real growth[kTile];                       // [1] V(n+1)/V(n)
   alignas(32) Real corrected[Dim * Dim][kTile];         // [Pa] V(n+1)/V(n) sigma B
   alignas(32) Real artificial[kSymmetric<Dim>][kTile];  // [Pa]
@@ -55,19 +56,50 @@ struct SphParticles<Dim>::TileStress {
 
 namespace {
 
+/// product <- a b, b by its symmetric components in a tile.
+template <int Dim, class Rows>
+BRUNT_INLINE void times_symmetric(const Pack (&a)[Dim][Dim], const Rows& b, int i,
+                                  Pack (&product)[Dim][Dim]) {
+  for (int r = 0; r < Dim; ++r) {
+    for (int k = 0; k < Dim; ++k) {
+      Pack sum = broadcast<Pack>(0.0);
+      for (int c = 0; c < Dim; ++c) sum = sum + a[r][c] * load(b[symmetric_place<Dim>(c, k)] + i);
+      product[r][k] = sum;
+    }
+  }
+}
+
+/// sigma - skew(sigma K) K^-1, which has the power sigma : (R + W - W K) on R (correct_turn).
+template <int Dim, class Tile>
+BRUNT_INLINE void plain_stress(const Pack (&sigma)[Dim][Dim], const Tile& tile, int i,
+                               Pack (&stress)[Dim][Dim]) {
+  Pack product[Dim][Dim], skew[Dim][Dim];
+  times_symmetric<Dim>(sigma, tile.moment, i, product);
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) skew[a][b] = 0.5 * (product[a][b] - product[b][a]);
+  }
+  times_symmetric<Dim>(skew, tile.correction, i, product);
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) stress[a][b] = sigma[a][b] - product[a][b];
+  }
+}
+
 /// sigma B, the artificial stress -epsilon times the tensile part of sigma, and sigma : L dt of
 /// four points.
 template <int Dim, class Tile>
-BRUNT_INLINE void form_pair_stress(const Pack (&sigma)[Dim][Dim], Real epsilon, Tile& tile, int i) {
+BRUNT_INLINE void form_pair_stress(const Pack (&sigma)[Dim][Dim], const SphOptions& options,
+                                   Tile& tile, int i) {
+  const Real epsilon = options.artificial_stress;
   const Pack growth = load(tile.growth + i);
-  Pack power = broadcast<Pack>(0.0), tension[Dim][Dim];
+  Pack power = broadcast<Pack>(0.0), tension[Dim][Dim], pair[Dim][Dim];
+  if (options.correction) {
+    times_symmetric<Dim>(sigma, tile.correction, i, pair);
+  } else {
+    plain_stress<Dim>(sigma, tile, i, pair);
+  }
   for (int a = 0; a < Dim; ++a) {
     for (int b = 0; b < Dim; ++b) {
-      Pack sum = broadcast<Pack>(0.0);
-      for (int c = 0; c < Dim; ++c) {
-        sum = sum + sigma[a][c] * load(tile.correction[symmetric_place<Dim>(c, b)] + i);
-      }
-      store(tile.corrected[Dim * a + b] + i, growth * sum);
+      store(tile.corrected[Dim * a + b] + i, growth * pair[a][b]);
       power = power + sigma[a][b] * load(tile.gradient[Dim * a + b] + i);
     }
   }
@@ -101,7 +133,12 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     for (int c = 0; c < Dim * Dim; ++c) {
       stress.gradient[c][slot] = dt * state.velocity_gradient[c];
     }
-    for (int c = 0; c < kSymmetric<Dim>; ++c) stress.correction[c][slot] = state.correction[c];
+    const PlainMoment<Dim>* plain =
+        k < n && !block.set.options.correction ? &plain_[block.set.particle[k]] : nullptr;
+    for (int c = 0; c < kSymmetric<Dim>; ++c) {
+      stress.correction[c][slot] = plain ? plain->inverse[c] : state.correction[c];
+      stress.moment[c][slot] = plain ? plain->moment[c] : 0.0;
+    }
     tile.ratio_old[slot] = state.ratio;
     const bool works = k < n && state.start_volume > 0;
     tile.viscous_work[slot] = works ? dt * state.viscous_power / state.start_volume : 0.0;
@@ -125,7 +162,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     const std::size_t at = first + slot_of(i);
     Pack sigma[Dim][Dim];
     load_stress<Dim>(block.state, at, sigma);
-    form_pair_stress<Dim>(sigma, block.set.options.artificial_stress, stress, i);
+    form_pair_stress<Dim>(sigma, block.set.options, stress, i);
     const Pack modulus = load(block.state.bulk.data() + at) + (4.0 / 3.0) * material.shear;
     const Pack density = material.density / load(tile.ratio + i);
     store(stress.sound_speed + i, vsqrt(modulus / density));

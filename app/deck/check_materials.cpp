@@ -26,11 +26,6 @@ void check_melting(const Deck& deck, const Named<Material>& material, Findings& 
   }
 }
 
-/// True where the material can be heated by its own plastic work.
-bool can_be_heated(const Material& material) {
-  return material.thermal && !std::holds_alternative<NoStrength>(material.strength);
-}
-
 void check_heat(const Deck& deck, const Named<Material>& material, Findings& findings) {
   const auto* law = std::get_if<JohnsonCook>(&material.value.strength);
   const bool softens = law && law->T_melt;
@@ -208,12 +203,14 @@ void check_materials(const Deck& deck, Findings& findings) {
     findings.wrong("heat",
                    "no material conducts: add `thermal: {cp: ..., k: ...}` to one, or write auto");
   }
-  const auto heated = [](const auto& material) { return can_be_heated(material.value); };
+  const auto heated = [](const auto& material) { return material.value.heats_itself(); };
   if (deck.heat == Heat::adiabatic && findings.sound("materials") &&
       std::none_of(deck.materials.begin(), deck.materials.end(), heated)) {
-    findings.wrong("heat",
-                   "no material can be heated: that takes `strength` and `thermal: {cp: ...}`; "
-                   "add them to a material, or write heat: off");
+    findings.wrong(
+        "heat",
+        "no material can be heated: that takes `thermal: {cp: ...}`, and `strength` or an "
+        "`eos` with an energy, such as mie-gruneisen; add them to a material, or write "
+        "heat: off");
   }
 }
 

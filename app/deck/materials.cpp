@@ -21,6 +21,12 @@ Real Material::shear_modulus() const {
   return own ? own->shear : 0;
 }
 
+bool Material::heats_itself() const {
+  if (!thermal) return false;
+  return !std::holds_alternative<NoStrength>(strength) ||
+         make_eos(eos, {density, 0})->needs_energy();
+}
+
 void describe(Schema& s, ElasticConstants& elastic) {
   constexpr Quantity kModulus{"Pa", positive(), between(1e3, 2e12)};
   s.real({"E", "Young's modulus"}, elastic.E, kModulus);

@@ -36,6 +36,8 @@ struct Material {
   std::optional<Thermal> thermal;
   Real bulk_modulus() const;   ///< [Pa] of the elastic constants, or of the equation of state
   Real shear_modulus() const;  ///< [Pa] 0: a fluid
+  /// It is thermal, and plastic work or an equation of state with an energy raises its temperature.
+  bool heats_itself() const;
 };
 
 void describe(Schema& s, ElasticConstants& elastic);

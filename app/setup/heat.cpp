@@ -65,9 +65,8 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
                        std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
   if (thermal->k && driven) return HeatMode::conducts;
   if (body.rigid) return HeatMode::none;
-  // An elastic material that does not conduct is never heated: it keeps no temperature.
-  const bool yields = !std::holds_alternative<NoStrength>(material->value.strength);
-  return yields ? HeatMode::adiabatic : HeatMode::none;
+  // What neither yields nor has an energy in its pressure is never heated: it keeps no temperature.
+  return material->value.heats_itself() ? HeatMode::adiabatic : HeatMode::none;
 }
 
 bool is_held(const Deck& deck, const std::string& name) {

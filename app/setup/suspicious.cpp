@@ -113,6 +113,40 @@ class Places {
   const Warn& warn_;
 };
 
+/// The least smoothing [spacings] with which a bar on a square lattice that is pulled by 8e-4 keeps
+/// 0.99 of its modulus: docs/decisions/206-clumping-is-told.md.
+Real least_smoothing(KernelKind kernel) {
+  switch (kernel) {
+    case KernelKind::wendland_c4:
+      return 1.7;
+    case KernelKind::wendland_c2:
+    case KernelKind::hyperbolic:
+      return 1.5;
+    default:
+      return 1.4;
+  }
+}
+
+/// Particles of so few neighbours that they clump where they are pulled. Artificial stress says by
+/// itself what it carries.
+void warn_of_clumping(const LoadedDeck& loaded, const std::string& name, const deck::Body& body,
+                      const Warn& warn) {
+  const auto& materials = loaded.deck.materials;
+  const auto material = std::find_if(materials.begin(), materials.end(),
+                                     [&](const auto& m) { return m.name == body.material; });
+  if (body.method != deck::Method::sph || body.rigid || material == materials.end()) return;
+  const Real least = least_smoothing(body.sph.kernel);
+  if (body.lattice != deck::Lattice::cubic || body.sph.smoothing >= least) return;
+  if (body.sph.artificial_stress != 0 || material->value.shear_modulus() == 0) return;
+  if (is_held(loaded.deck, name)) return;
+  warn("bodies." + name + ".smoothing",
+       "particles clump where they are pulled, and carry less than their material: this kernel "
+       "takes " +
+           deck::short_text(least) +
+           " spacings or more on a square lattice; try the "
+           "default, 1.7, or `lattice: hexagonal`");
+}
+
 /// Contact that is to pass heat between bodies none of which conducts.
 void warn_of_heat(const LoadedDeck& loaded, const Warn& warn) {
   const Deck& deck = loaded.deck;
@@ -161,6 +195,7 @@ void warn_of_sizes(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     warn_of_size("bodies." + deck.bodies[b].name, deck.bodies[b].value, boxes[b], warn);
     warn_of_scale(loaded, boxes, b, warn);
+    warn_of_clumping(loaded, deck.bodies[b].name, deck.bodies[b].value, warn);
   }
   Places<Dim> places(loaded, scene, boxes, warn);
   for (const auto& [name, probe] : deck.probes) {
