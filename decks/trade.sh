@@ -80,6 +80,21 @@ study taylor-bar-sph taylor-bar-sph/taylor-bar-sph.yaml --vary "parameters.spaci
   --vary bodies.bar.smoothing=1.3,1.5,1.7 <<'TEXT'
 A bar of particles: spacing, and the smoothing length over it.
 TEXT
+study taylor-bar-hourglass taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml --one-at-a-time \
+  --vary "bodies.bar.element={integration: one-point, hourglass: {viscous: 0.05}},{integration: one-point},{integration: one-point, hourglass: {viscous: 0.2}}" <<'TEXT'
+Hourglass control of one-point elements in the same bar: viscous, half and twice the default of 0.1. The deck as it
+stands has q1p0, which needs none.
+TEXT
+study taylor-bar-sph-levers taylor-bar-sph/taylor-bar-sph.yaml --one-at-a-time --vary "parameters.spacing=1.07 mm" \
+  --vary bodies.bar.kernel=wendland-c2,hyperbolic --vary bodies.bar.lattice=hexagonal --vary bodies.bar.correction=false \
+  --vary bodies.bar.pair_precision=single --vary bodies.bar.smoothing=1.5 <<'TEXT'
+The levers of particles, each alone, beside another spacing: what is not varied is as in the deck (0.8 mm, cubic kernel
+and lattice, smoothing 1.7, corrected, double precision).
+TEXT
+study bars-contact bars/bars.yaml --one-at-a-time --vary contact.default.damping=0,0.3,1 \
+  --vary contact.default.stiffness=0.1,2 --vary "contact.skin=0 m,4 mm" <<'TEXT'
+The levers of contact, each alone: damping (0.1 in the deck), stiffness (0.5), and the skin of the search, which changes no bit.
+TEXT
 study cutting-2d cutting-2d/cutting-2d.yaml --vary "parameters.spacing=0.1 mm,0.075 mm,0.05 mm" \
   --vary contact.default.stiffness=0.5,2 <<'TEXT'
 Orthogonal cutting with particles: spacing, and stiffness of the contact. A chip is no smooth flow: its forces approach no

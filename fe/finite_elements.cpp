@@ -107,7 +107,7 @@ void FiniteElements<Dim>::refresh_steps() {
 
 template <int Dim>
 void FiniteElements<Dim>::rearrange() {
-  if (!loaded_) refresh_steps();
+  if (!stepped_) refresh_steps();
 }
 
 template <int Dim>
@@ -118,7 +118,9 @@ ElementStep<Dim> FiniteElements<Dim>::element_step(Real dt) {
 
 template <int Dim>
 void FiniteElements<Dim>::add_internal_forces(Real dt) {
+  stepped_ = true;
   if (held_) return;
+  stepped_ = true;
   if (points_.conducts) interpolate_temperatures();
   const ElementStep<Dim> common = element_step(dt);
   force_chunks_.add(

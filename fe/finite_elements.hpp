@@ -113,7 +113,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   std::vector<Real> start_volume_, node_ratio_;
   std::vector<Real> corner_volume_;  ///< [m^3] [element][corner]
   std::vector<Vec<1>> node_volume_;  ///< [m^3] of each node, while they are summed
-  bool loaded_ = false;              ///< its state, steps too, came from a checkpoint
+  bool stepped_ = false;             ///< steps are those of the last motion, or of a checkpoint
   bool held_ = false;                ///< nothing of it ever moves: only its heat is computed
   Surface<Dim> surface_;
   /// Block and element behind each facet; empty until contact needs their materials.

@@ -35,7 +35,7 @@ void FiniteElements<Dim>::save_state(std::vector<StateTable>& tables) const {
 /// The padding repeats the last element, so it takes that one's row.
 template <int Dim>
 void FiniteElements<Dim>::load_state(const StateTables& tables) {
-  loaded_ = true;
+  stepped_ = true;
   load_points(points_, tables);
   if (erosion_) load_eroded(tables);
   for (auto& block : blocks_) {
