@@ -1,5 +1,6 @@
 #include "contact/evaluate/edges.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/geometry/edge_contact.hpp"
@@ -22,16 +23,33 @@ Real inverse_mass(const Entities<3>& entities, const ContactFace<3>& face,
   return sum;
 }
 
-/// Bound of a spring on both sides, of elements together with their own: half of it where faces are
-/// deep errs a quarter as much (contact/evaluate/face_step_limits.cpp).
+/// The most of it: that of the lightest corner [1/kg].
+Real most_inverse_mass(const Entities<3>& entities, const ContactFace<3>& face) {
+  if (!face.deforms()) return face.compliance;
+  Real most = 0;
+  for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
+    const Real mass = entities.nodes.mass[slot_of(face.node[c])];
+    if (mass > 0) most = std::max(most, 1 / mass);
+  }
+  return most;
+}
+
+/// Bound of a spring on both sides, of elements together with their own, and of what its fades do
+/// as faces turn and blades slide: half of it where faces are deep errs a quarter as much
+/// (contact/evaluate/face_step_limits.cpp).
+/// stiffness  [N/m] k D^2
 void take_step_limit(const Entities<3>& entities, const FaceCandidate& candidate,
-                     const EdgeContact& contact, Real stiffness, StepLimit& step_limit) {
+                     const EdgeContact& contact, Real stiffening, Real stiffness,
+                     StepLimit& step_limit) {
   const auto& lower = entities.faces[slot_of(candidate.lower)];
   const auto& upper = entities.faces[slot_of(candidate.upper)];
   const auto weights = std::span(contact.weight);
+  const Real depth = contact.penetration / stiffening, square = depth * depth;
   const Real gives = inverse_mass(entities, lower, weights.first(4)) +
                      inverse_mass(entities, upper, weights.last(4));
-  Real squared = stiffness * gives;
+  const Real turns = most_inverse_mass(entities, lower) + most_inverse_mass(entities, upper);
+  const Real energy = square * (0.5 + 0.25 * square) * stiffening * stiffening;
+  Real squared = stiffness * ((1 + 3 * square) * gives + energy * contact.fade_curvature * turns);
   for (const auto* face : {&lower, &upper}) {
     if (face->deforms() && face->element_step > 0) squared += 1 / std::pow(face->element_step, 2);
   }
@@ -89,10 +107,9 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, con
       if (!find_edge_contact(lower, i, upper, j, stiffening, contact)) continue;
       const auto ordinal = kFirstOrdinal + static_cast<std::uint32_t>(4 * i + j);
       add_record(entities, candidate, contact, ordinal, part);
-      const Real depth = contact.penetration / stiffening;
-      const Real tangent = candidate.normal.stiffness * candidate.normal.limit *
-                           candidate.normal.limit * (1 + 3 * depth * depth);
-      take_step_limit(entities, candidate, contact, tangent, part.step_limit);
+      const Real stiffness =
+          candidate.normal.stiffness * candidate.normal.limit * candidate.normal.limit;
+      take_step_limit(entities, candidate, contact, stiffening, stiffness, part.step_limit);
     }
   }
 }

@@ -106,6 +106,24 @@ Push<Number> push_of(const Blade<Number>& lower, const Blade<Number>& upper,
   return push;
 }
 
+/// Largest second derivative of smooth_step by x where x is on its slope, else 0.
+Real step_curvature(Real x, Real low, Real high) {
+  return x > low && x < high ? 6 / ((high - low) * (high - low)) : 0.0;
+}
+
+/// Of a blade: of its ends, and of the sine against its face, which turns by 1/height a metre.
+Real curvature_of(const Blade<Real>& blade, const Push<Real>& push, Real share, Real over) {
+  const auto along = blade.along(), normal = blade.normal();
+  const Real length = root_of(dot(along, along)), twice_area = root_of(dot(normal, normal));
+  const Real reach = std::min(over, 0.25 * length);
+  const Real sine = std::fabs(dot(push.normal, normal)) / twice_area;
+  const Real height = twice_area / (blade.n_corners == 3 ? 1.0 : 2.0) / length;
+  return step_curvature(share * length, blade.has_border(blade.edge - 1) ? 0 : -reach, reach) +
+         step_curvature((1 - share) * length, blade.has_border(blade.edge + 1) ? 0 : -reach,
+                        reach) +
+         step_curvature(sine, kInFace, kBeside) / (height * height);
+}
+
 template <class Number>
 Blade<Number> blade_of(const FacePlane<3>& face, int edge, int first) {
   Blade<Number> blade;
@@ -129,8 +147,9 @@ Vec3 inwards(const FacePlane<3>& face, int edge) {
 bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upper, int j,
                        Real stiffening, EdgeContact& contact) {
   const Vec3 out_of_lower = -inwards(lower, i), into_upper = inwards(upper, j);
-  const auto found = push_of(blade_of<Real>(lower, i, 0), blade_of<Real>(upper, j, kCorners),
-                             out_of_lower, into_upper, stiffening);
+  const auto lower_blade = blade_of<Real>(lower, i, 0);
+  const auto upper_blade = blade_of<Real>(upper, j, kCorners);
+  const auto found = push_of(lower_blade, upper_blade, out_of_lower, into_upper, stiffening);
   if (!found.any) return false;
   using Number = GradientNumber<3 * EdgeContact::kMost>;
   const auto push = push_of(blade_of<Number>(lower, i, 0), blade_of<Number>(upper, j, kCorners),
@@ -144,6 +163,8 @@ bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upp
   contact.share = found.share;
   contact.force = found.share * d * (1 + d * d / (stiffening * stiffening));
   contact.energy = energy.value;
+  contact.fade_curvature = curvature_of(lower_blade, found, s, stiffening) +
+                           curvature_of(upper_blade, found, t, stiffening);
   contact.weight.fill(0);
   const auto corner = [](const FacePlane<3>& face, int c) { return slot_of(c % face.n_corners); };
   const std::size_t a = corner(lower, i), b = corner(lower, i + 1);

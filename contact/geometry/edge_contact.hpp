@@ -20,12 +20,15 @@ inline constexpr unsigned kBladeBits = 4;
 /// edges are parallel (sines of 0.1 to 0.3).
 struct EdgeContact {
   static constexpr int kMost = 2 * Facet<3>::kNodes;
-  Vec3 normal;                       ///< unit, from the lower to the upper body
-  Vec3 point;                        ///< [m] half way between both edges
-  Real penetration = 0;              ///< [m] d
-  Real share = 0;                    ///< w
-  Real force = 0;                    ///< [m] of it along the normal, per k
-  Real energy = 0;                   ///< [m^2] U per k
+  Vec3 normal;           ///< unit, from the lower to the upper body
+  Vec3 point;            ///< [m] half way between both edges
+  Real penetration = 0;  ///< [m] d
+  Real share = 0;        ///< w
+  Real force = 0;        ///< [m] of it along the normal, per k
+  Real energy = 0;       ///< [m^2] U per k
+  /// [1/m^2] Bound of the second derivative of w by the place of a corner, over the largest w:
+  /// where the fades change, those of the sines with the turn of their face.
+  Real fade_curvature = 0;
   std::array<Real, kMost> weight{};  ///< of the corners, lower face first; lower ones negative
   std::array<Vec3, kMost> push;      ///< [m] what corners get besides weight force normal, per k
 };
