@@ -106,6 +106,56 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
   }
 }
 
+namespace {
+/// Sum over the corners of a face of the square of how far its normal turns as one of them moves
+/// out of it, over their mass [1/(m^2 kg)].
+template <int Dim>
+Real turn_compliance(const Entities<Dim>& entities, LocalIndex place) {
+  const auto& face = entities.faces[slot_of(place)];
+  const auto& plane = entities.planes[slot_of(place)];
+  const auto n = slot_of(face.n_nodes);
+  Real sum = 0, most = 0;
+  for (std::size_t c = 0; c < n; ++c) {
+    // A diagonal, or an edge, that turns about the other one; in the plane the face itself.
+    const Vec<Dim> other = plane.corner[(c + (n == 4 ? 3 : 2)) % n] - plane.corner[(c + 1) % n];
+    const Real turn = Dim == 2 ? 1 / plane.area : other.norm() / (2 * plane.area);
+    most = std::max(most, turn * turn);
+    const Real mass = entities.nodes.mass[slot_of(face.node[c])];
+    if (mass > 0) sum += turn * turn / mass;
+  }
+  return face.deforms() ? sum : face.compliance * most;
+}
+}  // namespace
+
+template <int Dim>
+void limit_by_turn(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const CommonPlane<Dim>& plane, StepLimit& step_limit) {
+  if (!(plane.ramp > 0 && plane.ramp < 1)) return;
+  const FacingRamp<Dim> ramp(entities.planes[slot_of(candidate.lower)],
+                             entities.planes[slot_of(candidate.upper)]);
+  const Real width = ramp.whole - ramp.none, bends = 6;
+  if (!(bends > 0)) return;
+  const Real held = candidate.normal.stiffness * plane.energy / plane.ramp;
+  Real squared = 0;
+  for (const LocalIndex place : {candidate.lower, candidate.upper}) {
+    const auto& face = entities.faces[slot_of(place)];
+    if (face.rigid() || face.held) continue;
+    squared += held * bends / (width * width) * turn_compliance<Dim>(entities, place);
+  }
+  for (const LocalIndex place : {candidate.lower, candidate.upper}) {
+    const auto& face = entities.faces[slot_of(place)];
+    if (face.rigid() || face.held) continue;
+    const Real own = face.deforms() ? 1 / (face.element_step * face.element_step) : 0.0;
+    if (squared + own > 0) {
+      step_limit.take({1 / std::sqrt(squared + own), "contact stiffness", face.body, face.id});
+    }
+  }
+}
+
+template void limit_by_turn<2>(const Entities<2>&, const FaceCandidate&, const CommonPlane<2>&,
+                               StepLimit&);
+template void limit_by_turn<3>(const Entities<3>&, const FaceCandidate&, const CommonPlane<3>&,
+                               StepLimit&);
 template void limit_by_approach<2>(const Entities<2>&, const FaceCandidate&, const EvaluationStep&,
                                    StepLimit&);
 template void limit_by_approach<3>(const Entities<3>&, const FaceCandidate&, const EvaluationStep&,

@@ -20,4 +20,10 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
                       StepLimit& step_limit);
 
+/// Takes in the bounds of faces whose pressure fades as they turn to each other: where the ramp of
+/// (C7) is on its slope, what the pair would hold without it bends by 6/width^2 at most.
+template <int Dim>
+void limit_by_turn(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const CommonPlane<Dim>& plane, StepLimit& step_limit);
+
 }  // namespace brunt

@@ -114,6 +114,7 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   record.spring = candidate.normal.stiffness * plane.volume;
   record.stored = candidate.normal.stiffness * plane.energy;
   limit_by_barrier<Dim>(entities, candidate, plane, closing, step, part.step_limit);
+  limit_by_turn<Dim>(entities, candidate, plane, part.step_limit);
   record.damping = candidate.normal.damping_force(
       {.area = plane.ramp * plane.area, .penetration = plane.layered, .closing = closing});
   record.opening = -touch.overlap;
