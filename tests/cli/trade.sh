@@ -49,7 +49,7 @@ expect 0 "$brunt" trade bar.yaml "${vary[@]}" --repeat 1 --jobs 2 --quiet --out 
 slow=(--set "time.end=0.2 s" --set "output.history=0.1 ms" --set "output.every=0.1 s" --set "output.checkpoint_steps=500")
 "$brunt" trade bar.yaml "${vary[@]}" "${slow[@]}" --repeat 1 --quiet --out cut >/dev/null 2>&1 &
 trade=$!
-for _ in $(seq 1000); do
+for _ in $(seq 6000); do
   compgen -G "cut/cells-16/checkpoint-*.manifest" >/dev/null && break
   sleep 0.02
 done
