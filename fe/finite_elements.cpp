@@ -120,7 +120,6 @@ template <int Dim>
 void FiniteElements<Dim>::add_internal_forces(Real dt) {
   stepped_ = true;
   if (held_) return;
-  stepped_ = true;
   if (points_.conducts) interpolate_temperatures();
   const ElementStep<Dim> common = element_step(dt);
   force_chunks_.add(

@@ -82,18 +82,24 @@ Json energy_json(const EnergyShares& energy) {
           {"hourglass", shares_json(energy.hourglass)}};
 }
 
+/// What shares_json wrote. missing  what stands for a share that is no number
+std::vector<std::pair<std::string, Real>> shares_from(const Json& json, const char* key,
+                                                      Real missing = 0) {
+  std::vector<std::pair<std::string, Real>> shares;
+  const Json all = object_at(json, key);
+  for (const auto& [name, unused] : all.items()) {
+    shares.emplace_back(name, real_at(all, name.c_str(), missing));
+  }
+  return shares;
+}
+
 EnergyShares energy_from(const Json& json) {
   EnergyShares energy;
   energy.largest = real_at(json, "largest", 0);
   energy.created = real_at(json, "created", 0);
-  const auto read = [&](const char* name, auto& shares) {
-    const Json all = object_at(json, name);
-    for (const auto& [key, unused] : all.items()) {
-      shares.emplace_back(key, real_at(all, key.c_str(), 0));
-    }
-  };
-  read("sources", energy.sources), read("taken", energy.taken);
-  read("hourglass", energy.hourglass);
+  energy.sources = shares_from(json, "sources");
+  energy.taken = shares_from(json, "taken");
+  energy.hourglass = shares_from(json, "hourglass");
   return energy;
 }
 
@@ -144,18 +150,9 @@ RunSummary from_json(const Json& json) {
   s.drift = real_at(json, "drift", s.drift);
   s.state_hash = json.value("state_hash", s.state_hash);
   s.energy = energy_from(object_at(json, "energy"));
-  const Json bounds = object_at(json, "step_bounds");
-  for (const auto& [what, unused] : bounds.items()) {
-    s.step_bounds.emplace_back(what, real_at(bounds, what.c_str(), 0));
-  }
-  const Json margins = object_at(json, "step_margins");
-  for (const auto& [body, unused] : margins.items()) {
-    s.step_margins.emplace_back(body, real_at(margins, body.c_str(), kUnknown));
-  }
-  const Json eroded = object_at(json, "eroded");
-  for (const auto& [body, unused] : eroded.items()) {
-    s.eroded.emplace_back(body, real_at(eroded, body.c_str(), 0));
-  }
+  s.step_bounds = shares_from(json, "step_bounds");
+  s.step_margins = shares_from(json, "step_margins", kUnknown);
+  s.eroded = shares_from(json, "eroded");
   read_process(object_at(json, "process"), s);
   s.measures = measures_from(object_at(json, "measures"));
   const Json warnings = json.value("warnings", Json::array());

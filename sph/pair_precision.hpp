@@ -23,6 +23,11 @@ struct SinglePairs {
   /// Steps in a unit of length: an arm of up to four units is exact as a float, and what is nearer
   /// than 512 units is told apart from what is beyond.
   static constexpr Real kSteps = 1 << 22;
+  /// [units] The longest smoothing length: lists reach 2.35 of it, well within the 512.
+  static constexpr Real kLongest = 120;
+  /// The most that spacings may differ: 2.5 smoothing lengths of them, over half a spacing, are
+  /// 100.
+  static constexpr Real kMostSpacings = 20;
 };
 
 /// The unit of length [m] of sums in single precision, a power of two near a spacing: scaling by it

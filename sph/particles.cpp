@@ -18,8 +18,8 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
       sum_of_piece_(std::move(sum_of_piece)) {
   assert(spacing.size() == points_.x.size());
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
-  if (!spacing.empty()) unit_ = SingleUnit(*std::min_element(spacing.begin(), spacing.end()));
   take_sets(std::move(sets), spacing);
+  if (any_single()) unit_ = SingleUnit(least_single_spacing());
   const auto conducts = [](const auto& block) { return block.set.conducts; };
   const bool any_conducts = std::any_of(blocks_.begin(), blocks_.end(), conducts);
   if (any_conducts) set_capacities();

@@ -152,6 +152,7 @@ class SphParticles final : public Solid<Dim> {
   bool lists_hold() const;
   void refresh_motion();
   bool any_single() const;
+  Real least_single_spacing() const;
   void set_single_motion(std::size_t i);
   void refresh_single_stress();
   void refresh_gradients();
@@ -200,7 +201,7 @@ class SphParticles final : public Solid<Dim> {
   std::vector<MotionRecord<Dim, SinglePairs>> single_motion_;
   std::vector<StressRecord<Dim, SinglePairs>> single_stress_;
   std::vector<ArtificialRecord<Dim, SinglePairs>> single_artificial_;
-  SingleUnit unit_;                    // of their lengths: the least spacing of the whole
+  SingleUnit unit_;                    // of their lengths: their least spacing in the whole
   std::vector<HeatRecord<Dim>> heat_;  // empty: heat is not conducted
   bool held_ = false;                  // nothing of it ever moves: only its heat is computed
   bool settled_ = false;               // rows, weights and corrections of what is held are there

@@ -7,11 +7,25 @@
 
 namespace brunt {
 
+namespace {
+bool is_single(const ParticleBlock& block) {
+  return block.set.options.pair_precision == PairPrecision::single_precision;
+}
+}  // namespace
+
 template <int Dim>
 bool SphParticles<Dim>::any_single() const {
-  return std::any_of(blocks_.begin(), blocks_.end(), [](const auto& block) {
-    return block.set.options.pair_precision == PairPrecision::single_precision;
-  });
+  return std::any_of(blocks_.begin(), blocks_.end(), is_single);
+}
+
+template <int Dim>
+Real SphParticles<Dim>::least_single_spacing() const {
+  Real least = kInfinity;
+  for (const auto& block : blocks_) {
+    if (!is_single(block)) continue;
+    for (const LocalIndex i : block.set.particle) least = std::min(least, state_[i].spacing);
+  }
+  return least;
 }
 
 /// The record of i in single precision, out of that in double.
@@ -59,7 +73,7 @@ ForceRecords<Dim, P> SphParticles<Dim>::pair_records() const {
 /// Calls f(P) with the precision of a block.
 template <class F>
 void in_precision_of(const ParticleBlock& block, const F& f) {
-  if (block.set.options.pair_precision == PairPrecision::single_precision) {
+  if (is_single(block)) {
     f(SinglePairs{});
   } else {
     f(DoublePairs{});
@@ -176,6 +190,8 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
 
 template bool SphParticles<2>::any_single() const;
 template bool SphParticles<3>::any_single() const;
+template Real SphParticles<2>::least_single_spacing() const;
+template Real SphParticles<3>::least_single_spacing() const;
 template void SphParticles<2>::set_single_motion(std::size_t);
 template void SphParticles<3>::set_single_motion(std::size_t);
 template void SphParticles<2>::refresh_gradients();

@@ -172,9 +172,14 @@ void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_na
     throw PhysicsError({time, body < body_names.size() ? body_names[body] : std::to_string(body),
                         "particle " + std::to_string(points_.id[i]), quantity, value, cause});
   };
+  const bool single = any_single();
   for (const auto& block : blocks_) {
     for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
       const auto i = slot_of(block.set.particle[slot]);
+      if (single && smoothing_length_[i] > SinglePairs::kLongest * unit_.length) {
+        fail(i, "smoothing length [m]", smoothing_length_[i],
+             "it has grown beyond what pair_precision: single tells apart: take double");
+      }
       const Real density = block.set.material->density / state_[i].ratio;
       if (!(density > 0) || !is_finite(density)) {
         fail(i, "density [kg/m^3]", density,

@@ -25,21 +25,12 @@ Real stopping_strain(const deck::Material& material, Real speed) {
   return strain;
 }
 
-/// Velocity [m/s] at time 0, or as prescribed; without entries: at rest.
-std::vector<Real> velocity_of(const deck::Body& body) {
-  std::vector<Real> velocity = body.velocity;
-  if (body.rigid && body.motion && !body.motion->velocity.empty()) velocity = body.motion->velocity;
-  for (Real& component : velocity) component = std::isnan(component) ? 0 : component;
-  velocity.resize(3, 0);
-  return velocity;
-}
-
 /// The largest speed [m/s] between a body and any other.
 Real impact_speed(const Deck& deck, const deck::Body& body) {
-  const auto own = velocity_of(body);
+  const auto own = deck::first_velocity(body);
   Real most = 0;
   for (const auto& other : deck.bodies) {
-    const auto its = velocity_of(other.value);
+    const auto its = deck::first_velocity(other.value);
     most = std::max(most, std::hypot(own[0] - its[0], own[1] - its[1], own[2] - its[2]));
   }
   return most;
@@ -55,12 +46,10 @@ Flattening flattening_of(const Deck& deck) {
   Flattening worst;
   for (const auto& [name, body] : deck.bodies) {
     if (body.rigid) continue;
-    const auto material =
-        std::find_if(deck.materials.begin(), deck.materials.end(),
-                     [&wanted = body.material](const auto& one) { return one.name == wanted; });
-    if (material == deck.materials.end()) continue;
+    const auto* material = deck.material_named(body.material);
+    if (material == nullptr) continue;
     const Real speed = impact_speed(deck, body);
-    const Real strain = stopping_strain(material->value, speed);
+    const Real strain = stopping_strain(*material, speed);
     if (strain > worst.strain) worst = {speed, strain};
   }
   return worst;

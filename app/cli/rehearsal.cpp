@@ -42,7 +42,9 @@ std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::
   const Real begun = processor_seconds();
   Real last = 0;  // [s] what the one before took
   for (const Real factor : kFactors) {
-    const auto coarse = coarser_deck(deck, overrides, loaded, lever, factor);
+    auto coarser = overrides;
+    for (const auto& change : lever.at(loaded, factor)) coarser.push_back(change);
+    const auto coarse = resized_deck(deck, coarser, loaded);
     if (!coarse) continue;
     const Real growth = done.empty() ? flattening_of(loaded.deck).most_steps() : done[0].growth;
     const Real before = processor_seconds();

@@ -49,6 +49,15 @@ Real smallest_size(const Body& body) {
   return *std::min_element(body.size->begin(), body.size->end()) / ratio;
 }
 
+std::array<Real, 3> first_velocity(const Body& body) {
+  const bool prescribed = body.rigid && body.motion && !body.motion->velocity.empty();
+  const auto& given = prescribed ? body.motion->velocity : body.velocity;
+  std::array<Real, 3> velocity{};
+  const std::size_t n = std::min(given.size(), velocity.size());  // of a wrong deck it may be more
+  for (std::size_t c = 0; c < n; ++c) velocity[c] = std::isnan(given[c]) ? 0 : given[c];
+  return velocity;
+}
+
 bool has_mesh_file(const Body& body) { return mesh_reader(body.file) != nullptr; }
 
 bool has_velocity_field(const Body& body) {

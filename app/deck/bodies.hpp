@@ -1,5 +1,6 @@
 #pragma once
 /// Bodies as the deck gives them.
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,6 +61,10 @@ bool has_mesh_file(const Body& body);
 
 /// True where the velocity at time 0 depends on the place.
 bool has_velocity_field(const Body& body);
+
+/// Velocity [m/s] at time 0, as prescribed or as given, three components; at rest without. Of a
+/// field of the place nothing.
+std::array<Real, 3> first_velocity(const Body& body);
 
 /// True for a rigid body of which something follows its forces.
 bool follows_forces(const Body& body);

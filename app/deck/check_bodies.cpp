@@ -3,6 +3,7 @@
 
 #include "app/deck/checks.hpp"
 #include "fe/elements/catalog.hpp"
+#include "sph/pair_precision.hpp"
 
 namespace brunt::deck {
 
@@ -168,15 +169,13 @@ void check_rigid(Geometry geometry, const std::string& path, const Body& body, F
 /// Elements of a fluid resist no shear.
 void check_fluid(const Deck& deck, const std::string& path, const Body& body, Findings& findings) {
   if (body.method != Method::fe) return;
-  const auto material =
-      std::find_if(deck.materials.begin(), deck.materials.end(),
-                   [&](const auto& candidate) { return candidate.name == body.material; });
-  if (material == deck.materials.end() || !findings.sound("materials." + material->name)) return;
-  if (material->value.shear_modulus() > 0) return;
+  const auto* material = deck.material_named(body.material);
+  if (material == nullptr || !findings.sound("materials." + body.material)) return;
+  if (material->shear_modulus() > 0) return;
   const Hourglass& hourglass = body.element.hourglass;
   if (std::holds_alternative<StiffnessHourglass>(hourglass) ||
       std::holds_alternative<AssumedStrainHourglass>(hourglass)) {
-    findings.wrong(path + ".element.hourglass", "takes a shear modulus, and '" + material->name +
+    findings.wrong(path + ".element.hourglass", "takes a shear modulus, and '" + body.material +
                                                     "' is a fluid: take it out, or write viscous");
   }
   findings.warn(path + ".material",
@@ -195,14 +194,12 @@ void check_element(const Deck& deck, const std::string& path, const Body& body,
                    "integration: one-point");
     return;
   }
-  const auto material =
-      std::find_if(deck.materials.begin(), deck.materials.end(),
-                   [&](const auto& candidate) { return candidate.name == body.material; });
-  if (std::holds_alternative<ViscousHourglass>(hourglass) && material != deck.materials.end() &&
-      findings.sound("materials." + material->name) &&
-      std::holds_alternative<NoStrength>(material->value.strength)) {
+  const auto* material = deck.material_named(body.material);
+  if (std::holds_alternative<ViscousHourglass>(hourglass) && material != nullptr &&
+      findings.sound("materials." + body.material) &&
+      std::holds_alternative<NoStrength>(material->strength)) {
     findings.warn(path + ".element.hourglass",
-                  "'" + material->name +
+                  "'" + body.material +
                       "' does not yield, and hourglass modes of an elastic body "
                       "grow slowly under viscous control; assumed_strain: 1 is for elastic bodies");
   }
@@ -212,24 +209,22 @@ void check_element(const Deck& deck, const std::string& path, const Body& body,
 void check_erosion(const Deck& deck, const std::string& path, const Body& body,
                    Findings& findings) {
   const auto& erosion = body.element.erosion;
-  const auto material =
-      std::find_if(deck.materials.begin(), deck.materials.end(),
-                   [&](const auto& candidate) { return candidate.name == body.material; });
+  const auto* material = deck.material_named(body.material);
   if (erosion && erosion->to == ErodeTo::sph && deck.geometry == Geometry::axisymmetric) {
     findings.wrong(path + ".erode.to",
                    "there are no particles in axisymmetry: write points or "
                    "nothing instead");
   }
-  if (!erosion || material == deck.materials.end()) return;
-  if (!findings.sound("materials." + material->name)) return;
-  if (erosion->when.damage && std::holds_alternative<NoDamage>(material->value.damage)) {
+  if (!erosion || material == nullptr) return;
+  if (!findings.sound("materials." + body.material)) return;
+  if (erosion->when.damage && std::holds_alternative<NoDamage>(material->damage)) {
     findings.wrong(path + ".erode.when.damage",
-                   "'" + material->name +
+                   "'" + body.material +
                        "' has no `damage`: add a law of failure to it, or write "
                        "strain or step instead");
   }
-  if (erosion->when.strain && std::holds_alternative<NoStrength>(material->value.strength)) {
-    findings.wrong(path + ".erode.when.strain", "is a plastic strain, and '" + material->name +
+  if (erosion->when.strain && std::holds_alternative<NoStrength>(material->strength)) {
+    findings.wrong(path + ".erode.when.strain", "is a plastic strain, and '" + body.material +
                                                     "' has no `strength`: add one, "
                                                     "or write step or inverted instead");
   }
@@ -262,6 +257,28 @@ void check_gravity(const Deck& deck, Findings& findings) {
   }
 }
 
+/// Lengths of all particles in single precision are in one unit.
+void check_pair_precision(const Deck& deck, Findings& findings) {
+  const Named<Body>*coarsest = nullptr, *finest = nullptr;
+  for (const auto& body : deck.bodies) {
+    const bool single = body.value.sph.pair_precision == PairPrecision::single_precision;
+    if (body.value.method != Method::sph || !single || !findings.sound("bodies." + body.name))
+      continue;
+    const Real size = smallest_size(body.value);
+    if (size == 0) continue;
+    if (coarsest == nullptr || size > smallest_size(coarsest->value)) coarsest = &body;
+    if (finest == nullptr || size < smallest_size(finest->value)) finest = &body;
+  }
+  if (coarsest == nullptr) return;
+  const Real ratio = smallest_size(coarsest->value) / smallest_size(finest->value);
+  if (ratio <= SinglePairs::kMostSpacings) return;
+  findings.wrong("bodies." + coarsest->name + ".pair_precision",
+                 "single takes lengths in the unit of the least spacing, that of '" + finest->name +
+                     "': " + short_text(ratio) + " times as long is too much, " +
+                     short_text(SinglePairs::kMostSpacings) +
+                     " at most; take double for one of the two");
+}
+
 }  // namespace
 
 void check_bodies(const Deck& deck, Findings& findings) {
@@ -279,6 +296,7 @@ void check_bodies(const Deck& deck, Findings& findings) {
     check_count(deck, path, body, cells, findings);
     check_polygon(path, body, findings);
   }
+  check_pair_precision(deck, findings);
   check_gravity(deck, findings);
   if (deck.geometry == Geometry::axisymmetric && deck.depth != 1) {
     findings.warn("depth", "is not used: axisymmetric forces and energies are for the whole turn");

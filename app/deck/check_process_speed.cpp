@@ -7,69 +7,59 @@
 namespace brunt::deck {
 
 namespace {
-/// Speed [m/s] at time 0 of a prescribed velocity, at the origin where it is of place.
-Real first_speed(const std::vector<std::optional<Varying>>& velocity) {
+/// Speed [m/s] that a boundary gives at time 0 to a body beyond its own, at the origin where it is
+/// of place.
+Real sudden_speed(const std::vector<std::optional<Varying>>& prescribed, const Body& body) {
+  const auto own = first_velocity(body);
   Real squared = 0;
-  for (const auto& component : velocity) {
-    if (!component) continue;
-    const bool expression = component->is_expression();
-    const Real v = expression ? component->evaluate({0, 0, 0, 0}) : component->at(0);
-    squared += v * v;
+  for (std::size_t c = 0; c < std::min(prescribed.size(), own.size()); ++c) {
+    const auto& given = prescribed[c];
+    if (!given) continue;
+    const Real v = given->is_expression() ? given->evaluate({0, 0, 0, 0}) : given->at(0);
+    squared += (v - own[c]) * (v - own[c]);
   }
   return std::sqrt(squared);
 }
 
-Real speed_of(const std::vector<Real>& velocity) {
-  Real squared = 0;
-  for (const Real v : velocity) squared += std::isnan(v) ? 0 : v * v;
-  return std::sqrt(squared);
+Real relative_speed(const Body& a, const Body& b) {
+  const auto v = first_velocity(a), w = first_velocity(b);
+  return std::hypot(v[0] - w[0], v[1] - w[1], v[2] - w[2]);
 }
 
 /// What a sudden speed [m/s] does to a body at first: a wave of stress sqrt(E rho) v.
-struct Jump {
-  std::string path;
-  Real speed = 0;
-};
-
-void warn_of_jump(const Deck& deck, const Named<Body>& body, const Jump& jump, Findings& findings) {
-  const auto material =
-      std::find_if(deck.materials.begin(), deck.materials.end(),
-                   [&](const auto& one) { return one.name == body.value.material; });
-  if (material == deck.materials.end() || !findings.sound("materials")) return;
-  const Real speed = deck.time.process_speed * jump.speed;
-  const Real bulk = material->value.bulk_modulus(), shear = material->value.shear_modulus();
+void warn_of_jump(const Deck& deck, const Named<Body>& body, const std::string& path, Real speed,
+                  Findings& findings) {
+  const auto* material = deck.material_named(body.value.material);
+  if (material == nullptr || !findings.sound("materials")) return;
+  const Real stepped = deck.time.process_speed * speed;
+  const Real bulk = material->bulk_modulus(), shear = material->shear_modulus();
   const Real young = 9 * bulk * shear / (3 * bulk + shear);
-  const Real stress = std::sqrt(young * material->value.density) * speed;
-  const Real flow = slow_flow_stress(material->value.strength, 0);
+  const Real stress = std::sqrt(young * material->density) * stepped;
+  const Real flow = slow_flow_stress(material->strength, 0);
   constexpr Real kMuch = 0.2;
   if (!(stress > kMuch * flow)) return;
-  findings.warn(jump.path, "begins at once with " + short_text(speed) +
-                               " m/s as it is stepped (time.process_speed): the wave that it sends "
-                               "through " +
-                               body.name + " has " + short_text(1e-6 * stress) +
-                               " MPa, where it yields at " + short_text(1e-6 * flow) +
-                               " MPa; let the velocity grow from 0, or lower process_speed");
+  findings.warn(path, "begins at once with " + short_text(stepped) +
+                          " m/s as it is stepped (time.process_speed): the wave that it sends "
+                          "through " +
+                          body.name + " has " + short_text(1e-6 * stress) +
+                          " MPa, where it yields at " + short_text(1e-6 * flow) +
+                          " MPa; let the velocity grow from 0, or lower process_speed");
 }
 
 /// Velocities that begin with a jump, each against what it acts on: of rigid tools on any body.
 void warn_of_jumps(const Deck& deck, Findings& findings) {
-  std::vector<Jump> tools;
-  for (const auto& [name, body] : deck.bodies) {
-    if (!body.rigid || !body.motion) continue;
-    const auto& motion = *body.motion;
-    const Real speed = motion.velocity.empty() ? 0 : speed_of(motion.velocity);
-    if (speed > 0) tools.push_back({"bodies." + name + ".motion.velocity", speed});
-  }
   for (const auto& body : deck.bodies) {
-    if (body.value.rigid) continue;
-    for (const auto& tool : tools) warn_of_jump(deck, body, tool, findings);
+    if (body.value.rigid || has_velocity_field(body.value)) continue;
+    for (const auto& [name, tool] : deck.bodies) {
+      if (!tool.rigid || !tool.motion || tool.motion->velocity.empty()) continue;
+      warn_of_jump(deck, body, "bodies." + name + ".motion.velocity",
+                   relative_speed(tool, body.value), findings);
+    }
     for (const auto& [name, boundary] : deck.boundaries) {
       const auto& motion = boundary.of<PrescribedMotion>();
       if (boundary.body != body.name || !motion.velocity) continue;
-      const Real speed = first_speed(*motion.velocity);
-      if (speed > 0) {
-        warn_of_jump(deck, body, {"boundaries." + name + ".velocity", speed}, findings);
-      }
+      warn_of_jump(deck, body, "boundaries." + name + ".velocity",
+                   sudden_speed(*motion.velocity, body.value), findings);
     }
   }
 }

@@ -231,4 +231,11 @@ DeckProblem DeckPlaces::problem(const std::string& path, const std::string& mess
   return {place(path), path, message};
 }
 
+const deck::Material* Deck::material_named(const std::string& name) const {
+  for (const auto& material : materials) {
+    if (material.name == name) return &material.value;
+  }
+  return nullptr;
+}
+
 }  // namespace brunt

@@ -133,6 +133,8 @@ struct Deck {
   deck::Ranks ranks;
   int max_cells = 400'000;  ///< elements and particles together
 
+  /// The material of that name; null: there is none.
+  const deck::Material* material_named(const std::string& name) const;
   /// True where gravity pulls: a vector of zeros is none.
   bool has_gravity() const {
     return std::any_of(gravity.begin(), gravity.end(), [](Real g) { return g != 0; });

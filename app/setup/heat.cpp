@@ -38,12 +38,11 @@ bool has_held_temperature(const deck::Body& body) {
 }  // namespace
 
 HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name) {
-  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
-                                     [&](const auto& m) { return m.name == body.material; });
-  if (deck.heat == deck::Heat::off || material == deck.materials.end()) return HeatMode::none;
+  const auto* material = deck.material_named(body.material);
+  if (deck.heat == deck::Heat::off || material == nullptr) return HeatMode::none;
   // What is held at a temperature as a whole has nothing to conduct: its surface is enough.
   if (has_held_temperature(body)) return HeatMode::none;
-  const auto& thermal = material->value.thermal;
+  const auto& thermal = material->thermal;
   if (!thermal) return HeatMode::none;
   const auto names = names_of_sum(deck, name);
   const auto in_sum = [&](const std::string& other) {
@@ -66,7 +65,7 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
   if (thermal->k && driven) return HeatMode::conducts;
   if (body.rigid) return HeatMode::none;
   // What neither yields nor has an energy in its pressure is never heated: it keeps no temperature.
-  return material->value.heats_itself() ? HeatMode::adiabatic : HeatMode::none;
+  return material->heats_itself() ? HeatMode::adiabatic : HeatMode::none;
 }
 
 bool is_held(const Deck& deck, const std::string& name) {

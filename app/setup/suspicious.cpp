@@ -131,13 +131,11 @@ Real least_smoothing(KernelKind kernel) {
 /// itself what it carries.
 void warn_of_clumping(const LoadedDeck& loaded, const std::string& name, const deck::Body& body,
                       const Warn& warn) {
-  const auto& materials = loaded.deck.materials;
-  const auto material = std::find_if(materials.begin(), materials.end(),
-                                     [&](const auto& m) { return m.name == body.material; });
-  if (body.method != deck::Method::sph || body.rigid || material == materials.end()) return;
+  const auto* material = loaded.deck.material_named(body.material);
+  if (body.method != deck::Method::sph || body.rigid || material == nullptr) return;
   const Real least = least_smoothing(body.sph.kernel);
   if (body.lattice != deck::Lattice::cubic || body.sph.smoothing >= least) return;
-  if (body.sph.artificial_stress != 0 || material->value.shear_modulus() == 0) return;
+  if (body.sph.artificial_stress != 0 || material->shear_modulus() == 0) return;
   if (is_held(loaded.deck, name)) return;
   warn("bodies." + name + ".smoothing",
        "particles clump where they are pulled, and carry less than their material: this kernel "

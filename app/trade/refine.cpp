@@ -102,6 +102,18 @@ bool can_be_halved(const LoadedDeck& loaded, const LoadedDeck& coarse) {
   return true;
 }
 
+}  // namespace
+
+std::optional<LoadedDeck> resized_deck(const std::string& deck,
+                                       const std::vector<std::string>& overrides,
+                                       const LoadedDeck& loaded) {
+  std::vector<DeckProblem> problems;
+  LoadedDeck resized = read_deck(deck, overrides, problems);
+  if (!problems.empty() || !can_be_halved(loaded, resized)) return std::nullopt;
+  return resized;
+}
+
+namespace {
 /// The decks of these factors; nothing where one of them is wrong or not like the others.
 std::vector<Variant> decks_of(const RefineArguments& arguments, const LoadedDeck& loaded,
                               const SizeLever& lever, const std::vector<Real>& factors) {
@@ -113,9 +125,9 @@ std::vector<Variant> decks_of(const RefineArguments& arguments, const LoadedDeck
       variant.overrides.push_back(change);
       variant.label += (variant.label.empty() ? "" : ", ") + change;
     }
-    std::vector<DeckProblem> problems;
-    variant.loaded = read_deck(arguments.deck, variant.overrides, problems);
-    if (!problems.empty() || !can_be_halved(loaded, variant.loaded)) return {};
+    auto resized = resized_deck(arguments.deck, variant.overrides, loaded);
+    if (!resized) return {};
+    variant.loaded = std::move(*resized);
     const auto ratio = size_ratio(variant.loaded.deck, loaded.deck);
     if (!ratio) return {};
     variant.label = "size x " + rounded(*ratio, 3);
@@ -216,18 +228,6 @@ SizeLever own_sizes(const LoadedDeck& loaded) {
     lever.keys.push_back(own);
   }
   return lever;
-}
-
-std::optional<LoadedDeck> coarser_deck(const std::string& deck,
-                                       const std::vector<std::string>& overrides,
-                                       const LoadedDeck& loaded, const SizeLever& lever,
-                                       Real factor) {
-  auto all = overrides;
-  for (const auto& change : lever.at(loaded, factor)) all.push_back(change);
-  std::vector<DeckProblem> problems;
-  LoadedDeck coarse = read_deck(deck, all, problems);
-  if (!problems.empty() || !can_be_halved(loaded, coarse)) return std::nullopt;
-  return coarse;
 }
 
 std::vector<Variant> size_variants(const RefineArguments& arguments) {

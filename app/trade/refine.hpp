@@ -40,12 +40,11 @@ SizeLever find_size_lever(const std::string& deck, const std::vector<std::string
 /// has neither, as those of mesh files.
 SizeLever own_sizes(const LoadedDeck& loaded);
 
-/// The deck with elements and particles so many times as large by all of these keys, or nothing
-/// where it is then wrong or has an axis of a single cell that had more.
-std::optional<LoadedDeck> coarser_deck(const std::string& deck,
+/// The deck with overrides that change sizes, or nothing where it is then wrong or has an axis of a
+/// single cell that had more.
+std::optional<LoadedDeck> resized_deck(const std::string& deck,
                                        const std::vector<std::string>& overrides,
-                                       const LoadedDeck& loaded, const SizeLever& lever,
-                                       Real factor);
+                                       const LoadedDeck& loaded);
 
 /// The deck as it stands first, then the other sizes: each a square root of two coarser, or finer
 /// where a coarser one cannot be built.

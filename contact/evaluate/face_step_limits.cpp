@@ -133,14 +133,14 @@ void limit_by_turn(const Entities<Dim>& entities, const FaceCandidate& candidate
   if (!(plane.ramp > 0 && plane.ramp < 1)) return;
   const FacingRamp<Dim> ramp(entities.planes[slot_of(candidate.lower)],
                              entities.planes[slot_of(candidate.upper)]);
-  const Real width = ramp.whole - ramp.none, bends = 6;
-  if (!(bends > 0)) return;
-  const Real held = candidate.normal.stiffness * plane.energy / plane.ramp;
+  const Real width = ramp.whole - ramp.none;
+  // What the pair would hold with the whole ramp, times the largest curvature of a smooth step.
+  const Real bends = 6 / (width * width) * candidate.normal.stiffness * plane.energy / plane.ramp;
   Real squared = 0;
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[slot_of(place)];
     if (face.rigid() || face.held) continue;
-    squared += held * bends / (width * width) * turn_compliance<Dim>(entities, place);
+    squared += bends * turn_compliance<Dim>(entities, place);
   }
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[slot_of(place)];

@@ -2,8 +2,8 @@
 #include "sph/pair_precision.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
+#include "core/errors.hpp"
 #include "sample.hpp"
 
 namespace brunt {
@@ -37,33 +37,11 @@ TEST(PairPrecision, PositionsInStepsHaveExactDifferences) {
 
 // v = A x gives L = A: 60 terms that are each rounded at 2^-24 = 6e-8, over a moment matrix of a
 // condition below 10: below 1e-5 of |A|, and far from the origin as near.
-template <int Dim>
-void expect_linear_field(Real origin) {
-  const auto material = elastic_material(kDensity, 200e9, 0.3);
-  std::array<int, Dim> n;
-  n.fill(Dim == 2 ? 12 : 8);
-  auto points = lattice<Dim>(n, kDp, kDensity * std::pow(kDp, Dim), 0.2);
-  Eigen::Matrix<Real, Dim, Dim> A;
-  for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) A(i, j) = 1.0 + 2.5 * i - 1.75 * j + 0.3 * i * j;
-  }
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    points.v[i] = A * points.x[i];
-    points.x[i][0] += origin;
-  }
-  auto solid = particles<Dim>(std::move(points), kDp, *material, single(test::elastic_options()));
-  solid->renew_lists();
-  solid->update_state(1e-12);
-  for (const auto& state : solid->states()) {
-    for (int k = 0; k < Dim * Dim; ++k) {
-      EXPECT_NEAR(state.velocity_gradient[k], A(k / Dim, k % Dim), 1e-5 * A.norm());
-    }
-  }
-}
 TEST(PairPrecision, GradientOfALinearField) {
-  expect_linear_field<2>(0);
-  expect_linear_field<3>(0);
-  expect_linear_field<3>(100);
+  const SphOptions options = single(test::elastic_options());
+  EXPECT_LT(test::linear_field_error<2>(options), 1e-5);
+  EXPECT_LT(test::linear_field_error<3>(options), 1e-5);
+  EXPECT_LT(test::linear_field_error<3>(options, 100), 1e-5);
 }
 
 /// Forces after some steps of a block that strikes itself and is pressed as a whole.
@@ -131,28 +109,24 @@ TEST(PairPrecision, LengthsNeedNotBeNearAMetre) {
 }
 
 // Bits: skin, rebuild at every step and threads change none.
-std::uint64_t impact_hash(Real skin, bool always, int threads) {
-  omp_set_num_threads(threads);
-  const auto material = test::copper();
-  auto points = lattice<3>({9, 9, 9}, kDp, 8960 * kDp * kDp * kDp, 0.05);
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    points.v[i] = Vec3(0, 0, points.x[i][2] < 4 * kDp ? 150.0 : -150.0);
-    points.v[i][0] = 4e4 * (points.x[i][0] - 4.5e-3);
-  }
-  auto solid = particles<3>(std::move(points), kDp, *material, single(test::all_pair_sums()));
-  solid->set_skin(skin);
-  for (int k = 0; k < 40; ++k) {
-    if (always) solid->rearrange();
-    test::step<3>(*solid, 0.9 * solid->stable_step().step);
-  }
-  omp_set_num_threads(1);
-  return test::totals(*solid).state_hash;
-}
 TEST(PairPrecision, SkinCadenceAndThreadsChangeNoBit) {
-  const auto reference = impact_hash(0.2, false, 1);
-  EXPECT_EQ(impact_hash(0.0, false, 1), reference);
-  EXPECT_EQ(impact_hash(0.5, false, 2), reference);
-  EXPECT_EQ(impact_hash(0.2, true, 2), reference);
+  const SphOptions options = single(test::all_pair_sums());
+  const auto reference = test::impact_hash(options, 0.2, false, 1);
+  EXPECT_EQ(test::impact_hash(options, 0.0, false, 1), reference);
+  EXPECT_EQ(test::impact_hash(options, 0.5, false, 2), reference);
+  EXPECT_EQ(test::impact_hash(options, 0.2, true, 2), reference);
+}
+
+// Positions are told apart modulo 512 units: what has grown beyond is told, not summed wrongly.
+TEST(PairPrecision, SmoothingLengthsBeyondItsReachAreTold) {
+  const auto material = elastic_material(kDensity, 200e9, 0.3);
+  auto solid =
+      particles<2>(lattice<2>({4, 4}, kDp, kDensity * kDp * kDp), kDp, *material, single({}));
+  solid->check(0, {"a"});
+  SphOptions wide = single({});
+  wide.smoothing = 200;  // of units of a spacing at most
+  solid = particles<2>(lattice<2>({4, 4}, kDp, kDensity * kDp * kDp), kDp, *material, wide);
+  EXPECT_THROW(solid->check(0, {"a"}), PhysicsError);
 }
 
 }  // namespace

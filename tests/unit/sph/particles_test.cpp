@@ -2,7 +2,6 @@
 #include "sph/particles.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <cmath>
 
@@ -22,29 +21,9 @@ using test::particles;
 // The corrected gradient of a linear field is exact on any particles: v = A x gives L = A.
 // Round-off of 60 terms times the condition of the moment matrix, below 10 at a corner: 1e-12 of
 // |A|.
-template <int Dim>
-void expect_linear_field_exact() {
-  const auto material = elastic_material(kDensity, 200e9, 0.3);
-  std::array<int, Dim> n;
-  n.fill(Dim == 2 ? 12 : 8);
-  auto points = lattice<Dim>(n, kDp, kDensity * std::pow(kDp, Dim), 0.2);
-  Eigen::Matrix<Real, Dim, Dim> A;
-  for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) A(i, j) = 1.0 + 2.5 * i - 1.75 * j + 0.3 * i * j;
-  }
-  for (std::size_t i = 0; i < points.x.size(); ++i) points.v[i] = A * points.x[i];
-  auto solid = particles<Dim>(std::move(points), kDp, *material, elastic_options());
-  solid->renew_lists();
-  solid->update_state(1e-12);
-  for (const auto& state : solid->states()) {
-    for (int k = 0; k < Dim * Dim; ++k) {
-      EXPECT_NEAR(state.velocity_gradient[k], A(k / Dim, k % Dim), 1e-12 * A.norm());
-    }
-  }
-}
 TEST(SphParticles, GradientOfALinearFieldIsExact) {
-  expect_linear_field_exact<2>();
-  expect_linear_field_exact<3>();
+  EXPECT_LT(test::linear_field_error<2>(elastic_options()), 1e-12);
+  EXPECT_LT(test::linear_field_error<3>(elastic_options()), 1e-12);
 }
 
 // What the skin lets into the lists lies beyond the kernel and may add nothing, not even zero times
@@ -188,30 +167,15 @@ TEST(SphParticles, MomentumAndEnergyClose) {
 }
 
 // Bits: skin, rebuild at every step, brute search and threads change none.
-std::uint64_t impact_hash(Real skin, bool always, int threads, SearchMode mode) {
-  omp_set_num_threads(threads);
-  const auto material = test::copper();
-  auto points = lattice<3>({9, 9, 9}, kDp, 8960 * kDp * kDp * kDp, 0.05);
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    points.v[i] = Vec3(0, 0, points.x[i][2] < 4 * kDp ? 150.0 : -150.0);
-    points.v[i][0] = 4e4 * (points.x[i][0] - 4.5e-3);
-  }
-  auto solid = particles<3>(std::move(points), kDp, *material, test::all_pair_sums());
-  solid->set_search(mode);
-  solid->set_skin(skin);
-  for (int k = 0; k < 40; ++k) {
-    if (always) solid->rearrange();
-    test::step<3>(*solid, 0.9 * solid->stable_step().step);
-  }
-  omp_set_num_threads(1);
-  return test::totals(*solid).state_hash;
-}
 TEST(SphParticles, SkinCadenceAndThreadsChangeNoBit) {
-  const auto reference = impact_hash(0.2, false, 1, SearchMode::grid);
-  EXPECT_EQ(impact_hash(0.05, false, 1, SearchMode::grid), reference);
-  EXPECT_EQ(impact_hash(0.5, false, 2, SearchMode::grid), reference);
-  EXPECT_EQ(impact_hash(0.2, true, 2, SearchMode::grid), reference);
-  EXPECT_EQ(impact_hash(0.2, false, 1, SearchMode::brute), reference);
+  const auto hash = [](Real skin, bool always, int threads, SearchMode mode = SearchMode::grid) {
+    return test::impact_hash(test::all_pair_sums(), skin, always, threads, mode);
+  };
+  const auto reference = hash(0.2, false, 1);
+  EXPECT_EQ(hash(0.05, false, 1), reference);
+  EXPECT_EQ(hash(0.5, false, 2), reference);
+  EXPECT_EQ(hash(0.2, true, 2), reference);
+  EXPECT_EQ(hash(0.2, false, 1, SearchMode::brute), reference);
 }
 
 // Two bodies side by side do not feel each other: the forces on the first are those without the

@@ -1,5 +1,7 @@
 #pragma once
 /// Small scenes of particles for the tests: lattices, materials, and the loop of the scheme.
+#include <omp.h>
+
 #include <functional>
 #include <memory>
 #include <random>
@@ -115,6 +117,56 @@ Totals<Dim> totals(const SphParticles<Dim>& solid) {
   totals.bodies.resize(1);
   solid.add_totals(totals);
   return totals;
+}
+
+/// The gradient of v = A x on displaced particles, `origin` [m] off: the largest error of a
+/// component over |A|.
+template <int Dim>
+Real linear_field_error(const SphOptions& options, Real origin = 0) {
+  const auto material = elastic_material(kDensity, 200e9, 0.3);
+  std::array<int, Dim> n;
+  n.fill(Dim == 2 ? 12 : 8);
+  auto points = lattice<Dim>(n, kDp, kDensity * std::pow(kDp, Dim), 0.2);
+  Eigen::Matrix<Real, Dim, Dim> A;
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) A(i, j) = 1.0 + 2.5 * i - 1.75 * j + 0.3 * i * j;
+  }
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    points.v[i] = A * points.x[i];
+    points.x[i][0] += origin;
+  }
+  auto solid = particles<Dim>(std::move(points), kDp, *material, options);
+  solid->renew_lists();
+  solid->update_state(1e-12);
+  Real worst = 0;
+  for (const auto& state : solid->states()) {
+    for (int k = 0; k < Dim * Dim; ++k) {
+      worst = std::max(worst, std::fabs(state.velocity_gradient[k] - A(k / Dim, k % Dim)));
+    }
+  }
+  return worst / A.norm();
+}
+
+/// The state of a block of copper whose halves strike each other, after 40 steps.
+/// skin  [smoothing lengths] of the lists, made anew at every step if `always`
+inline std::uint64_t impact_hash(const SphOptions& options, Real skin, bool always, int threads,
+                                 SearchMode mode = SearchMode::grid) {
+  omp_set_num_threads(threads);
+  const auto material = copper();
+  auto points = lattice<3>({9, 9, 9}, kDp, 8960 * kDp * kDp * kDp, 0.05);
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    points.v[i] = Vec3(0, 0, points.x[i][2] < 4 * kDp ? 150.0 : -150.0);
+    points.v[i][0] = 4e4 * (points.x[i][0] - 4.5e-3);
+  }
+  auto solid = particles<3>(std::move(points), kDp, *material, options);
+  solid->set_search(mode);
+  solid->set_skin(skin);
+  for (int k = 0; k < 40; ++k) {
+    if (always) solid->rearrange();
+    step<3>(*solid, 0.9 * solid->stable_step().step);
+  }
+  omp_set_num_threads(1);
+  return totals(*solid).state_hash;
 }
 
 }  // namespace brunt::test
