@@ -33,7 +33,8 @@ std::vector<Task> tasks_of(const std::vector<Variant>& variants, const StudyOpti
   for (int round = 0; round < options.repeat; ++round) {
     for (std::size_t v = 0; v < variants.size(); ++v) {
       std::string name = variants[v].folder;
-      if (round > 0) name += "." + std::to_string(round + 1);
+      // No value ends like that: "damping-0.3" is a variant, and was the third run of "damping-0".
+      if (round > 0) name += ".repeat-" + std::to_string(round + 1);
       const std::string leaf = fs::path(name).filename().string() + ".txt";
       tasks.push_back({v, round, options.out / name, words / leaf});
     }

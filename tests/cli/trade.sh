@@ -29,7 +29,7 @@ DECK
 vary=(--vary "parameters.cells=4,8,16")
 expect 0 "$brunt" trade bar.yaml "${vary[@]}" --repeat 2 --quiet --out one
 for file in trade.csv trade.json trade.svg; do [ -s one/$file ] || fail "one/$file is missing"; done
-[ -s one/cells-16.2/summary.json ] || fail "no repeat"
+[ -s one/cells-16.repeat-2/summary.json ] || fail "no repeat"
 cp out.txt one.txt
 # The largest stress is that of the middle of the last element: (1 - 1/(2n)) of the exact value, error of order one.
 grep -q "^  over cells, of 3 runs down to cells 16: order 1" one.txt || { cat one.txt; fail "no order of convergence"; }
@@ -44,6 +44,13 @@ expect 0 "$brunt" trade bar.yaml "${vary[@]}" --repeat 2 --quiet --out one
 [ "$before" = "$(stat -c %Y.%Z one/cells-4/history.csv)" ] || fail "what was done ran again"
 expect 0 "$brunt" trade bar.yaml "${vary[@]}" --repeat 1 --jobs 2 --quiet --out two
 [ "$(errors one)" = "$(errors two)" ] || fail "errors of two trades differ"
+
+# Folders of repeats are no variant's: the second run of 1 was in that of 1.2.
+expect 0 "$brunt" trade bar.yaml --vary time.max_drift=1,1.2 --repeat 2 --quiet --out alike
+for run in 1 1.2 1.repeat-2 1.2.repeat-2; do
+  [ -s "alike/max_drift-$run/summary.json" ] || { ls alike; fail "no folder of run $run"; }
+done
+grep -q '1.2' alike/max_drift-1.2/deck.resolved.yaml || fail "the run of 1.2 is that of 1"
 
 # Killed half way: the next call goes on from the last checkpoint, to the same bits.
 slow=(--set "time.end=0.2 s" --set "output.history=0.1 ms" --set "output.every=0.1 s" --set "output.checkpoint_steps=500")
