@@ -62,6 +62,13 @@ Thickness thickness_of(Geometry geometry, Real depth);
 template <int Dim>
 std::vector<LocalIndex> axis_nodes(const Points<Dim>& points, const Thickness& thickness);
 
+/// Whether a tile lies still (fe/rest.hpp).
+enum class Rest : char {
+  unknown,     ///< no step has computed it yet
+  unstrained,  ///< it had not moved since time 0 when it was computed last
+  moved,       ///< it has
+};
+
 /// The elements of one set with their state, padded to whole tiles of kTile material points by
 /// repeating the last element. Point g of element e stands at (e/4) 4G + 4 g + e mod 4, so that
 /// four elements fill a Pack and a tile holds kTile/G elements, G the points of an element.
@@ -103,12 +110,15 @@ struct ElementBlock {
   std::vector<Real> hourglass_work;    ///< [J]
   std::vector<Real> viscous_work;      ///< [J]
   std::vector<Real> stable_step;       ///< [s] bound of each element
+  std::vector<Rest> rest;              ///< of each tile
   /// Where it conducts: share of its volume [1] that each corner stands for at time 0, n_padded x
   /// corners: of its heat capacity, and of the mechanical heat.
   std::vector<Real> heat_share;
   /// [J] plastic and compression heat that nodes have been given; empty where neither arises
   std::vector<Real> heat_given;
 
+  /// To be said where the state is changed by anything but a step.
+  void wake() { std::fill(rest.begin(), rest.end(), Rest::unknown); }
   /// [kg] without what scaling added.
   Real material_mass(std::size_t e) const {
     return mass_scale.empty() ? mass[e] : mass[e] / mass_scale[e];

@@ -12,6 +12,7 @@
 #include "fe/fetch_tile.hpp"
 #include "fe/mass_scaling.hpp"
 #include "fe/outer_facets.hpp"
+#include "fe/rest.hpp"
 
 namespace brunt {
 namespace {
@@ -124,10 +125,13 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
   const ElementStep<Dim> common = element_step(dt);
   force_chunks_.add(
       [&](std::size_t b, int tile, const CornerSums& sums) {
+        ElementBlock<Dim>& block = blocks_[b];
         ElementStep<Dim> step = common;
+        if (rests(block, tile, step)) return;
         step.sums = sums;
-        fetch_tile(blocks_[b], tile + 1, step.x, step.v);
-        blocks_[b].formulation->advance(blocks_[b], tile, step);
+        fetch_tile(block, tile + 1, step.x, step.v);
+        block.formulation->advance(block, tile, step);
+        keep_rest(block, tile, step);
       },
       points_.f);
   // Of whatever acts: contact and loads come first.

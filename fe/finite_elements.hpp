@@ -67,7 +67,10 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
 
   const std::vector<ElementBlock<Dim>>& blocks() const { return blocks_; }
   /// For tests and restart: state of the elements.
-  std::vector<ElementBlock<Dim>>& blocks() { return blocks_; }
+  std::vector<ElementBlock<Dim>>& blocks() {
+    for (auto& block : blocks_) block.wake();
+    return blocks_;
+  }
 
  private:
   void start_volumes();

@@ -39,6 +39,7 @@ void FiniteElements<Dim>::load_state(const StateTables& tables) {
   load_points(points_, tables);
   if (erosion_) load_eroded(tables);
   for (auto& block : blocks_) {
+    block.wake();
     load_rows(
         table_of(block), slot_of(block.n_padded), [&](std::size_t e) { return block.id[e]; },
         [&](auto& row, std::size_t e) { visit_element(block, e, saved_in(row)); }, tables);

@@ -20,9 +20,9 @@ void FiniteElements<Dim>::start_volumes() {
   corner_volume_.assign(n_corners_, 0.0);
   for (const auto& block : blocks_) {
     if (!averages(block)) continue;
-    for (std::size_t k = 0; k < block.corner.size(); ++k) {
-      const std::size_t e = k / slot_of(block.corners);
-      corner_volume_[block.first_corner + k] = block.element_volume[e] / block.corners;
+    Real* out = corner_volume_.data() + block.first_corner;
+    for (int t = 0; t < block.n_tiles(); ++t) {
+      block.formulation->write_corner_volumes(block, t, points_.x.data(), out);
     }
   }
   std::vector<Vec<1>> sum(points_.x.size(), Vec<1>::Zero());

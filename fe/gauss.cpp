@@ -107,9 +107,9 @@ template <int Dim>
 BRUNT_INLINE void share_dilatation(const Group<Dim>& group, const GaussSums& sums,
                                    MaterialTile& tile) {
   const Pack mean = sums.mid_dilatation / sums.mid_volume;
-  const Pack inverse_reference = 1.0 / load(group.block.element_volume.data() + group.e);
-  const Pack ratio_old = sums.old.volume * inverse_reference;
-  const Pack ratio = sums.volume * inverse_reference;
+  const Pack reference = load(group.block.element_volume.data() + group.e);
+  const Pack ratio_old = sums.old.volume / reference;
+  const Pack ratio = sums.volume / reference;
   for (int g = 0; g < kGauss<Dim>; ++g) {
     const int k = group.at + kLanes * g;
     const Pack own =
@@ -315,8 +315,7 @@ void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Di
         Pack J[Dim][Dim], cof[Dim][Dim];
         slopes(w.c, g, J);
         cofactors(J, cof);
-        Pack determinant = J[0][0] * cof[0][0];
-        for (int j = 1; j < Dim; ++j) determinant += J[0][j] * cof[0][j];
+        const Pack determinant = determinant_of<Dim>(J, cof);
         square += squared_cofactors(cof, determinant);
       }
       w.norm = gauss_norm(w.c, square, step.thickness);

@@ -33,20 +33,22 @@ constexpr bool is_flat(int m, int j) {
   return Dim == 3 && m == Dim + j;
 }
 
-BRUNT_INLINE void cofactors(const Pack (&J)[3][3], Pack (&cof)[3][3]) {
+template <class V>
+BRUNT_INLINE void cofactors(const V (&J)[3][3], V (&cof)[3][3]) {
   for (int i = 0; i < 3; ++i) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     set_cross(J[a], J[b], cof[i]);
   }
 }
-BRUNT_INLINE void cofactors(const Pack (&J)[2][2], Pack (&cof)[2][2]) {
+template <class V>
+BRUNT_INLINE void cofactors(const V (&J)[2][2], V (&cof)[2][2]) {
   cof[0][0] = J[1][1], cof[1][1] = J[0][0];
   cof[0][1] = -J[1][0], cof[1][0] = -J[0][1];
 }
 
 /// sum_m c_m (x) d phi_m/d xi at Gauss point g. The mode without xi_j has no slope along it.
-template <int Dim>
-BRUNT_INLINE void slopes(const Modal<Dim, Pack>& c, int g, Pack (&J)[Dim][Dim]) {
+template <int Dim, class V>
+BRUNT_INLINE void slopes(const Modal<Dim, V>& c, int g, V (&J)[Dim][Dim]) {
   const auto& slope = kGaussTable<Dim>.slope[g];
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j) {
@@ -56,6 +58,21 @@ BRUNT_INLINE void slopes(const Modal<Dim, Pack>& c, int g, Pack (&J)[Dim][Dim]) 
       }
     }
   }
+}
+
+template <int Dim, class V>
+BRUNT_INLINE V determinant_of(const V (&J)[Dim][Dim], const V (&cof)[Dim][Dim]) {
+  V determinant = J[0][0] * cof[0][0];
+  for (int j = 1; j < Dim; ++j) determinant += J[0][j] * cof[0][j];
+  return determinant;
+}
+
+/// First coordinate at Gauss point g [m].
+template <class V>
+BRUNT_INLINE V radius_at(const Modal<2, V>& c, int g) {
+  V r = c.m[3][0];
+  for (int m = 0; m < 3; ++m) r += kGaussTable<2>.value[g][m] * c.m[m][0];
+  return r;
 }
 
 /// dx/dxi at n+1 and what the step added to it, at one Gauss point. Both are linear in the modes,
@@ -68,14 +85,7 @@ struct GaussSlopes {
   BRUNT_INLINE GaussSlopes(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u, int g) {
     slopes(c, g, J);
     slopes(u, g, A);
-    if constexpr (Dim == 2) {
-      const auto& value = kGaussTable<Dim>.value[g];
-      r = c.m[3][0], u_r = u.m[3][0];
-      for (int m = 0; m < 3; ++m) {
-        r += value[m] * c.m[m][0];
-        u_r += value[m] * u.m[m][0];
-      }
-    }
+    if constexpr (Dim == 2) r = radius_at(c, g), u_r = radius_at(u, g);
   }
 };
 
@@ -110,8 +120,7 @@ BRUNT_INLINE void evaluate(const GaussSlopes<Dim>& now, Real back, const Thickne
       J[i][j] = back == 0 ? now.J[i][j] : now.J[i][j] - back * now.A[i][j];
   }
   cofactors(J, at.cof);
-  at.determinant = J[0][0] * at.cof[0][0];
-  for (int j = 1; j < Dim; ++j) at.determinant += J[0][j] * at.cof[0][j];
+  at.determinant = determinant_of<Dim>(J, at.cof);
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j) {
       at.G[i][j] = now.A[i][0] * at.cof[j][0];

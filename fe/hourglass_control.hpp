@@ -117,15 +117,24 @@ BRUNT_INLINE void resist_rates(const OnePointLane<Dim>& lane, Real coefficient,
   add_half(block.hourglass_work, lane.e, old_work - corners * sum);
 }
 
-/// The positions at time 0, whose modes it returns, and the gradient of a field c over them.
+/// Modes of the positions at time 0.
 template <int Dim>
-BRUNT_INLINE Modal<Dim, Pack> at_start(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
-                                       OnePointConfiguration<Dim>& start) {
+BRUNT_INLINE Modal<Dim, Pack> modes_at_start(const OnePointLane<Dim>& lane) {
   Pack node[Shape<Dim>::kCorners][Dim];
   gather<Dim>(lane.block.corner.data() + lane.e * Shape<Dim>::kCorners, lane.step.x_start, node);
-  const auto modes = modes_of<Dim>(node);
-  evaluate(modes, c, lane.step.thickness, start);
-  return modes;
+  return modes_of<Dim>(node);
+}
+
+/// Of the displacement since time 0. Amplitudes of the positions are those of it: at time 0 they
+/// are 0, and to the last bit so.
+template <int Dim>
+BRUNT_INLINE Modal<Dim, Pack> moved_since(const Modal<Dim, Pack>& reference,
+                                          const Modal<Dim, Pack>& c) {
+  Modal<Dim, Pack> moved;
+  for (int m = 0; m < Shape<Dim>::kModes; ++m) {
+    for (int i = 0; i < Dim; ++i) moved.m[m][i] = c.m[m][i] - reference.m[m][i];
+  }
+  return moved;
 }
 
 /// Stiffness control: Q = k q of the positions c, gamma and k those of the positions at time 0.
@@ -136,10 +145,12 @@ template <int Dim>
 BRUNT_INLINE void resist_amplitudes(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
                                     OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
+  const auto reference = modes_at_start(lane);
+  const auto moved = moved_since<Dim>(reference, c);
   OnePointConfiguration<Dim> start;
-  at_start(lane, c, start);
+  evaluate(reference, moved, lane.step.thickness, start);
   HourglassModes<Dim> q, Q;
-  hourglass_amplitudes(start, c, q);
+  hourglass_amplitudes(start, moved, q);
   const Pack k = load(block.hourglass_stiffness.data() + lane.e);
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
     for (int i = 0; i < Dim; ++i) Q[a][i] = k * q[a][i];
@@ -155,11 +166,13 @@ struct BendingModes {
   Pack l[Dim][Dim];
 
   /// start  the positions at time 0, with the gradient of the field of modes u
-  BRUNT_INLINE BendingModes(const OnePointConfiguration<Dim>& start, const Modal<Dim, Pack>& u) {
+  /// linear  the field whose linear modes are wanted: u, and what has no hourglass modes
+  BRUNT_INLINE BendingModes(const OnePointConfiguration<Dim>& start, const Modal<Dim, Pack>& u,
+                            const Modal<Dim, Pack>& linear) {
     hourglass_amplitudes(start, u, h);
     for (int i = 0; i < Dim; ++i) {
       for (auto& mode : h) mode[i] = (1.0 / kRootCorners<Dim>)*mode[i];
-      for (int m = 0; m < Dim; ++m) l[m][i] = u.m[m][i];
+      for (int m = 0; m < Dim; ++m) l[m][i] = linear.m[m][i];
     }
   }
   BRUNT_INLINE void subtract(const BendingModes& other) {
@@ -189,17 +202,19 @@ template <int Dim>
 BRUNT_INLINE void resist_bending(const OnePointLane<Dim>& lane, const Modal<Dim, Pack>& c,
                                  const Modal<Dim, Pack>& u, OnePointWork<Dim>& w) {
   ElementBlock<Dim>& block = lane.block;
+  const auto reference = modes_at_start(lane);
   OnePointConfiguration<Dim> start;
-  const auto reference = at_start(lane, u, start);
+  evaluate(reference, u, lane.step.thickness, start);
   Pack inverse[Dim];
   for (int m = 0; m < Dim; ++m) {
     Pack square = reference.m[m][0] * reference.m[m][0];
     for (int i = 1; i < Dim; ++i) square += reference.m[m][i] * reference.m[m][i];
     inverse[m] = 1.0 / vsqrt(square);
   }
-  const BendingModes<Dim> step(start, u);
-  volume_times_gradient<Dim, Pack>(c, start.E, start.G);
-  BendingModes<Dim> modes(start, c);
+  const BendingModes<Dim> step(start, u, u);
+  const auto moved = moved_since<Dim>(reference, c);
+  volume_times_gradient<Dim, Pack>(moved, start.E, start.G);
+  BendingModes<Dim> modes(start, moved, c);
   const Pack volume = load(block.element_volume.data() + lane.e);
   const auto now = modes.energy(inverse, block.bending, volume);
   modes.subtract(step);

@@ -77,16 +77,16 @@ BRUNT_INLINE void kinematics(const OnePointLane<Dim>& lane, int at, MaterialTile
   evaluate(moved_back<Dim>(c, u, 0.5), u, thickness, mid);
   book_old_forces(lane, old, w);
 
-  const Pack inverse_reference = 1.0 / load(block.element_volume.data() + lane.e);
+  const Pack reference = load(block.element_volume.data() + lane.e);
   const Pack volume = w.now.volume();
-  store(tile.ratio_old + at, old.volume() * inverse_reference);
-  store(tile.ratio + at, volume * inverse_reference);
+  store(tile.ratio_old + at, old.volume() / reference);
+  store(tile.ratio + at, volume / reference);
   w.rho = load(block.mass.data() + lane.e) / volume;
   w.norm = operator_norm<Dim, Pack>(w.now.E, w.now.measure, w.now.hoop_gradient(thickness));
   deform(lane, mid, at, tile, w);
   resist_hourglasses(lane, old, mid, c, u, w);
   w.viscous_work -= w.q * w.now.dilatation();
-  store(tile.viscous_work + at, 0.5 * w.viscous_work * inverse_reference);
+  store(tile.viscous_work + at, 0.5 * w.viscous_work / reference);
 }
 
 /// Forces of four elements on their corners, from the stress at n+1 and hourglass control.

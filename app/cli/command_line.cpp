@@ -270,6 +270,9 @@ int command_line(int argc, char** argv) {
   auto* plan = app.add_subcommand("plan", "says what will be modelled and what it costs");
   add_deck(check, arguments);
   add_deck(plan, arguments);
+  plan->add_flag(
+      "!--no-rehearsal", arguments.rehearse,
+      "takes no time for runs with larger elements: a range of steps where they flatten");
 
   std::vector<std::string> folders;
   TableOptions table_options;

@@ -123,7 +123,7 @@ struct PlannedSteps {
 PlannedSteps plan_steps(const RunArguments& arguments, const LoadedDeck& loaded, Real kept,
                         const std::optional<Calibration>& measured) {
   PlannedSteps steps{kept, {}, flattening_of(loaded.deck)};
-  if (!steps.flattens() || !measured) return steps;
+  if (!steps.flattens() || !measured || !arguments.rehearse) return steps;
   steps.rehearsals =
       rehearse(arguments.deck, arguments.overrides, loaded, measured->seconds_per_step * kept);
   return steps;

@@ -20,6 +20,7 @@ struct RunArguments {
   int ranks = 1;                     ///< processes that brunt starts by mpirun
   bool oversubscribe = false;        ///< more ranks than cores
   std::optional<std::string> until;  ///< overrides time.until
+  bool rehearse = true;              ///< by `plan`: runs with larger sizes, for the steps
   int refine = 0;                    ///< sizes that are run in all; 0: the deck's alone
   std::string refine_key;            ///< what they differ in; empty: found
   std::string restart;               ///< a checkpoint or a folder of them; empty: none

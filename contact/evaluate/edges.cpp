@@ -91,24 +91,42 @@ void add_record(const Entities<3>& entities, const FaceCandidate& candidate,
   add(upper, Facet<3>::kNodes);
   record.damping = std::max(candidate.normal.damping * record.area * closing, -record.spring);
 }
+/// The most that contact takes no notice of [m]: of blades that cross when they begin all that they
+/// overlap, later what was left of it in the last evaluation.
+Real overlap_before(const FaceCandidate& candidate, const EvaluationStep& step, bool born,
+                    const ContactKey& key) {
+  if (step.touches.time_zero) return candidate.laws.presses_at_once() ? 0 : kInfinity;
+  if (born) return kInfinity;
+  const auto* before = step.touches.before->find(key);
+  return before == nullptr ? 0 : before->overlap;
+}
 }  // namespace
 
-void add_blades(const Entities<3>& entities, const FaceCandidate& candidate, const EvaluationStep&,
-                Records<3>::Part& part) {
+void add_blades(const Entities<3>& entities, const FaceCandidate& candidate,
+                const EvaluationStep& step, bool born, Records<3>::Part& part) {
   const auto& lower = entities.planes[slot_of(candidate.lower)];
   const auto& upper = entities.planes[slot_of(candidate.upper)];
   if (lower.borders >> kBladeBits == 0 || upper.borders >> kBladeBits == 0) return;
   const Real stiffening = 0.5 * candidate.normal.limit;
+  const Real stiffness =
+      candidate.normal.stiffness * candidate.normal.limit * candidate.normal.limit;
   EdgeContact contact;
   for (int i = 0; i < lower.n_corners; ++i) {
     if ((lower.borders >> (kBladeBits + static_cast<unsigned>(i)) & 1U) == 0) continue;
     for (int j = 0; j < upper.n_corners; ++j) {
       if ((upper.borders >> (kBladeBits + static_cast<unsigned>(j)) & 1U) == 0) continue;
-      if (!find_edge_contact(lower, i, upper, j, stiffening, contact)) continue;
       const auto ordinal = kFirstOrdinal + static_cast<std::uint32_t>(4 * i + j);
+      FirstTouch touch;
+      touch.key = {ContactKind::face_face, ordinal, entities.faces[slot_of(candidate.lower)].id,
+                   entities.faces[slot_of(candidate.upper)].id};
+      touch.overlap = overlap_before(candidate, step, born, touch.key);
+      const bool pushes = find_edge_contact(lower, i, upper, j, stiffening, touch.overlap, contact);
+      if ((step.touches.time_zero || born) && touch.overlap <= meeting_distance(lower, upper)) {
+        touch.overlap = 0;  // a rounding
+      }
+      if (touch.matters()) part.face_touches.push_back(touch);
+      if (!pushes) continue;
       add_record(entities, candidate, contact, ordinal, part);
-      const Real stiffness =
-          candidate.normal.stiffness * candidate.normal.limit * candidate.normal.limit;
       take_step_limit(entities, candidate, contact, stiffening, stiffness, part.step_limit);
     }
   }

@@ -31,6 +31,17 @@ bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
   }
   return false;
 }
+
+/// True where a plane that pushed would be beyond the limit: its faces are seen from behind. Its
+/// deepest corner may be beyond though it pushes: faces that lean into each other.
+template <int Dim>
+bool beyond_limit(const CommonPlane<Dim>& plane, const Planes<Dim>& pressed, int n, Real limit) {
+  const auto end = pressed.begin() + n;
+  const auto same = std::find_if(pressed.begin(), end, [&](const CommonPlane<Dim>& other) {
+    return other.ordinal == plane.ordinal;
+  });
+  return same != end && same->penetration > limit;
+}
 }  // namespace
 
 template <int Dim>
@@ -39,10 +50,14 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   FirstTouch touch;
   Planes<Dim> planes;
   const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
+  if (n == 0) return touch;
+  Planes<Dim> pressed;
+  const int n_pressed =
+      common_planes<Dim>(lower, upper, section, pressed, {.barrier = candidate.normal.barrier()});
   const Real meets = meeting_distance(lower, upper);
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[slot_of(i)];
-    if (plane.deepest > candidate.normal.limit) return FirstTouch{};  // seen from behind
+    if (beyond_limit<Dim>(plane, pressed, n_pressed, candidate.normal.limit)) continue;
     const Real ignored = ignored_overlap(candidate.laws.initial_overlap, plane.deepest, meets);
     touch.overlap = std::max(touch.overlap, ignored);
     touch.bonded = touch.bonded || candidate.laws.bond.begins(-plane.penetration, meets);

@@ -125,17 +125,16 @@ Real turn_compliance(const Entities<Dim>& entities, LocalIndex place) {
   }
   return face.deforms() ? sum : face.compliance * most;
 }
-}  // namespace
 
+/// The bounds of both faces of a pair whose pressure fades between two cosines.
+/// energy  [m^3] that it would hold with the whole ramp, per k
+/// until   [s] from when on it fades
 template <int Dim>
-void limit_by_turn(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                   const CommonPlane<Dim>& plane, StepLimit& step_limit) {
-  if (!(plane.ramp > 0 && plane.ramp < 1)) return;
-  const FacingRamp<Dim> ramp(entities.planes[slot_of(candidate.lower)],
-                             entities.planes[slot_of(candidate.upper)]);
+void limit_on_ramp(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const FacingRamp<Dim>& ramp, Real energy, Real until, StepLimit& step_limit) {
   const Real width = ramp.whole - ramp.none;
-  // What the pair would hold with the whole ramp, times the largest curvature of a smooth step.
-  const Real bends = 6 / (width * width) * candidate.normal.stiffness * plane.energy / plane.ramp;
+  // 6: the largest curvature of a smooth step.
+  const Real bends = 6 / (width * width) * candidate.normal.stiffness * energy;
   Real squared = 0;
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[slot_of(place)];
@@ -147,11 +146,70 @@ void limit_by_turn(const Entities<Dim>& entities, const FaceCandidate& candidate
     if (face.rigid() || face.held) continue;
     const Real own = face.deforms() ? 1 / (face.element_step * face.element_step) : 0.0;
     if (squared + own > 0) {
-      step_limit.take({1 / std::sqrt(squared + own), "contact stiffness", face.body, face.id});
+      const Real longest = std::max(1 / std::sqrt(squared + own), until);
+      step_limit.take({longest, "contact stiffness", face.body, face.id});
     }
   }
 }
 
+/// How fast the normal of a face turns [1/s].
+Vec<2> turn_of(const Entities<2>& entities, LocalIndex place) {
+  const auto& face = entities.faces[slot_of(place)];
+  const auto& plane = entities.planes[slot_of(place)];
+  const auto v = [&](std::size_t c) { return entities.nodes.v[slot_of(face.node[c])]; };
+  const Vec<2> along = plane.corner[1] - plane.corner[0];
+  return -plane.normal.dot(v(1) - v(0)) / along.squaredNorm() * along;
+}
+Vec3 turn_of(const Entities<3>& entities, LocalIndex place) {
+  const auto& face = entities.faces[slot_of(place)];
+  const auto& plane = entities.planes[slot_of(place)];
+  const auto v = [&](std::size_t c) { return entities.nodes.v[slot_of(face.node[c])]; };
+  const auto& x = plane.corner;
+  const bool quad = face.n_nodes == 4;
+  const Vec3 a = x[quad ? 2 : 1] - x[0], b = quad ? x[3] - x[1] : x[2] - x[0];
+  const Vec3 by_a = v(quad ? 2 : 1) - v(0), by_b = quad ? v(3) - v(1) : v(2) - v(0);
+  const Vec3 rate = (by_a.cross(b) + a.cross(by_b)) / (2 * plane.area);
+  return rate - plane.normal.dot(rate) * plane.normal;
+}
+}  // namespace
+
+template <int Dim>
+void limit_by_turn(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                   const CommonPlane<Dim>& plane, StepLimit& step_limit) {
+  if (!(plane.ramp > 0 && plane.ramp < 1)) return;
+  const FacingRamp<Dim> ramp(entities.planes[slot_of(candidate.lower)],
+                             entities.planes[slot_of(candidate.upper)]);
+  limit_on_ramp(entities, candidate, ramp, plane.energy / plane.ramp, 0, step_limit);
+}
+
+template <int Dim>
+void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                      const Section& section, Real overlap, const EvaluationStep& step,
+                      StepLimit& step_limit) {
+  const auto l = slot_of(candidate.lower), u = slot_of(candidate.upper);
+  const auto &lower = entities.planes[l], &upper = entities.planes[u];
+  const Real facing = -lower.normal.dot(upper.normal);
+  if (!(facing > 0)) return;
+  const FacingRamp<Dim> ramp(lower, upper);
+  if (facing > ramp.none) return;
+  const Real rate = -turn_of(entities, candidate.lower).dot(upper.normal) -
+                    turn_of(entities, candidate.upper).dot(lower.normal);
+  if (!(facing + rate * step.longest_of_faces > ramp.none)) return;
+  std::array<CommonPlane<Dim>, 4> planes;
+  const int n = common_planes<Dim>(
+      lower, upper, section, planes,
+      {.opening = -overlap, .barrier = candidate.normal.barrier(), .turned = true});
+  for (int i = 0; i < n; ++i) {
+    const auto& plane = planes[slot_of(i)];
+    if (plane.penetration > candidate.normal.limit) continue;
+    limit_on_ramp(entities, candidate, ramp, plane.energy, (ramp.none - facing) / rate, step_limit);
+  }
+}
+
+template void limit_by_turning<2>(const Entities<2>&, const FaceCandidate&, const Section&, Real,
+                                  const EvaluationStep&, StepLimit&);
+template void limit_by_turning<3>(const Entities<3>&, const FaceCandidate&, const Section&, Real,
+                                  const EvaluationStep&, StepLimit&);
 template void limit_by_turn<2>(const Entities<2>&, const FaceCandidate&, const CommonPlane<2>&,
                                StepLimit&);
 template void limit_by_turn<3>(const Entities<3>&, const FaceCandidate&, const CommonPlane<3>&,

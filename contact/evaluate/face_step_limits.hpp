@@ -26,4 +26,12 @@ template <int Dim>
 void limit_by_turn(const Entities<Dim>& entities, const FaceCandidate& candidate,
                    const CommonPlane<Dim>& plane, StepLimit& step_limit);
 
+/// The same bounds of faces that do not push, but turn so fast that they come onto that slope in
+/// the longest step that may follow.
+/// overlap  [m] of which contact takes no notice
+template <int Dim>
+void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                      const Section& section, Real overlap, const EvaluationStep& step,
+                      StepLimit& step_limit);
+
 }  // namespace brunt

@@ -307,6 +307,9 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
         n = 0;  // of all planes, or a repeated evaluation would find others than this one
       }
     }
+    if (n == 0 && !step.touches.time_zero) {
+      limit_by_turning<Dim>(entities, candidate, section, touch.overlap, step, part.step_limit);
+    }
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[slot_of(i)];
@@ -325,11 +328,9 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       if (candidate.laws.friction == nullptr || history == nullptr) continue;
       add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
     }
-    if (!step.touches.time_zero || candidate.laws.presses_at_once()) {
-      add_blades(entities, candidate, step, part);
-    }
     touch.key = key;
     if (touch.matters() || touch.held) part.face_touches.push_back(touch);
+    add_blades(entities, candidate, step, any_born(entities, candidate), part);
     const bool free = part.face_on_face.size() == ends.record && !touch.matters();
     if (free) note_crossing<Dim>(entities, candidate, part);
     if (candidate.laws.heat != nullptr)

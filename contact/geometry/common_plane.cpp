@@ -14,18 +14,18 @@ constexpr Real kSliver = 1e-12;    // of the smaller face's area: an overlap bel
 
 /// The normal, origin and ramp; false if the faces do not oppose each other.
 template <int Dim>
-bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const FaceBarrier& barrier,
+bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const PlaneNeeds& needs,
             CommonPlane<Dim>& plane) {
   const Real facing = -lower.normal.dot(upper.normal);
   const FacingRamp<Dim> ramp(lower, upper);
-  if (!(facing > ramp.none)) return false;
+  if (!(facing > (needs.turned ? 0.0 : ramp.none))) return false;
   plane.facing = facing;
   plane.share = 0;
   plane.layered = 0;
   plane.fade = 1;
-  plane.barrier = barrier.at(facing);
-  plane.ramp = ramp.at(facing);
-  plane.ramp_growth = ramp.growth(facing);
+  plane.barrier = needs.barrier.at(facing);
+  plane.ramp = needs.turned ? 1.0 : ramp.at(facing);
+  plane.ramp_growth = needs.turned ? 0.0 : ramp.growth(facing);
   plane.normal = (lower.normal - upper.normal).normalized();
   plane.origin = 0.5 * (lower.center + upper.center);
   return true;
@@ -146,7 +146,7 @@ Real set_spring(Real total, Real mean, const Deep& deep, bool whole, CommonPlane
 /// The plane between two simple faces in 3D; false if it carries no pressure.
 bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section&,
                const PlaneNeeds& needs, CommonPlane<3>& plane) {
-  if (!orient(lower, upper, needs.barrier, plane)) return false;
+  if (!orient(lower, upper, needs, plane)) return false;
   if (!needs.whole && apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   set_axes(plane);
   const Polygon below = project(lower, plane, false), above = project(upper, plane, true);
@@ -264,7 +264,7 @@ void place_middle(const Span& below, const Span& above, Real m, const Vec<2>& t,
 /// The line between two edges in 2D; the integrands are cubic at most, so Simpson is exact.
 bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
                const PlaneNeeds& needs, CommonPlane<2>& plane) {
-  if (!orient(lower, upper, needs.barrier, plane)) return false;
+  if (!orient(lower, upper, needs, plane)) return false;
   if (!needs.whole && apart(lower, upper, plane.normal, plane.origin, needs.opening)) return false;
   const Vec<2> t(-plane.normal[1], plane.normal[0]);
   const Span below = span_of(lower, plane, t), above = span_of(upper, plane, t);

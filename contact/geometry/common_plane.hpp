@@ -102,6 +102,9 @@ struct PlaneNeeds {
   /// they are where the faces lie over each other, which is what heat needs.
   bool pushes = true;
   FaceBarrier barrier = {};
+  /// As if they opposed each other enough to push with the whole of their pressure: what they would
+  /// hold once they have turned so.
+  bool turned = false;
 };
 
 /// The planes between two faces, lower first by id: one, or up to four where warped or concave

@@ -145,20 +145,22 @@ Vec3 inwards(const FacePlane<3>& face, int edge) {
 }  // namespace
 
 bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upper, int j,
-                       Real stiffening, EdgeContact& contact) {
+                       Real stiffening, Real& overlap, EdgeContact& contact) {
   const Vec3 out_of_lower = -inwards(lower, i), into_upper = inwards(upper, j);
   const auto lower_blade = blade_of<Real>(lower, i, 0);
   const auto upper_blade = blade_of<Real>(upper, j, kCorners);
   const auto found = push_of(lower_blade, upper_blade, out_of_lower, into_upper, stiffening);
-  if (!found.any) return false;
+  overlap = found.any ? std::min(overlap, found.depth) : 0;
+  const Real d = found.depth - overlap;
+  if (!found.any || !(d > 0)) return false;
   using Number = GradientNumber<3 * EdgeContact::kMost>;
   const auto push = push_of(blade_of<Number>(lower, i, 0), blade_of<Number>(upper, j, kCorners),
                             out_of_lower, into_upper, stiffening);
-  const Number square = push.depth * push.depth;
+  const Number depth = push.depth - Number(overlap), square = depth * depth;
   const Number energy =
       push.share * square * (Number(0.5) + Number(0.25 / (stiffening * stiffening)) * square);
   for (int c = 0; c < 3; ++c) contact.normal[c] = found.normal[slot_of(c)];
-  const Real d = found.depth, s = found.shares_lower, t = found.shares_upper;
+  const Real s = found.shares_lower, t = found.shares_upper;
   contact.penetration = d;
   contact.share = found.share;
   contact.force = found.share * d * (1 + d * d / (stiffening * stiffening));

@@ -10,7 +10,8 @@ inline constexpr unsigned kBladeBits = 4;
 ///
 /// For an edge of the lower face and one of the upper, with the directions e_l and e_u,
 ///   n = +- e_l x e_u / |e_l x e_u|, out of the lower body,   d = (x_l - x_u) . n
-/// at the points of both lines that are nearest to each other. The spring holds
+/// at the points of both lines that are nearest to each other, d less an overlap of which contact
+/// takes no notice. The spring holds
 ///   U = w k (d^2/2 + d^4/(4 g^2)),   w = 1/4 Z(n . n_l) Z(n . n_u) E(s_l) E(s_u) P(e_l, e_u),
 /// and its force is minus the gradient of U, which has no resultant and no moment. A quarter, since
 /// an edge belongs to two faces on each side. Z is 1 where n lies in a face, up to a sine of 0.127,
@@ -22,7 +23,7 @@ struct EdgeContact {
   static constexpr int kMost = 2 * Facet<3>::kNodes;
   Vec3 normal;           ///< unit, from the lower to the upper body
   Vec3 point;            ///< [m] half way between both edges
-  Real penetration = 0;  ///< [m] d
+  Real penetration = 0;  ///< [m] d, above 0
   Real share = 0;        ///< w
   Real force = 0;        ///< [m] of it along the normal, per k
   Real energy = 0;       ///< [m^2] U per k
@@ -35,7 +36,8 @@ struct EdgeContact {
 
 /// True where edge i of the lower face and edge j of the upper push each other.
 /// stiffening  [m] g
+/// overlap  [m] that does not count; in and out: no more than there is
 bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upper, int j,
-                       Real stiffening, EdgeContact& contact);
+                       Real stiffening, Real& overlap, EdgeContact& contact);
 
 }  // namespace brunt

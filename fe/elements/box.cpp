@@ -17,27 +17,18 @@ Modal<Dim, Real> modes_at(CornerPlaces<Dim> x) {
   return modes_of<Dim>(node);
 }
 
-/// Determinant of dx/dxi and first coordinate at Gauss point g.
+/// Volume of Gauss point g [m^3], by the arithmetic of the kernels: an element that has not moved
+/// has to the last bit the volume it began with.
 template <int Dim>
-struct GaussPlace {
-  Real determinant = 0;
-  Real radius = 0;
-};
-template <int Dim>
-GaussPlace<Dim> gauss_geometry(const Modal<Dim, Real>& c, int g) {
-  const auto slope = Shape<Dim>::mode_slopes(gauss_place<Dim>(g));
-  const auto value = Shape<Dim>::mode_values(gauss_place<Dim>(g));
-  Eigen::Matrix<Real, Dim, Dim> J = Eigen::Matrix<Real, Dim, Dim>::Zero();
-  GaussPlace<Dim> place;
-  for (int m = 0; m < Shape<Dim>::kModes; ++m) {
-    place.radius += value[m] * c.m[m][0];
-    if (m == Shape<Dim>::kModes - 1) break;
-    for (int i = 0; i < Dim; ++i) {
-      for (int j = 0; j < Dim; ++j) J(i, j) += c.m[m][i] * slope[m][j];
-    }
+Real gauss_volume(const Modal<Dim, Real>& c, int g, const Thickness& thickness) {
+  Real J[Dim][Dim], cof[Dim][Dim];
+  slopes(c, g, J);
+  cofactors(J, cof);
+  const Real determinant = determinant_of<Dim>(J, cof);
+  if constexpr (Dim == 3) return determinant;
+  if constexpr (Dim == 2) {
+    return determinant * (thickness.constant + thickness.radial * radius_at(c, g));
   }
-  place.determinant = J.determinant();
-  return place;
 }
 
 /// sum_I B_iI B_iI / V^2 [1/m^2], what gradients of an element's corners are like.
@@ -113,8 +104,7 @@ BRUNT_INLINE void gradient_products(const Modal<Dim, Pack>& c, const Thickness& 
     Pack J[Dim][Dim], cof[Dim][Dim];
     slopes(c, g, J);
     cofactors(J, cof);
-    Pack determinant = J[0][0] * cof[0][0];
-    for (int j = 1; j < Dim; ++j) determinant += J[0][j] * cof[0][j];
+    const Pack determinant = determinant_of<Dim>(J, cof);
     Pack weight = 1.0 / determinant;
     if constexpr (Dim == 2) {
       Pack r = c.m[3][0];
@@ -227,11 +217,7 @@ std::array<Real, Shape<Dim>::kGauss> gauss_volumes(CornerPlaces<Dim> x,
                                                    const Thickness& thickness) {
   const Modal<Dim, Real> modes = modes_at<Dim>(x);
   std::array<Real, Shape<Dim>::kGauss> volume;
-  for (int g = 0; g < Shape<Dim>::kGauss; ++g) {
-    const GaussPlace<Dim> place = gauss_geometry<Dim>(modes, g);
-    volume[g] = place.determinant;
-    if (Dim == 2) volume[g] *= thickness.constant + thickness.radial * place.radius;
-  }
+  for (int g = 0; g < Shape<Dim>::kGauss; ++g) volume[g] = gauss_volume<Dim>(modes, g, thickness);
   return volume;
 }
 

@@ -35,6 +35,7 @@ FEATURES = {
     "friction 0": {"contact": "default: {friction: 0}"},
     "a far free ball": {"bodies": BALL},
     "a far block at rest, 8 elements": {"bodies": BLOCK},
+    "a far block at rest, 512 elements": {"bodies": BLOCK.replace("size: 2 mm", "size: 0.5 mm")},
 }
 
 

@@ -14,7 +14,7 @@ export OMP_NUM_THREADS=1
 compare() {
   local planned peak name
   name=$(basename "$1" .yaml)
-  planned=$("$brunt" plan "$1" --set "$2" | sed -n 's/^memory *about \([0-9]*\) MB.*/\1/p')
+  planned=$("$brunt" plan "$1" --set "$2" --no-rehearsal | sed -n 's/^memory *about \([0-9]*\) MB.*/\1/p')
   "$brunt" run "$1" --set "$2" --until "0.05 us" --quiet --out "$name" 2>/dev/null
   peak=$(sed -n 's/.*"peak_memory": *\([0-9]*\).*/\1/p' "$name/summary.json")
   echo "$name: planned $planned MB, peak $((peak / 1000000)) MB"
@@ -37,6 +37,9 @@ planned=$("$brunt" plan "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.
 steps=$(sed -n 's/^  "steps": *\([0-9]*\).*/\1/p' steps/summary.json)
 echo "taylor-bar-axisymmetric: planned $planned steps, taken $steps"
 [ $((4 * planned)) -ge $((3 * steps)) ] && [ $((4 * planned)) -le $((5 * steps)) ]
+"$brunt" plan "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml" --no-rehearsal >plan.txt
+grep -q '^steps *[0-9]* to [0-9]* up to 80 us' plan.txt ||
+  { cat plan.txt; echo "FAILED: no range without a rehearsal"; exit 1; }
 # All of them had one reason, which the summary names.
 grep -qF '"element of bar": 1.0' steps/summary.json
 # Sizes of a mesh file cannot be made larger: a range, which the energy bounds.

@@ -76,6 +76,24 @@ TEST(Sharp, KnivesThatCrossComeBack) {
   }
 }
 
+// Knives whose edges cross 0.3 mm deep at time 0 feel no force until they have closed by more:
+// at rest they stay, and thrown at each other they come back as others do. With the force of their
+// overlap they made 100 % of the energy within 10 steps.
+TEST(Sharp, KnivesThatOverlapAtTimeZeroFeelWhatTheyClose) {
+  const std::string path = source_path("tests/cases/knives-12.yaml");
+  const std::vector<std::string> overlap = {"bodies.up.shape.translate=[-0.05, -0.0003, 0]",
+                                            "time.end=6 ms"};
+  auto still = overlap;
+  still.push_back("bodies.up.velocity=[0, 0, 0]");
+  const Simulation rest = simulate(load_deck(path, still));
+  EXPECT_EQ(rest.failure, "");
+  EXPECT_EQ(rest.last("energy.kinetic"), 0);
+  const Simulation thrown = simulate(load_deck(path, overlap));
+  expect_return(thrown, 0.002);
+  EXPECT_NEAR(thrown.last("energy.kinetic"), thrown.first("energy.kinetic"),
+              0.005 * thrown.first("energy.kinetic"));  // contact damping takes 0.2 %
+}
+
 // Blades at other angles than the right one, and rolled about their edges, so that one side opposes
 // the other body better and the other not at all: edges and faces share the force, or hand it over
 // while they turn. The upper one, heavier on one side, begins to turn when it is hit.

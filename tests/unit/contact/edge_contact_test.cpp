@@ -38,8 +38,9 @@ FacePlane<3> face_of(const Corners& corners, std::uint8_t borders = kTopBlade) {
 
 bool find(const Corners& lower, const Corners& upper, EdgeContact& contact,
           std::uint8_t borders = kTopBlade) {
+  Real overlap = 0;
   return find_edge_contact(face_of(lower, borders), 0, face_of(upper, borders), 0, kStiffening,
-                           contact);
+                           overlap, contact);
 }
 
 Corners turned(Corners corners, const Vec3& axis, Real angle) {
@@ -61,6 +62,27 @@ TEST(EdgeContact, IsASpringAlongTheNormalOfBothEdges) {
   for (const std::size_t k : {0, 1}) EXPECT_NEAR(contact.weight[k], -0.5, 1e-15);
   for (const std::size_t k : {4, 5}) EXPECT_NEAR(contact.weight[k], 0.5, 1e-15);
   for (const auto& push : contact.push) EXPECT_NEAR(push.norm(), 0, 1e-17);
+}
+
+// Blades that cross when they begin: only what they close again counts.
+TEST(EdgeContact, TakesNoNoticeOfAnOverlapUntilItOpens) {
+  EdgeContact contact;
+  Real overlap = kInfinity;
+  const auto at = [&](Real deep) {
+    return find_edge_contact(face_of(lower_corners()), 0, face_of(upper_corners(deep)), 0,
+                             kStiffening, overlap, contact);
+  };
+  EXPECT_FALSE(at(0.01));
+  EXPECT_NEAR(overlap, 0.01, 1e-17);
+  ASSERT_TRUE(at(0.015));
+  EXPECT_NEAR(contact.penetration, 0.005, 1e-17);
+  EXPECT_NEAR(contact.energy, 0.25 * 2.5e-5 * (0.5 + 6.25e-6 / (kStiffening * kStiffening)), 1e-17);
+  EXPECT_FALSE(at(0.004));
+  EXPECT_NEAR(overlap, 0.004, 1e-17);
+  ASSERT_TRUE(at(0.015));
+  EXPECT_NEAR(contact.penetration, 0.011, 1e-17);
+  EXPECT_FALSE(at(-0.001));
+  EXPECT_EQ(overlap, 0);
 }
 
 TEST(EdgeContact, IsNoneWhereTheyPartOrFacesOpposeEachOther) {

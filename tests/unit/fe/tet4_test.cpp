@@ -28,37 +28,6 @@
 namespace brunt {
 namespace {
 using namespace testing;
-using Boxes = testing::Mesh<3>;
-
-/// The boxes of a mesh, cut.
-Boxes cut(const Boxes& boxes) {
-  Boxes mesh;
-  mesh.points = boxes.points;
-  mesh.set.options.type = 1;
-  std::vector<int> corners;
-  for (const auto& box : boxes.set.corners) {
-    const std::vector<int> nodes(box.begin(), box.end());
-    formulation(Tet4{}).cut_box(nodes, corners);
-  }
-  for (std::size_t k = 0; k < corners.size(); k += 4) {
-    mesh.set.corners.push_back(
-        std::array<LocalIndex, 4>{corners[k], corners[k + 1], corners[k + 2], corners[k + 3]});
-    mesh.set.id.push_back(k / 4);
-  }
-  mesh.set.body.assign(mesh.set.id.size(), 0);
-  mesh.set.piece.assign(mesh.set.id.size(), 0);
-  return mesh;
-}
-
-std::unique_ptr<FiniteElements<3>> tets(const Boxes& boxes, const Material& material,
-                                        bool adiabatic = false) {
-  Boxes mesh = cut(boxes);
-  mesh.set.material = &material;
-  mesh.set.adiabatic = adiabatic;
-  return std::make_unique<FiniteElements<3>>(
-      std::move(mesh.points), std::vector<ElementSet<3>>{mesh.set}, Geometry::three_d, 1);
-}
-
 TEST(Tet4, SixFillABoxAndAgreeOnFaces) {
   const Material material = elastic(200e9, 0.3, 7850);
   const auto body = tets(box_mesh<3>({3, 4, 2}, Vec3::Zero(), {3, 4, 2}, 0.2), material);
