@@ -84,8 +84,15 @@ struct Alternative {
   const char* help;
   bool open = false;  ///< its keys stand where its name would
 };
+class Schema;
+/// What has describe(Schema&, T&) beside it.
+template <class T>
+concept Described = requires(Schema& s, T& value) {
+  describe(s, value);
+};
 template <class T>
 constexpr Alternative alternative_of() {
+  static_assert(Described<T>, "this alternative lacks describe(Schema&, T&) beside it");
   if constexpr (requires { T::deck_open; }) return {T::deck_name, T::deck_help, T::deck_open};
   return {T::deck_name, T::deck_help, false};
 }

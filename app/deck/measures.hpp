@@ -40,6 +40,7 @@ struct MeanMeasure {
 /// The field at the place that is `at` at time 0, between points or of the cell that holds it.
 struct PointMeasure {
   static constexpr const char* deck_name = "point";
+  static constexpr bool reads_start = true;
   static constexpr const char* deck_help =
       "a field at a place of time 0, between the points around it";
   std::string body, field;
@@ -60,6 +61,7 @@ struct HistoryMeasure {
 struct RestitutionMeasure {
   static constexpr const char* deck_name = "restitution";
   static constexpr const char* reads = "velocity";
+  static constexpr bool reads_start = true;
   static constexpr const char* deck_help = "speed of a body's centre after over before";
   std::string body;
 };
@@ -72,7 +74,8 @@ struct ExpressionMeasure {
 };
 
 /// A kind that has `unit` and `value(const MeasureSource&)` needs no more than its name here, and
-/// where it reads a field of its `body`, that field's name in `reads`.
+/// where it reads a field of its `body`, that field's name in `reads`; `reads_start` says that it
+/// reads the body as it was at time 0 too.
 using MeasureKind =
     std::variant<ExtentMeasure, MinMeasure, MaxMeasure, MeanMeasure, PointMeasure, HistoryMeasure,
                  RestitutionMeasure, ExpressionMeasure, SpeedMeasure>;

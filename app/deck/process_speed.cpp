@@ -150,10 +150,10 @@ void FasterDeck::scale(Varying& varying, const Quantity& of) const {
   };
 }
 
-/// exp((C4 ln rate - C3) T) counts the rate in 1/s: at s times the rate C3 takes C4 ln s more.
-void speed_up(StrengthLaw& strength, Real speed) {
-  auto* law = std::get_if<ZerilliArmstrong>(&strength);
-  if (law != nullptr) law->C3 += law->C4 * std::log(speed);
+/// Lets a model change what has time in it, and no unit that says so.
+template <class Model>
+void speed_up(Model& model, Real speed) {
+  if constexpr (requires { model.speed_up(speed); }) model.speed_up(speed);
 }
 
 /// Results are real: of measures, only `at` is a time of the run. `from` and `to` are rounded as
@@ -182,11 +182,11 @@ Deck stepped_deck(const Deck& given) {
   deck.output.checkpoint = given.output.checkpoint;  // wall time
   for (std::size_t m = 0; m < deck.materials.size(); ++m) {
     deck.materials[m].value.eos = given.materials[m].value.eos;  // sound speeds are stiffness
-    speed_up(deck.materials[m].value.strength, speed);
+    std::visit([&](auto& law) { speed_up(law, speed); }, deck.materials[m].value.strength);
+    std::visit([&](auto& law) { speed_up(law, speed); }, deck.materials[m].value.damage);
   }
   for (auto& [name, boundary] : deck.boundaries) {
-    auto& radiation = std::get<SurfaceHeat>(boundary.kinds).radiation;
-    if (radiation) radiation->emissivity *= speed;
+    std::apply([&](auto&... kind) { (speed_up(kind, speed), ...); }, boundary.kinds);
   }
   keep_measures(given.measures, speed, deck.measures);
   return deck;

@@ -1,6 +1,7 @@
 #include "app/setup/riders.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -17,10 +18,14 @@ struct Seat {
   std::size_t set = 0;
 };
 
-/// Elements of a regular mesh for each of its nodes.
+/// Elements of a regular mesh for each of its nodes: those that a box is cut into.
 template <int Dim>
-Real elements_a_node(int corners) {
-  return Dim == 3 && corners == 4 ? 6 : 1;
+Real elements_a_node(const Formulation<Dim>& formulation) {
+  std::array<int, Shape<Dim>::kCorners> box;
+  std::iota(box.begin(), box.end(), 0);
+  std::vector<int> corners;
+  formulation.cut_box(box, corners);
+  return static_cast<Real>(corners.size()) / formulation.type().corners;
 }
 
 /// A short reach: particles stand as even as nodes, and what spreads over the seam to the elements
@@ -44,7 +49,7 @@ std::vector<Seat> find_seats(const FiniteElements<Dim>& elements, std::vector<Pa
              one.adiabatic == wanted.adiabatic && one.conducts == wanted.conducts;
     });
     if (set == sets.end()) set = sets.insert(sets.end(), wanted);
-    const Real factor = std::pow(elements_a_node<Dim>(block.corners), 1.0 / Dim);
+    const Real factor = std::pow(elements_a_node<Dim>(*block.formulation), 1.0 / Dim);
     for (LocalIndex e = 0; e < block.n; ++e) {
       for (const LocalIndex node : block.corners_of(e)) {
         auto& seat = seats[node];

@@ -148,8 +148,7 @@ std::optional<MeasureReads> reads_of(const deck::Measure& measure) {
           } else if constexpr (requires { Kind::reads; }) {
             reads.fields = {{{Kind::reads}}};
           }
-          reads.at_start = std::is_same_v<Kind, deck::PointMeasure> ||
-                           std::is_same_v<Kind, deck::RestitutionMeasure>;
+          reads.at_start = requires { Kind::reads_start; };
           return reads;
         } else {
           return std::nullopt;

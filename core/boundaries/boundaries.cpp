@@ -1,8 +1,22 @@
 #include "core/boundaries/boundaries.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace brunt {
+
+namespace {
+/// Rows of a checkpoint are found by the name of their table and of the boundary.
+template <class... Kind>
+constexpr bool tables_differ(const std::tuple<Kind...>*) {
+  std::array<std::string_view, sizeof...(Kind)> names{Kind::template Acting<3>::kTable...};
+  std::sort(names.begin(), names.end());
+  return std::adjacent_find(names.begin(), names.end()) == names.end();
+}
+static_assert(tables_differ(static_cast<const BoundaryKinds*>(nullptr)),
+              "two kinds of boundaries have one kTable");
+}  // namespace
 
 template <int Dim>
 void Boundaries<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
@@ -20,13 +34,13 @@ void Boundaries<Dim>::keep_facets(const Surface<Dim>& surface) {
 
 template <int Dim>
 void Boundaries<Dim>::start() {
-  change_each([](auto& one) {
-    if constexpr (requires { one.start(); }) one.start();
+  change_each([]<class A>(A& one) {
+    if constexpr (requires { &A::start; }) one.start();
   });
   add_heat(0, 0);
-  change_each([](auto& one) {
+  change_each([]<class A>(A& one) {
     auto& points = *one.patch.points;
-    if constexpr (requires { one.add_heat(0, 0); }) {
+    if constexpr (requires { &A::add_heat; }) {
       if (points.conducts) std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
     }
   });
@@ -34,47 +48,47 @@ void Boundaries<Dim>::start() {
 
 template <int Dim>
 void Boundaries<Dim>::impose(Real time, Real dt) {
-  change_each([&](auto& one) {
-    if constexpr (requires { one.impose(time, dt); }) one.impose(time, dt);
+  change_each([&]<class A>(A& one) {
+    if constexpr (requires { &A::impose; }) one.impose(time, dt);
   });
 }
 
 template <int Dim>
 void Boundaries<Dim>::add_forces(Real time, Real dt) {
-  change_each([&](auto& one) {
-    if constexpr (requires { one.add_forces(time, dt); }) one.add_forces(time, dt);
+  change_each([&]<class A>(A& one) {
+    if constexpr (requires { &A::add_forces; }) one.add_forces(time, dt);
   });
 }
 
 template <int Dim>
 void Boundaries<Dim>::add_heat(Real time, Real dt) {
-  change_each([&](auto& one) {
-    if constexpr (requires { one.add_heat(time, dt); }) one.add_heat(time, dt);
+  change_each([&]<class A>(A& one) {
+    if constexpr (requires { &A::add_heat; }) one.add_heat(time, dt);
   });
 }
 
 template <int Dim>
 void Boundaries<Dim>::hold_temperatures(Real time, Real dt) {
-  change_each([&](auto& one) {
-    if constexpr (requires { one.hold_temperature(time, dt); }) one.hold_temperature(time, dt);
+  change_each([&]<class A>(A& one) {
+    if constexpr (requires { &A::hold_temperature; }) one.hold_temperature(time, dt);
   });
 }
 
 template <int Dim>
 void Boundaries<Dim>::take_reactions(Real time, Real dt) {
-  change_each([&](auto& one) {
-    if constexpr (requires { one.complete_forces(time, dt); }) one.complete_forces(time, dt);
+  change_each([&]<class A>(A& one) {
+    if constexpr (requires { &A::complete_forces; }) one.complete_forces(time, dt);
   });
-  change_each([&](auto& one) {
-    if constexpr (requires { one.take_reactions(time, dt); }) one.take_reactions(time, dt);
+  change_each([&]<class A>(A& one) {
+    if constexpr (requires { &A::take_reactions; }) one.take_reactions(time, dt);
   });
 }
 
 template <int Dim>
 StepLimit Boundaries<Dim>::stable_step() const {
   StepLimit step_limit;
-  each([&](const auto& one) {
-    if constexpr (requires { one.stable_step(); }) step_limit.take(one.stable_step());
+  each([&]<class A>(const A& one) {
+    if constexpr (requires { &A::stable_step; }) step_limit.take(one.stable_step());
   });
   return step_limit;
 }

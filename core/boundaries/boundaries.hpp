@@ -9,6 +9,16 @@
 
 namespace brunt {
 
+/// False of what would do nothing: an Acting is called in the moments that it names.
+template <class A>
+constexpr bool acts() {
+  if constexpr (requires { &A::impose; }) return true;
+  if constexpr (requires { &A::add_forces; }) return true;
+  if constexpr (requires { &A::complete_forces; }) return true;
+  if constexpr (requires { &A::add_heat; }) return true;
+  return requires { &A::hold_temperature; };
+}
+
 /// All boundaries of a scene, kind by kind. An Acting of a kind takes part in those moments of a
 /// step for which it has a function.
 template <int Dim>
@@ -18,6 +28,9 @@ class Boundaries {
   template <class Kind>
   std::string add(const Kind& kind, Patch<Dim> patch) {
     using Acting = typename Kind::template Acting<Dim>;
+    static_assert(acts<Acting>(),
+                  "this boundary would do nothing: it has none of impose, add_forces, "
+                  "complete_forces, add_heat, hold_temperature");
     Acting acting(kind, std::move(patch));
     auto& others = all_of<Kind>();
     std::string wrong;

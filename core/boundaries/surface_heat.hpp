@@ -39,6 +39,10 @@ struct SurfaceHeat {
 
   bool given() const { return temperature || flux || convection || radiation; }
   bool pushes() const { return false; }
+  /// `time.process_speed`: emissivity has no unit, and heat flows by it.
+  void speed_up(Real s) {
+    if (radiation) radiation->emissivity *= s;
+  }
 };
 void describe(Schema& s, SurfaceHeat& heat);
 

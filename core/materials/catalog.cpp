@@ -1,5 +1,7 @@
 #include "core/materials/catalog.hpp"
 
+#include <type_traits>
+
 #include "core/materials/softening.hpp"
 
 namespace brunt {
@@ -20,10 +22,25 @@ template <PorousLaw Law>
 std::unique_ptr<Strength> make(const Law& law, const StrengthInputs& inputs) {
   return std::make_unique<PorousReturn<Law>>(law, inputs);
 }
+/// What is none of these: says what it lacks.
+template <class Law>
+std::unique_ptr<Strength> make(const Law&, const StrengthInputs&) {
+  if constexpr (std::is_base_of_v<PrintedPressureLaw<Law>, Law>) {
+    static_assert(PressureLaw<Law>, "this strength lacks what a PressureLaw has");
+  } else {
+    static_assert(FlowLaw<Law>, "this strength lacks what a FlowLaw has, or a PorousLaw");
+  }
+  return nullptr;
+}
 std::unique_ptr<Damage> make(const NoDamage&, const DamageInputs&) { return nullptr; }
 template <DamageLaw Law>
 std::unique_ptr<Damage> make(const Law& law, const DamageInputs& inputs) {
   return std::make_unique<Softening<Law>>(law, inputs);
+}
+template <class Law>
+std::unique_ptr<Damage> make(const Law&, const DamageInputs&) {
+  static_assert(DamageLaw<Law>, "this damage lacks what a DamageLaw has");
+  return nullptr;
 }
 
 std::unique_ptr<EquationOfState> make(const LinearEos&, const EosInputs& inputs) {
@@ -35,6 +52,11 @@ std::unique_ptr<EquationOfState> make(const MieGruneisen& law, const EosInputs& 
 template <EosFormula Law>
 std::unique_ptr<EquationOfState> make(const Law& law, const EosInputs& inputs) {
   return std::make_unique<PrintedEquation<Law>>(law, inputs);
+}
+template <class Law>
+std::unique_ptr<EquationOfState> make(const Law&, const EosInputs&) {
+  static_assert(EosFormula<Law>, "this equation of state lacks what an EosFormula has");
+  return nullptr;
 }
 }  // namespace
 

@@ -41,7 +41,7 @@ TEST(CohesiveBond, IsChosenForItsPair) {
   PairOptions options;
   EXPECT_EQ(PairLaws(options, true).friction, nullptr);
   EXPECT_FALSE(PairLaws(options, true).bond.any());
-  options.bonds = kBond;
+  std::get<CohesiveBond>(options.bonds) = kBond;
   options.coulomb.friction.emplace().constant = 0.5;
   const PairLaws laws(options, false);
   ASSERT_NE(laws.friction, nullptr);

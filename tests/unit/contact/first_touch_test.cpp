@@ -125,7 +125,7 @@ TEST(FirstTouch, OverlapOfAParticleIsTakenOut) {
 constexpr Real kTension = 2e3, kCohesion = 3e3, kCoefficient = 0.5;  // [Pa], [Pa], [1]
 
 void bond(PairOptions& pair) {
-  pair.bonds = CohesiveBond{kCohesion, kTension};
+  std::get<CohesiveBond>(pair.bonds) = {kCohesion, kTension};
   Varying friction;
   friction.constant = kCoefficient;
   pair.coulomb.friction = friction;

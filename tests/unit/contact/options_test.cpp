@@ -17,7 +17,7 @@ TEST(PairOptions, AShearLimitAsksForTheMaterialOfWhatRubs) {
 TEST(PairOptions, ABondResistsSlidingToo) {
   PairOptions pair;
   EXPECT_FALSE(pair.has_friction());
-  pair.bonds = CohesiveBond{0, 1e6};
+  std::get<CohesiveBond>(pair.bonds) = {0, 1e6};
   EXPECT_TRUE(pair.has_friction());
 }
 

@@ -175,7 +175,9 @@ TEST(Ties, EdgesKeepMomentumAndItsMoment) { expect_momentum<2>(); }
 
 // Pulled beyond its tension it lets go for good, and what its springs held is used up.
 TEST(Ties, BreakByTensionForGood) {
-  auto scene = tied_sheets<3>(2, 3, [](auto& pair) { pair.bonds = CohesiveBond{0, 1e3}; });
+  auto scene = tied_sheets<3>(2, 3, [](auto& pair) {
+    std::get<CohesiveBond>(pair.bonds) = {0, 1e3};
+  });
   const Real at = 1e3 / kTieSpring;
   EXPECT_NEAR(tied_shift<3>(scene, Vec3(0, 0, 0.99 * at))[2], -990, 1e-6);
   const auto before = scene.totals();
@@ -194,7 +196,7 @@ TEST(Ties, BreakByTensionForGood) {
 
 TEST(Ties, BreakByShearBeyondCohesionAndFriction) {
   auto scene = tied_sheets<3>(1, 1, [](auto& pair) {
-    pair.bonds = CohesiveBond{1e3, 0};
+    std::get<CohesiveBond>(pair.bonds) = {1e3, 0};
     pair.coulomb.friction.emplace().constant = 0.5;
   });
   const Real at = 1e3 / kTieSpring;
