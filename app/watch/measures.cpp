@@ -148,7 +148,10 @@ std::optional<MeasureReads> reads_of(const deck::Measure& measure) {
           } else if constexpr (requires { Kind::reads; }) {
             reads.fields = {{{Kind::reads}}};
           }
-          reads.at_start = requires { Kind::reads_start; };
+          if constexpr (requires { Kind::reads_start; }) {
+            reads.at_start = true;
+            reads.fields.names->push_back("id");  // by which entries are found again
+          }
           return reads;
         } else {
           return std::nullopt;

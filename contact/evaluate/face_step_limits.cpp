@@ -189,7 +189,7 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
   const auto l = slot_of(candidate.lower), u = slot_of(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   const Real facing = -lower.normal.dot(upper.normal);
-  if (!(facing > 0)) return;
+  if (!(facing > kMayTurn)) return;
   const FacingRamp<Dim> ramp(lower, upper);
   if (facing > ramp.none) return;
   const Real rate = -turn_of(entities, candidate.lower).dot(upper.normal) -

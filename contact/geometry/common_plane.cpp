@@ -18,7 +18,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Plan
             CommonPlane<Dim>& plane) {
   const Real facing = -lower.normal.dot(upper.normal);
   const FacingRamp<Dim> ramp(lower, upper);
-  if (!(facing > (needs.turned ? 0.0 : ramp.none))) return false;
+  if (!(facing > (needs.turned ? kMayTurn : ramp.none))) return false;
   plane.facing = facing;
   plane.share = 0;
   plane.layered = 0;

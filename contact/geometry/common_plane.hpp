@@ -91,6 +91,9 @@ struct CommonPlane {
   Real half_cosine() const { return std::sqrt(0.5 * (1 + facing)); }
 };
 
+/// Cosine of faces that may come to oppose each other within a step.
+inline constexpr Real kMayTurn = -0.5;
+
 /// What is asked of common planes beside their pressure.
 struct PlaneNeeds {
   bool middle = false;  ///< the centres of their areas

@@ -4,11 +4,11 @@
 // common, or the run has reported contacts that did not hold. Springs hold what they were given:
 // contact.pairs, what forces did besides, stays below 1 % of the largest energy.
 //
-// Of the first 500 seeds 130 are of rigid bodies alone. Six of them miss the 1 % as measured: 121,
-// 142, 337, 439, 455 and 499, of which 121, 142 and 499 report lost contacts: needles and wedges
-// thrown on needles of 0.6 to 1.7 degrees, and wedges and boxes whose sides slide over a border.
-// Elements and particles bend, and the hulls of slender ones meet where the bodies do not (seeds 99
-// and 116): there an element or a particle must be in the other body.
+// Of the first 500 seeds 130 are of rigid bodies alone. Three of them miss the 1 % as measured:
+// 318, 455 and 499 (10, 1.1 and 1.1 %), of which 499 reports lost contacts: knives, wedges and
+// boxes thrown on needles of 0.9 to 2 degrees, whose sides slide over a border
+// (docs/decisions/201). Elements and particles bend, and the hulls of slender ones meet where the
+// bodies do not (seeds 99 and 116): there an element or a particle must be in the other body.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ TEST(RandomImpacts, OfRigidBodiesPassNoneInSilence) {
       throw_pairs(1, 501, [](const Impact& impact) { return impact.n_deforming == 0; });
   EXPECT_EQ(count.pairs, 130);
   EXPECT_EQ(count.silent, 0);
-  EXPECT_LE(count.off, 6);
+  EXPECT_LE(count.off, 3);
 }
 
 TEST(RandomImpacts, LongOfElementsAndParticlesPassNoneInSilence) {

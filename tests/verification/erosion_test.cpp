@@ -89,6 +89,18 @@ TEST(Erosion, ASpinningBarPartsAndItsHalvesFlyOn) {
   }
 }
 
+// A measure finds its place of time 0 again among what is left, as a probe does, which follows it.
+TEST(Erosion, APointMeasureStaysWithItsPlace) {
+  const auto run = simulate_text(
+      spinning_bar("{when: damage}", "{integration: q1p0}"),
+      {"probes={tip: {body: bar, at: [0.08, 0.001], fields: [displacement.x, stress.xx]}}",
+       "measures={moved: {point: {body: bar, at: [0.08, 0.001], field: displacement.x}}, "
+       "stress: {point: {body: bar, at: [0.08, 0.001], field: stress.xx}}}"});
+  EXPECT_GT(run.last("body.bar.eroded"), 0);
+  EXPECT_EQ(run.measures.at("moved"), run.last("probe.tip.displacement.x"));
+  EXPECT_EQ(run.measures.at("stress"), run.last("probe.tip.stress.xx"));
+}
+
 TEST(Erosion, SaysTheSameInTwoPartsAndRearrangedAtEachStep) {
   const std::string deck = spinning_bar("{when: damage}", "{integration: one-point}");
   const auto whole = simulate_text(deck);
