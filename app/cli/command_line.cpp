@@ -40,6 +40,15 @@ void add_deck(CLI::App* command, RunArguments& arguments) {
       ->allow_extra_args(false);
 }
 
+CLI::App* add_plan(CLI::App& app, RunArguments& arguments) {
+  auto* plan = app.add_subcommand("plan", "says what will be modelled and what it costs");
+  add_deck(plan, arguments);
+  plan->add_flag_callback(
+      "--no-rehearsal", [&] { arguments.rehearse = false; },
+      "takes no time for runs with larger elements: a range of steps where they flatten");
+  return plan;
+}
+
 CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   auto* run = app.add_subcommand("run", "runs a deck");
   add_deck(run, arguments);
@@ -267,12 +276,8 @@ int command_line(int argc, char** argv) {
   RunArguments arguments;
   auto* run = add_run(app, arguments);
   auto* check = app.add_subcommand("check", "says what is wrong with a deck");
-  auto* plan = app.add_subcommand("plan", "says what will be modelled and what it costs");
+  auto* plan = add_plan(app, arguments);
   add_deck(check, arguments);
-  add_deck(plan, arguments);
-  plan->add_flag(
-      "!--no-rehearsal", arguments.rehearse,
-      "takes no time for runs with larger elements: a range of steps where they flatten");
 
   std::vector<std::string> folders;
   TableOptions table_options;
