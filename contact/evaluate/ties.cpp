@@ -151,7 +151,7 @@ HoldingSpring holding_spring(Real both, const PairOptions& options) {
   if (options.joint) {
     spring.normal = std::min(options.joint->normal, spring.stiffest);
     spring.shear = std::min(options.joint->across(), spring.stiffest);
-    spring.max_closure = options.joint->max_closure.value_or(kInfinity);
+    spring.closure = options.joint->closure();
   }
   return with_strength(options, spring);
 }
@@ -208,7 +208,7 @@ bool hold_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
     Real closed = 0;
     for (const auto& tie : ties) closed = std::max(closed, tie.closed);
     part.face_ties.resize(first);
-    if (closed > 0 && held.spring.max_closure < kInfinity) part.closures.push_back({key, closed});
+    if (closed > 0 && held.spring.remembers()) part.closures.push_back({key, closed});
     note_loss(key, std::max(held.stored + held.used - held.half_work, 0.0), part.losses);
     return false;
   }
@@ -277,7 +277,7 @@ Real close_joint(const Entities<Dim>& entities, const FaceCandidate& candidate,
   const auto& lower = entities.faces[slot_of(candidate.lower)];
   const auto& upper = entities.faces[slot_of(candidate.upper)];
   const HoldingSpring spring = spring_between(lower, upper, *candidate.laws.holds);
-  if (spring.max_closure == kInfinity) return 1;
+  if (!spring.remembers()) return 1;
   auto& record = part.face_on_face.back();
   const Real area = plane.ramp * plane.area, closure = plane.volume / area;
   const ContactKey key{ContactKind::face_face, plane.ordinal, lower.id, upper.id};

@@ -2,12 +2,15 @@
 /// The laws of contact that a deck may choose from. A law is its own file, its name here, and its
 /// test (docs/adding.md).
 #include <tuple>
-#include <type_traits>
 #include <variant>
 
+#include "contact/law/chosen_bond.hpp"
+#include "contact/law/chosen_closure.hpp"
 #include "contact/law/cohesive_bond.hpp"
 #include "contact/law/contact_conductance.hpp"
 #include "contact/law/contact_heat.hpp"
+#include "contact/law/exponential_closure.hpp"
+#include "contact/law/hyperbolic_closure.hpp"
 
 namespace brunt {
 
@@ -31,51 +34,22 @@ inline Real gap_of(const ContactHeat& heat) {
 ///   Real slip_limit(const ContactState& at, Real coefficient) const;  // [N] at which it slips
 using Bonds = std::tuple<CohesiveBond>;
 
-/// That of the bonds of a pair which acts, or none.
-template <class Laws>
-class ChosenBond;
-template <class... Laws>
-class ChosenBond<std::tuple<Laws...>> {
- public:
-  ChosenBond() = default;
-  /// laws  outlive it
-  explicit ChosenBond(const std::tuple<Laws...>& laws) {
-    std::apply([&](const auto&... law) { (choose(law), ...); }, laws);
-  }
-  bool any() const { return law_.index() != 0; }
-  bool begins(Real gap, Real rounding) const {
-    return ask(false, [&](const auto& law) { return law.begins(gap, rounding); });
-  }
-  bool tears(Real pull) const {
-    return ask(true, [&](const auto& law) { return law.tears(pull); });
-  }
-  bool breaks_by_slip() const {
-    return ask(false, [](const auto& law) { return law.breaks_by_slip(); });
-  }
-  Real slip_limit(const ContactState& at, Real coefficient) const {
-    return ask(Real{0}, [&](const auto& law) { return law.slip_limit(at, coefficient); });
-  }
-
- private:
-  template <class Law>
-  void choose(const Law& law) {
-    if (!any() && law.acts()) law_ = &law;
-  }
-  template <class Answer, class Question>
-  Answer ask(Answer of_none, const Question& question) const {
-    return std::visit(
-        [&](const auto& law) -> Answer {
-          if constexpr (std::is_same_v<std::decay_t<decltype(law)>, std::monostate>) {
-            return of_none;
-          } else {
-            return question(*law);
-          }
-        },
-        law_);
-  }
-  std::variant<std::monostate, const Laws*...> law_;
-};
+/// The bond of a pair that acts, or none.
 using BondLaw = ChosenBond<Bonds>;
 
+/// How a joint closes, each with keys among those of `joint`. A law has, with k [Pa/m] its slope at
+/// no closure and u [m] its closure,
+///   bool acts() const;                           // the deck asks for it
+///   Real most() const;                           // [m] closure at which it would be rigid
+///   Real pressure(Real k, Real u) const;         // [Pa] where it has never been so closed
+///   Real slope(Real k, Real u) const;            // [Pa/m] of that
+///   Real closure_at(Real k, Real slope) const;   // [m] with that slope
+///   Real work(Real k, Real u) const;             // [J/m^2] of closing it
+///   Real lost(Real k, Real u) const;             // [J/m^2] of that, if it opens by its tangent
+using Closures = std::tuple<HyperbolicClosure, ExponentialClosure>;
+
+/// The law of closure of a joint, or a line where none acts.
+using ClosureLaw = ChosenClosure<Closures>;
+
 }  // namespace brunt
-// Tested by tests/unit/contact/cohesive_bond_test.cpp.
+// Tested by tests/unit/contact/cohesive_bond_test.cpp and joint_test.cpp.

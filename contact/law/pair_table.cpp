@@ -104,7 +104,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
 
 /// A linear joint may be softer than anything else between them.
 Real PairTable::stiffness_of(const PairOptions& pair, Label a, Label b) const {
-  if (!pair.joint || pair.joint->max_closure) return pair.stiffest();
+  if (!pair.joint || pair.joint->closure().any()) return pair.stiffest();
   Real compliance = 0;  // [m/Pa] of both sides
   for (const Label body : {a, b}) {
     const auto it = softest_.find(body);

@@ -112,9 +112,10 @@ std::vector<HeldPair> ContactManager<Dim>::held_pairs() const {
     const auto it = find(std::minmax(lower.body, upper.body));
     if (it == by_pair.end()) continue;
     const HoldingSpring spring = spring_between(lower, upper, *options);
-    const Real steepest = options->joint->max_closure
-                              ? options->joint->normal / ((1 - kSoon) * (1 - kSoon))
-                              : std::max(options->joint->normal, options->joint->across());
+    const JointSpring& joint = *options->joint;
+    const ClosureLaw law = joint.closure();
+    const Real steepest = law.any() ? law.slope(joint.normal, kSoon * law.most())
+                                    : std::max(joint.normal, joint.across());
     if (steepest > spring.stiffest) it->second.stiffest = spring.stiffest;
   }
   std::vector<HeldPair> found;

@@ -124,6 +124,7 @@ contact:
     dd: {between: [d, d], bonded: true, resting_layer: 5}
     ae: {between: [a, e], tied: true,
          joint: {normal: 3.5 GPa/m, shear: 1 GPa/m, max_closure: 0.5 mm}}
+    be: {between: [b, e], joint: {normal: 3.5 GPa/m, exponential_closure: 0.5 mm}}
 boundaries:
   all: {body: a, where: all, fix: [x]}
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}

@@ -9,7 +9,8 @@ namespace brunt {
 namespace {
 
 // k_ni 3.5 GPa/m, V 0.57 mm: values of docs/theory/contact.md, 8a.
-constexpr HoldingSpring kBandis{.normal = 3.5e9, .shear = 3.5e9, .max_closure = 0.57e-3};
+const HoldingSpring kBandis{
+    .normal = 3.5e9, .shear = 3.5e9, .closure = ClosureLaw::of(HyperbolicClosure{0.57e-3})};
 
 TEST(Joint, ClosesAlongTheHyperbola) {
   EXPECT_NEAR(kBandis.first_loading(0.5 * 0.57e-3), 1.995e6, 1e-6 * 1.995e6);

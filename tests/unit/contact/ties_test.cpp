@@ -107,9 +107,8 @@ Turn<Dim> turn_by(Real angle) {
 // a millimetre along a fixed direction of theirs: the force turns with them and does not change.
 template <int Dim>
 void expect_no_drift() {
-  auto scene = tied_sheets<Dim>(2, 3, [](auto& pair) {
-    pair.joint = JointSpring{.normal = 2e5, .shear = 1e5, .max_closure = {}};
-  });
+  auto scene = tied_sheets<Dim>(
+      2, 3, [](auto& pair) { pair.joint = JointSpring{.normal = 2e5, .shear = 1e5}; });
   Vec<Dim> pulled = Vec<Dim>::Constant(1e-3);
   const Vec<Dim> start = tied_shift<Dim>(scene, pulled);
   EXPECT_NEAR(start[0], -1e5 * 1e-3, 1e-6);
@@ -141,9 +140,8 @@ void expect_momentum() {
   std::mt19937 random(5);
   std::uniform_real_distribution<Real> any(-1e-2, 1e-2);
   for (int trial = 0; trial < 20; ++trial) {
-    auto scene = tied_sheets<Dim>(2, 3, [](auto& pair) {
-      pair.joint = JointSpring{.normal = 5e5, .shear = 1e5, .max_closure = {}};
-    });
+    auto scene = tied_sheets<Dim>(
+        2, 3, [](auto& pair) { pair.joint = JointSpring{.normal = 5e5, .shear = 1e5}; });
     for (auto& group : scene.groups) {
       for (auto& x : group.points.x) {
         for (int c = 0; c < Dim; ++c) x[c] += any(random);
@@ -235,7 +233,7 @@ TEST(Ties, ParticlesHangOnFaces) {
 TEST(Ties, AJointWithoutStrengthPressesAlone) {
   auto scene = tied_sheets<3>(2, 2, [](auto& pair) {
     pair.tied = false;
-    pair.joint = JointSpring{.normal = 1e5, .shear = {}, .max_closure = 1e-2};
+    pair.joint = JointSpring{.normal = 1e5, .closures = {HyperbolicClosure{1e-2}, {}}};
   });
   EXPECT_EQ(tied_shift<3>(scene, Vec3(0, 0, 1e-3)).norm(), 0);
   EXPECT_NEAR(tied_shift<3>(scene, Vec3(0, 0, -6e-3))[2], 1e5 * 5e-3 / 0.5, 1e-6);
