@@ -233,7 +233,7 @@ TEST(Ties, ParticlesHangOnFaces) {
 TEST(Ties, AJointWithoutStrengthPressesAlone) {
   auto scene = tied_sheets<3>(2, 2, [](auto& pair) {
     pair.tied = false;
-    pair.joint = JointSpring{.normal = 1e5, .closures = {HyperbolicClosure{1e-2}, {}}};
+    pair.joint = JointSpring{.normal = 1e5, .shear = {}, .closures = {HyperbolicClosure{1e-2}, {}}};
   });
   EXPECT_EQ(tied_shift<3>(scene, Vec3(0, 0, 1e-3)).norm(), 0);
   EXPECT_NEAR(tied_shift<3>(scene, Vec3(0, 0, -6e-3))[2], 1e5 * 5e-3 / 0.5, 1e-6);
