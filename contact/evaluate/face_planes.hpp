@@ -4,10 +4,6 @@
 
 namespace brunt {
 
-/// The common planes of two faces: up to four where both are split.
-template <int Dim>
-using Planes = std::array<CommonPlane<Dim>, 4>;
-
 /// What two faces keep from time 0, if anything.
 template <int Dim>
 FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,

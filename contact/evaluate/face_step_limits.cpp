@@ -195,7 +195,7 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
   const Real rate = -turn_of(entities, candidate.lower).dot(upper.normal) -
                     turn_of(entities, candidate.upper).dot(lower.normal);
   if (!(facing + rate * step.longest_of_faces > ramp.none)) return;
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   const int n = common_planes<Dim>(
       lower, upper, section, planes,
       {.opening = -overlap, .barrier = candidate.normal.barrier(), .turned = true});

@@ -6,7 +6,6 @@
 #include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
 #include "contact/evaluate/ties.hpp"
-#include "contact/surfaces/start_warp.hpp"
 
 namespace brunt {
 
@@ -51,7 +50,6 @@ FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real
     plane.corner[c] -= dt * entities.nodes.v[slot_of(face.node[c])];
   }
   refresh(plane);
-  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
   return plane;
 }
 
@@ -84,7 +82,7 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
   // Both faces may have moved: most pairs cannot have been as deep.
   if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.normal.limit)
     return false;
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
                                    before_step(entities, candidate.upper, dt), section, planes,
                                    {.barrier = candidate.normal.barrier()});

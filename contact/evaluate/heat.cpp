@@ -19,7 +19,7 @@ void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate
   const Real least = bonded && candidate.laws.holds != nullptr ? candidate.normal.limit : meets;
   const PlaneNeeds needs{
       .middle = true, .opening = std::max(least, gap_of(*candidate.laws.heat)), .pushes = false};
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   const int n = common_planes<Dim>(entities.planes[l], entities.planes[u], section, planes, needs);
   const auto middle = static_cast<std::ptrdiff_t>(part.face_heat.size());
   for (int i = 0; i < n; ++i) {

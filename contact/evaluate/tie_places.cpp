@@ -75,7 +75,7 @@ void begin_face_ties(const Entities<Dim>& entities, const FaceCandidate& candida
   const auto u = slot_of(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   const Real size = meeting_distance(lower, upper) / kMeets;
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
   TiePoint tie;
   tie.key = {ContactKind::face_face, 0, entities.faces[l].id, entities.faces[u].id};
@@ -93,7 +93,7 @@ void begin_face_ties(const Entities<Dim>& entities, const FaceCandidate& candida
         r -= tie.lower[slot_of(k)] * lower.corner[slot_of(k)];
       }
       tie.gap = r.dot(plane.normal);
-      tie.area = area;
+      tie.area = plane.part * area;
       part.face_ties.push_back(tie);
       ++tie.key.ordinal;
     });

@@ -22,7 +22,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Plan
   plane.facing = facing;
   plane.share = 0;
   plane.layered = 0;
-  plane.fade = 1;
+  plane.fade = plane.part = 1;
   plane.barrier = needs.barrier.at(facing);
   plane.ramp = needs.turned ? 1.0 : ramp.at(facing);
   plane.ramp_growth = needs.turned ? 0.0 : ramp.growth(facing);
@@ -322,46 +322,69 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   return true;
 }
 
-/// A face as one or two simple parts with the corners that each has in the face.
+/// A face as a plane, as its two halves, or as both where it is on its way from one to the other.
 struct Parts {
   explicit Parts(const FacePlane<3>& face) : whole(face) {
-    if (face.simple) return;
-    halves = split(face);
-    count = 2;
+    if (face.split > 0) halves = split(face);
   }
   const FacePlane<3>& operator[](std::size_t i) const {
-    return count == 1 ? whole : halves.part[i];
+    return i == 0 ? whole : halves.part[i - 1];
   }
+  Real share(std::size_t i) const { return i == 0 ? 1 - whole.split : whole.split; }
   /// Puts the weights of part i where the corners of the whole face are.
   template <class Value>
   void spread(std::size_t i, const Value& none, std::array<Value, 4>& weight) const {
-    if (count == 1) return;
+    if (i == 0) return;
     const std::array<Value, 4> of_part = weight;
     weight.fill(none);
     for (std::size_t c = 0; c < 3; ++c) {
-      weight[slot_of(halves.corners[i][c])] = of_part[c];
+      weight[slot_of(halves.corners[i - 1][c])] = of_part[c];
     }
+  }
+  /// Adds the push of an energy [m^4] that passes from the whole to its halves.
+  void add_push(std::size_t i, Real energy, std::array<Vec3, 4>& push) const {
+    if (whole.split == 0 || whole.split == 1) return;
+    const auto gradient = split_gradient(whole);
+    for (std::size_t c = 0; c < 4; ++c) push[c] += (i == 0 ? energy : -energy) * gradient[c];
   }
   const FacePlane<3>& whole;
   SplitFace halves;
-  std::size_t count = 1;
 };
 
+/// Lets a plane stand for a part of what there is between both faces.
+void scale(Real part, CommonPlane<3>& plane) {
+  plane.part = part;
+  for (Real* value : {&plane.area, &plane.volume, &plane.energy, &plane.energy_by_fade,
+                      &plane.energy_by_facing}) {
+    *value *= part;
+  }
+  if (!(plane.share > 0)) return;
+  for (auto& push : plane.lower_push) push *= part;
+  for (auto& push : plane.upper_push) push *= part;
+}
+
 int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
-                 const PlaneNeeds& needs, std::array<CommonPlane<3>, 4>& plane) {
+                 const PlaneNeeds& needs, Planes<3>& planes) {
   const Parts below(lower), above(upper);
   std::size_t n = 0;
-  for (std::size_t i = 0; i < below.count; ++i) {
-    for (std::size_t j = 0; j < above.count; ++j) {
-      if (!one_plane(below[i], above[j], section, needs, plane[n])) continue;
-      plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
-      below.spread(i, 0.0, plane[n].lower_weight);
-      above.spread(j, 0.0, plane[n].upper_weight);
-      below.spread(i, 0.0, plane[n].lower_at_middle);
-      above.spread(j, 0.0, plane[n].upper_at_middle);
-      if (plane[n].share > 0) {
-        below.spread(i, Vec3(Vec3::Zero()), plane[n].lower_push);
-        above.spread(j, Vec3(Vec3::Zero()), plane[n].upper_push);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Real of_lower = below.share(i), of_upper = above.share(j);
+      if (of_lower == 0 || of_upper == 0) continue;
+      auto& plane = planes[n];
+      if (!one_plane(below[i], above[j], section, needs, plane)) continue;
+      plane.ordinal = static_cast<std::uint32_t>(3 * i + j);
+      below.spread(i, 0.0, plane.lower_weight);
+      above.spread(j, 0.0, plane.upper_weight);
+      below.spread(i, 0.0, plane.lower_at_middle);
+      above.spread(j, 0.0, plane.upper_at_middle);
+      const Real energy = plane.share * plane.energy;
+      if (of_lower * of_upper < 1) scale(of_lower * of_upper, plane);
+      if (plane.share > 0) {
+        below.spread(i, Vec3(Vec3::Zero()), plane.lower_push);
+        above.spread(j, Vec3(Vec3::Zero()), plane.upper_push);
+        below.add_push(i, of_upper * energy, plane.lower_push);
+        above.add_push(j, of_lower * energy, plane.upper_push);
       }
       ++n;
     }
@@ -372,17 +395,18 @@ int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Sec
 
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                  std::array<CommonPlane<Dim>, 4>& plane, const PlaneNeeds& needs) {
+                  Planes<Dim>& plane, const PlaneNeeds& needs) {
   if constexpr (Dim == 3) {
-    if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, needs, plane);
+    if (lower.split > 0 || upper.split > 0)
+      return split_planes(lower, upper, section, needs, plane);
   }
   plane[0].ordinal = 0;
   return one_plane(lower, upper, section, needs, plane[0]) ? 1 : 0;
 }
 
-template int common_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
-                              std::array<CommonPlane<2>, 4>&, const PlaneNeeds&);
-template int common_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
-                              std::array<CommonPlane<3>, 4>&, const PlaneNeeds&);
+template int common_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&, Planes<2>&,
+                              const PlaneNeeds&);
+template int common_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&, Planes<3>&,
+                              const PlaneNeeds&);
 
 }  // namespace brunt

@@ -49,8 +49,7 @@ void add_firm(Real rest, const CommonPlane<Dim>& firm, CommonPlane<Dim>& plane) 
 
 template <int Dim>
 int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                   const SoftLayer& layer, std::array<CommonPlane<Dim>, 4>& plane,
-                   PlaneNeeds needs) {
+                   const SoftLayer& layer, Planes<Dim>& plane, PlaneNeeds needs) {
   const Real s = layer.softness;
   needs.barrier.strength /= s;
   const int n = common_planes<Dim>(lower, upper, section, plane, needs);
@@ -61,7 +60,7 @@ int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, con
     deepest = std::max(deepest, one.deepest);
   }
   if (!(deepest > layer.depth)) return n;
-  std::array<CommonPlane<Dim>, 4> firm;
+  Planes<Dim> firm;
   const int m = common_planes<Dim>(lower, upper, section, firm,
                                    {.middle = true, .opening = needs.opening - layer.depth});
   for (int j = 0; j < m; ++j) {
@@ -76,8 +75,8 @@ int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, con
 }
 
 template int layered_planes<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
-                               const SoftLayer&, std::array<CommonPlane<2>, 4>&, PlaneNeeds);
+                               const SoftLayer&, Planes<2>&, PlaneNeeds);
 template int layered_planes<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
-                               const SoftLayer&, std::array<CommonPlane<3>, 4>&, PlaneNeeds);
+                               const SoftLayer&, Planes<3>&, PlaneNeeds);
 
 }  // namespace brunt

@@ -25,7 +25,6 @@ struct SoftLayer {
 /// the mean penetration of the planes too. needs  pushes
 template <int Dim>
 int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
-                   const SoftLayer& layer, std::array<CommonPlane<Dim>, 4>& plane,
-                   PlaneNeeds needs);
+                   const SoftLayer& layer, Planes<Dim>& plane, PlaneNeeds needs);
 
 }  // namespace brunt

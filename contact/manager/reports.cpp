@@ -132,7 +132,7 @@ template <int Dim>
 void append_polygon(const Entities<Dim>& entities, const Section& section,
                     const ContactRecord<Dim>& record, ContactView& view) {
   const auto lower = entities.face_with(record.first), upper = entities.face_with(record.second);
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   const int n = common_planes<Dim>(entities.planes[lower], entities.planes[upper], section, planes,
                                    {.opening = record.opening, .whole = record.bonded});
   for (int i = 0; i < n; ++i) {

@@ -45,7 +45,7 @@ TEST(CommonPlane, WedgeInTwoDimensions) {
     const Real th = degrees * kPi / 180;
     const Vec<2> tip(0, -d), side(std::cos(th), std::sin(th)), other(-side[0], side[1]);
     const auto floor = edge(Vec<2>(10, 0), Vec<2>(-10, 0));
-    std::array<CommonPlane<2>, 4> plane;
+    Planes<2> plane;
     Real up = 0;
     ASSERT_EQ(common_planes<2>(floor, edge(tip, tip + side), kPlane, plane), 1);
     up += plane[0].volume * plane[0].normal[1];
@@ -64,7 +64,7 @@ TEST(CommonPlane, WedgeInThreeDimensions) {
     const Vec3 tip(0, 0, -d), side(std::cos(th), 0, std::sin(th)), along(0, 1, 0);
     const auto floor = face({{-10, -1, 0}, {10, -1, 0}, {10, 2, 0}, {-10, 2, 0}});
     const auto right = face({tip, tip + along, tip + side + along, tip + side});
-    std::array<CommonPlane<3>, 4> plane;
+    Planes<3> plane;
     ASSERT_EQ(common_planes<3>(floor, right, k3d, plane), 1);
     const Real up = 2 * plane[0].volume * plane[0].normal[2];
     EXPECT_NEAR(up / (d * d) * (2 * std::sin(th / 2)), 1, 1e-12) << degrees << " " << printed;
@@ -76,7 +76,7 @@ TEST(CommonPlane, LinearPressureHasItsCentreAtTwoThirds) {
   const Vec3 turned(std::cos(th), 0, -std::sin(th)), along(0, 1, 0), zero = Vec3::Zero();
   const auto lower = face({zero, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   const auto upper = face({zero, along, turned + along, turned});
-  std::array<CommonPlane<3>, 4> plane;
+  Planes<3> plane;
   ASSERT_EQ(common_planes<3>(lower, upper, k3d, plane), 1);
   EXPECT_NEAR(plane[0].volume, std::tan(th / 2) * length * length, 1e-13);
   const Vec3 bisector(std::cos(th / 2), 0, -std::sin(th / 2));
@@ -84,7 +84,7 @@ TEST(CommonPlane, LinearPressureHasItsCentreAtTwoThirds) {
   EXPECT_NEAR(plane[0].point[1], 0.5, 1e-12);
 
   const Vec<2> end(std::cos(th), -std::sin(th)), corner = Vec<2>::Zero();
-  std::array<CommonPlane<2>, 4> line;
+  Planes<2> line;
   ASSERT_EQ(common_planes<2>(edge(Vec<2>(1, 0), corner), edge(corner, end), kPlane, line), 1);
   EXPECT_NEAR(line[0].volume, std::tan(th / 2) * length * length, 1e-13);
   EXPECT_NEAR(line[0].point.dot(Vec<2>(bisector[0], bisector[2])), 2.0 / 3 * length, 1e-12);
@@ -93,7 +93,7 @@ TEST(CommonPlane, LinearPressureHasItsCentreAtTwoThirds) {
 TEST(CommonPlane, RingOfAnAxisymmetricDeckIsWeightedByItsRadius) {
   // Constant penetration d over 1 < r < 3: volume 2 pi d (9 - 1)/2, centre at (27 - 1)/3 / 4.
   const Section ring{Geometry::axisymmetric, 1};
-  std::array<CommonPlane<2>, 4> line;
+  Planes<2> line;
   const Real d = 0.01;
   ASSERT_EQ(common_planes<2>(edge(Vec<2>(3, d), Vec<2>(1, d)), edge(Vec<2>(1, 0), Vec<2>(3, 0)),
                              ring, line),
@@ -112,7 +112,7 @@ TEST(CommonPlane, SubdivisionChangesNothing) {
   };
   const auto total = [&](int n, int m, Vec3& force, Vec3& moment) {
     force.setZero(), moment.setZero();
-    std::array<CommonPlane<3>, 4> plane;
+    Planes<3> plane;
     for (int i = 0; i < n * n; ++i) {
       const Real u = i % n, v = i / n, h = 1.0 / n;
       const auto a = face({lower_at(u * h, v * h), lower_at((u + 1) * h, v * h),
@@ -153,8 +153,8 @@ TEST(CommonPlane, MomentumOfRandomWarpedPairs) {
     }
     if (trial % 3 == 0) a.pop_back();
     const auto lower = face(a), upper = face(b);
-    split_faces += upper.simple ? 0 : 1;
-    std::array<CommonPlane<3>, 4> plane;
+    split_faces += upper.split > 0 ? 1 : 0;
+    Planes<3> plane;
     const int n = common_planes<3>(lower, upper, k3d, plane);
     for (int i = 0; i < n; ++i) {
       const auto& one = plane[static_cast<std::size_t>(i)];
@@ -181,7 +181,7 @@ TEST(CommonPlane, MomentumOfRandomEdges) {
     const auto jitter = [&] { return Vec<2>(noise(random), noise(random)); };
     const auto lower = edge(Vec<2>(.5, 0) + jitter(), Vec<2>(-.5, 0) + jitter());
     const auto upper = edge(Vec<2>(-.3, -.05) + jitter(), Vec<2>(.7, -.05) + jitter());
-    std::array<CommonPlane<2>, 4> plane;
+    Planes<2> plane;
     if (!common_planes<2>(lower, upper, kPlane, plane)) continue;
     Vec<2> force = Vec<2>::Zero();
     Real moment = 0;
@@ -202,7 +202,7 @@ TEST(CommonPlane, MomentumOfRandomEdges) {
 }
 
 TEST(CommonPlane, TouchingOrAlikeFacesCarryNothing) {
-  std::array<CommonPlane<3>, 4> plane;
+  Planes<3> plane;
   const Real z = 0.1 + 0.2;
   const auto lower = face({{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}});
   const auto upper = face({{0, 0, 0.3}, {0, 1, 0.3}, {1, 1, 0.3}, {1, 0, 0.3}});
@@ -213,7 +213,7 @@ TEST(CommonPlane, TouchingOrAlikeFacesCarryNothing) {
 
 TEST(CommonPlane, RampFadesWhereFacesStopOpposing) {
   // -n1.n2 = cos(angle): half way between 0.09 and 0.17 the ramp is one half.
-  std::array<CommonPlane<2>, 4> plane;
+  Planes<2> plane;
   const auto ramp = [&](Real cosine) {
     const Real angle = std::acos(cosine);
     const Vec<2> tip(0, -0.1), side(std::cos(angle), std::sin(angle));

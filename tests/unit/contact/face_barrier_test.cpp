@@ -112,7 +112,7 @@ CommonPlane<Dim> flush(Real depth, const PlaneNeeds& needs) {
   }
   lower.n_corners = upper.n_corners = FacePlane<Dim>::kCorners;
   refresh(lower), refresh(upper);
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   const Section section{Dim == 3 ? Geometry::three_d : Geometry::plane_strain, 1};
   EXPECT_EQ(common_planes<Dim>(lower, upper, section, planes, needs), 1);
   return planes[0];

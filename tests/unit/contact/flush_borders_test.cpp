@@ -27,7 +27,7 @@ struct Pushed {
 template <int Dim>
 Pushed pushed(FacePlane<Dim> lower, FacePlane<Dim> upper) {
   refresh(lower), refresh(upper);
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
   const Section section{Dim == 3 ? Geometry::three_d : Geometry::plane_strain, 1};
   EXPECT_EQ(common_planes<Dim>(lower, upper, section, planes, {}), 1);
   const auto& plane = planes[0];

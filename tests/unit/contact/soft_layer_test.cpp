@@ -44,12 +44,12 @@ FacePlane<2> edge(const Vec<2>& a, const Vec<2>& b) {
 TEST(SoftLayer, FlatFacesHaveItsPressureAndItsEnergy) {
   for (const Real g : {0.005, 0.019, 0.021, 0.05, 0.3}) {
     SCOPED_TRACE(g);
-    std::array<CommonPlane<3>, 4> space;
+    Planes<3> space;
     ASSERT_EQ(layered_planes<3>(square(0, true), square(-g, false), {}, kLayer, space, {}), 1);
     EXPECT_NEAR(space[0].volume, pressure(g), 1e-14);
     EXPECT_NEAR(space[0].energy, energy(g), 1e-14);
     EXPECT_NEAR(space[0].layered, g, 1e-14);
-    std::array<CommonPlane<2>, 4> plane;
+    Planes<2> plane;
     const Section section{Geometry::plane_strain, 1};
     ASSERT_EQ(
         layered_planes<2>(edge({1, 0}, {0, 0}), edge({0, -g}, {1, -g}), section, kLayer, plane, {}),
@@ -64,7 +64,7 @@ TEST(SoftLayer, FlatFacesHaveItsPressureAndItsEnergy) {
 TEST(SoftLayer, LeavesTheBarrierAsItIs) {
   const FaceBarrier barrier{0.1};
   for (const Real g : {0.05, 0.15, 0.3}) {
-    std::array<CommonPlane<3>, 4> plane;
+    Planes<3> plane;
     ASSERT_EQ(layered_planes<3>(square(0, true), square(-g, false), {}, kLayer, plane,
                                 {.barrier = barrier}),
               1);
@@ -80,7 +80,7 @@ struct Pair {
   FacePlane<Dim> lower, upper;
   Section section;
   FaceBarrier barrier;
-  std::array<CommonPlane<Dim>, 4> planes;
+  Planes<Dim> planes;
 
   Real energy() {
     refresh(lower), refresh(upper);
