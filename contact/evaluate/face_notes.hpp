@@ -46,7 +46,7 @@ template <int Dim>
 void note_deep_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
                      const CommonPlane<Dim>& plane, FirstTouch& touch,
                      typename Records<Dim>::Part& part) {
-  if (plane.deepest <= FirstTouch::kHeldFrom * candidate.normal.limit) return;
+  if (plane.deepest <= FirstTouch::kHeldFrom * candidate.normal.limit_at(plane.facing)) return;
   touch.held = true;
   if (plane.fade <= 0.5 || touch.matters()) return;
   note_lost(entities, candidate, plane, kDeep, plane.deepest, part);
@@ -61,7 +61,8 @@ template <int Dim>
 void note_let_go(const Entities<Dim>& entities, const FaceCandidate& candidate,
                  const CommonPlane<Dim>& plane, Real way, bool held,
                  typename Records<Dim>::Part& part) {
-  if (plane.fade > 0.5 && (held || plane.penetration - way <= candidate.normal.limit)) {
+  const Real limit = candidate.normal.limit_at(plane.facing);
+  if (plane.fade > 0.5 && (held || plane.penetration - way <= limit)) {
     note_lost(entities, candidate, plane, kLetGo, plane.penetration, part);
   }
 }

@@ -14,7 +14,8 @@ int pressing_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
                     Planes<Dim>& planes) {
   const PlaneNeeds needs{.middle = candidate.laws.friction != nullptr,
                          .opening = opening,
-                         .barrier = candidate.normal.barrier()};
+                         .barrier = candidate.normal.barrier(),
+                         .limit = candidate.normal.limit};
   if (!candidate.normal.layer.acts())
     return common_planes<Dim>(lower, upper, section, planes, needs);
   return layered_planes<Dim>(lower, upper, section, candidate.normal.layer, planes, needs);
@@ -35,12 +36,13 @@ bool tears(const Planes<Dim>& planes, int n, const FaceCandidate& candidate) {
 /// True where a plane that pushed would be beyond the limit: its faces are seen from behind. Its
 /// deepest corner may be beyond though it pushes: faces that lean into each other.
 template <int Dim>
-bool beyond_limit(const CommonPlane<Dim>& plane, const Planes<Dim>& pressed, int n, Real limit) {
+bool beyond_limit(const CommonPlane<Dim>& plane, const Planes<Dim>& pressed, int n,
+                  const FaceLaw& law) {
   const auto end = pressed.begin() + n;
   const auto same = std::find_if(pressed.begin(), end, [&](const CommonPlane<Dim>& other) {
     return other.ordinal == plane.ordinal;
   });
-  return same != end && same->penetration > limit;
+  return same != end && same->penetration > law.limit_at(same->facing);
 }
 }  // namespace
 
@@ -53,11 +55,12 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   if (n == 0) return touch;
   Planes<Dim> pressed;
   const int n_pressed =
-      common_planes<Dim>(lower, upper, section, pressed, {.barrier = candidate.normal.barrier()});
+      common_planes<Dim>(lower, upper, section, pressed,
+                         {.barrier = candidate.normal.barrier(), .limit = candidate.normal.limit});
   const Real meets = meeting_distance(lower, upper);
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[slot_of(i)];
-    if (beyond_limit<Dim>(plane, pressed, n_pressed, candidate.normal.limit)) continue;
+    if (beyond_limit<Dim>(plane, pressed, n_pressed, candidate.normal)) continue;
     const Real ignored = ignored_overlap(candidate.laws.initial_overlap, plane.deepest, meets);
     touch.overlap = std::max(touch.overlap, ignored);
     touch.bonded = touch.bonded || candidate.laws.bond.begins(-plane.penetration, meets);

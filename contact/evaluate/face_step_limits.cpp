@@ -196,12 +196,14 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
                     turn_of(entities, candidate.upper).dot(lower.normal);
   if (!(facing + rate * step.longest_of_faces > ramp.none)) return;
   Planes<Dim> planes;
-  const int n = common_planes<Dim>(
-      lower, upper, section, planes,
-      {.opening = -overlap, .barrier = candidate.normal.barrier(), .turned = true});
+  const int n = common_planes<Dim>(lower, upper, section, planes,
+                                   {.opening = -overlap,
+                                    .barrier = candidate.normal.barrier(),
+                                    .limit = candidate.normal.limit,
+                                    .turned = true});
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[slot_of(i)];
-    if (plane.penetration > candidate.normal.limit) continue;
+    if (plane.penetration > candidate.normal.limit_at(plane.facing)) continue;
     limit_on_ramp(entities, candidate, ramp, plane.energy, (ramp.none - facing) / rate, step_limit);
   }
 }

@@ -80,14 +80,14 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
                        const CommonPlane<Dim>& plane, const Section& section, Real dt) {
   if (plane.deepest <= plane.barrier.onset) return false;
   // Both faces may have moved: most pairs cannot have been as deep.
-  if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= candidate.normal.limit)
-    return false;
+  const auto& law = candidate.normal;
+  if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= law.limit) return false;
   Planes<Dim> planes;
   const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
                                    before_step(entities, candidate.upper, dt), section, planes,
-                                   {.barrier = candidate.normal.barrier()});
-  for (int i = 0; i < n; ++i) {
-    if (planes[slot_of(i)].penetration > candidate.normal.limit) return true;
+                                   {.barrier = law.barrier(), .limit = law.limit});
+  for (const auto& one : std::span(planes.data(), slot_of(n))) {
+    if (one.penetration > law.limit_at(one.facing)) return true;
   }
   return false;
 }
@@ -213,7 +213,7 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
                                     Real dt) {
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[slot_of(i)];
-    if (plane.penetration > candidate.normal.limit) continue;
+    if (plane.penetration > candidate.normal.limit_at(plane.facing)) continue;
     if (comes_from_behind(entities, candidate, plane, section, dt)) return &plane;
   }
   return nullptr;
@@ -311,7 +311,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
     for (int i = 0; i < n; ++i) {
       const auto& plane = planes[slot_of(i)];
-      if (plane.penetration > candidate.normal.limit &&
+      if (plane.penetration > candidate.normal.limit_at(plane.facing) &&
           !(held && is_sliver(entities, candidate, plane))) {
         const Real way = closing_speed(entities, candidate, plane) * step.dt;
         if (!any_born(entities, candidate))

@@ -173,8 +173,8 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   if (!needs.whole) {
     deep = deep_area(plane.polygon, penetration, plane.half_cosine(), plane.deepest, plane.barrier);
   }
-  const OverlapArea area{below,         above,         penetration, sum,
-                         lower.borders, upper.borders, deep,        needs.opening};
+  const OverlapArea area{below,         above, penetration,   sum,        lower.borders,
+                         upper.borders, deep,  needs.opening, needs.limit};
   const bool pushes = needs.pushes && !needs.whole;
   BorderFade<3> fade;
   if (pushes) fade = fade_of(lower, upper, area, plane);
@@ -304,6 +304,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
                          upper.borders,
                          deep,
                          needs.opening,
+                         needs.limit,
                          section};
   const bool pushes = needs.pushes && !needs.whole;
   const auto fade = pushes ? fade_of(lower, upper, line, plane) : BorderFade<2>();

@@ -106,6 +106,7 @@ struct PlaneNeeds {
   /// they are where the faces lie over each other, which is what heat needs.
   bool pushes = true;
   FaceBarrier barrier = {};
+  Real limit = kInfinity;  ///< [m] depth at which they let go
   /// As if they opposed each other enough to push with the whole of their pressure: what they would
   /// hold once they have turned so.
   bool turned = false;

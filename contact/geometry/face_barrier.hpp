@@ -22,6 +22,11 @@ struct FaceBarrier {
   Real strength = kStrength;  ///< b
   Real growth = 0;            ///< derivative of ln b by the cosine
 
+  /// Which part of it faces have that meet by this cosine.
+  static Real part_at(Real facing) {
+    const Real s = std::clamp((facing - kFadesIn) / (kIsWhole - kFadesIn), 0.0, 1.0);
+    return s * s * (3 - 2 * s);
+  }
   static FaceBarrier before(Real limit) { return {kOnset * limit}; }
   /// The same between faces at an angle, by its cosine.
   FaceBarrier at(Real facing) const {

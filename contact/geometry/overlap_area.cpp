@@ -108,8 +108,8 @@ class AreaGradient {
     const Vec<2>& p = area[i];
     const Vec<2>& q = area[i + 1 == area.size ? 0 : i + 1];
     const Real a = c_ * overlap_.penetration.at(p), b = c_ * overlap_.penetration.at(q);
-    const Real at_p = density_.linear * a + rooms_at(p);
-    const Real at_q = density_.linear * b + rooms_at(q);
+    const Real at_p = density_.linear * a + rooms_at(p) + density_.uniform;
+    const Real at_q = density_.linear * b + rooms_at(q) + density_.uniform;
     // Along the side, and weighted by 0 .. 1 along it; quadratic and linear functions, exact.
     const Real all = density_.squared * (a * a + a * b + b * b) / 3 + (at_p + at_q) / 2;
     const Real late =
@@ -229,8 +229,9 @@ BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
       if (!is_border(overlap, true, j)) continue;
       const Edge of_upper = border_of(overlap, true, j);
       const Real room = room_of(of_lower) + room_of(of_upper);
-      fade.add(i, j, -of_lower.inward().dot(of_upper.inward()), volume, room,
-               filled_part(plane, of_lower.inward(), room / sum.area));
+      fade.add(i, j, -of_lower.inward().dot(of_upper.inward()),
+               {volume, room, sum.area, filled_part(plane, of_lower.inward(), room / sum.area),
+                overlap.limit});
     }
   }
   return fade;

@@ -19,18 +19,20 @@ struct OverlapGradient {
   }
 };
 
-/// dU/dA where G and the distances D from borders are known: squared G^2 + linear G, for each pair
-/// of borders by_room (D_l + D_u), and cubed u^3 of the barrier, u = G - g0 where it pushes. What
-/// the sides of the overlap carry.
+/// dU/dA where G and the distances D from borders are known: squared G^2 + linear G + uniform, for
+/// each pair of borders by_room (D_l + D_u), and cubed u^3 of the barrier, u = G - g0 where it
+/// pushes. What the sides of the overlap carry.
 template <int Dim>
 struct Density {
   Real squared = 0, linear = 0;
+  Real uniform = 0;                                    ///< [m]
   Real cubed = 0;                                      ///< [1/m]
   std::array<Real, BorderFade<Dim>::kMost> by_room{};  ///< of each pair of the fade
 
   Density(const BorderFade<Dim>& fade, const CommonPlane<Dim>& plane) {
     squared = 0.5 * plane.ramp;
     linear = plane.energy_by_fade * fade.by_volume;
+    uniform = plane.energy_by_fade * fade.by_area;
     if (plane.barrier.onset > 0) cubed = plane.ramp * plane.barrier.steepness() / 3;
     for (int b = 0; b < fade.n; ++b) {
       const auto k = slot_of(b);

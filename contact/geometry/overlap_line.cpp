@@ -56,7 +56,7 @@ class LineGradient {
   }
   /// dU/dA at s, where G is g, without the barrier.
   Real squares(Real s, Real g) const {
-    Real sum = density_.squared * g * g + density_.linear * g;
+    Real sum = density_.squared * g * g + density_.linear * g + density_.uniform;
     for (std::size_t k = 0; k < slot_of(fade_.n); ++k) {
       const auto& pair = fade_.pair[k];
       const End lower = end_of(overlap_, false, pair.lower);
@@ -150,8 +150,9 @@ BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
       const End of_upper = end_of(overlap, true, j);
       const Real room = room_of(of_lower) + room_of(of_upper);
       const Real between = room / overlap.area, length = overlap.end[1] - overlap.end[0];
-      fade.add(i, j, -of_lower.into * of_upper.into, volume, room,
-               length < between ? length / between : 1.0);
+      fade.add(
+          i, j, -of_lower.into * of_upper.into,
+          {volume, room, overlap.area, length < between ? length / between : 1.0, overlap.limit});
     }
   }
   return fade;

@@ -7,18 +7,32 @@
 namespace brunt {
 
 namespace {
+/// A smooth step over 0 .. 1 and its slope.
+struct Step {
+  explicit Step(Real at) {
+    const Real s = std::clamp(at, 0.0, 1.0);
+    value = s * s * (3 - 2 * s);
+    slope = 6 * s * (1 - s);
+  }
+  Real value, slope;
+};
+
 /// v: 1 up to rho = 1, then 1/(1 + (rho - 1)^2): the energy of sides that are deep over a low
 /// height a falls as a^3, whatever their depth, so that no edge feels a step where it comes in
-/// beside them. A second fade from 5 to 10 ends them, before they are let go as an element deep.
+/// beside them. A second fade from 5 to 10 ends them, and one by the depth, before they are let go
+/// as too deep.
 struct Fading {
-  Real value = 1, slope = 0;
+  Real value = 1, by_rho = 0, by_depth = 0;
 };
-Fading fades(Real rho) {
-  constexpr Real kLast = 5;
-  if (rho >= 2 * kLast) return {0, 0};
+/// depth  mean one over that at which the faces let go
+Fading fades(Real rho, Real depth) {
+  constexpr Real kLast = 5, kDeep = 0.4, kTooDeep = 0.8;
   const Real u = std::max(rho - 1, 0.0), v = 1 / (1 + u * u);
-  const Real s = std::clamp(rho / kLast - 1, 0.0, 1.0), w = 1 - s * s * (3 - 2 * s);
-  return {v * w, -2 * u * v * v * w - v * 6 * s * (1 - s) / kLast};
+  const Step last(rho / kLast - 1), low(rho - 1), deep((depth - kDeep) / (kTooDeep - kDeep));
+  const Real w = 1 - last.value, z = 1 - low.value * deep.value;
+  return {v * w * z,
+          -2 * u * v * v * w * z - v * last.slope / kLast * z - v * w * low.slope * deep.value,
+          -v * w * low.value * deep.slope / (kTooDeep - kDeep)};
 }
 
 /// How much of the force between two borders the potential has, for what they ask.
@@ -43,23 +57,26 @@ Vec<Dim> turn_of_outline(const FacePlane<Dim>& face, const CommonPlane<Dim>& pla
 }  // namespace
 
 template <int Dim>
-void BorderFade<Dim>::add(int lower, int upper, Real facing, Real volume, Real room, Real filled) {
+void BorderFade<Dim>::add(int lower, int upper, Real facing, const Room& room) {
   if (!(facing > 0)) return;
   constexpr Real kNothing = 1e-12;  // less is a rest of rounding, by which nothing is divided
   const Real squared = facing * facing;
-  const Real rho = room > 0 ? volume / room : kInfinity;
-  const Fading fading = fades(rho);
+  const Real rho = room.size > 0 ? room.volume / room.size : kInfinity;
+  const Real depth = room.volume / (room.area * room.limit);
+  const Fading fading = fades(rho, depth);
   const Real value = 1 - squared * (1 - fading.value);
   if (value < kNothing) {
     factor = 0;
     return;
   }
-  share = std::max(share, share_between(squared * std::min(rho, 1.0), filled));
+  share = std::max(share, share_between(squared * std::min(rho, 1.0), room.filled));
   if (fading.value < 1) {
     // Where nothing is left of v nothing can be divided by the room, which may be none.
     const bool ends = fading.value == 0;
-    const Real slope = ends ? 0.0 : squared * fading.slope / (value * room);
-    by_volume += slope;
+    const Real slope = ends ? 0.0 : squared * fading.by_rho / (value * room.size);
+    const Real deeper = squared * fading.by_depth / (value * room.area * room.limit);
+    by_volume += slope + deeper;
+    by_area -= deeper * room.volume / room.area;
     pair[slot_of(n++)] = {lower, upper, ends ? 0.0 : -slope * rho,
                           -2 * facing * (1 - fading.value) / value};
   }

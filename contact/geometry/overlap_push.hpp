@@ -13,7 +13,8 @@ namespace brunt {
 ///   rho = int_P G dA / int_P (D_l + D_u) dA
 /// is the mean depth over the distance D_l + D_u of both, and kappa the cosine between their
 /// directions into the faces, 1 where they are opposite. omega is the product over all such pairs
-/// of 1 - kappa^2 (1 - v(rho)), where v is 1 up to rho = 1 and falls as 1/rho^2 beyond. Two boxes
+/// of 1 - kappa^2 (1 - v(rho)), where v is 1 up to rho = 1 and falls as 1/rho^2 beyond, to nothing
+/// before the overlap is so deep that its faces let go. Two boxes
 /// that overlap by p > a at their edges have p/a on the sides that are p deep, a/p on the others:
 /// these push. Borders on the same side, of faces that end flush, fade nothing.
 template <int Dim>
@@ -29,10 +30,18 @@ struct BorderFade {
   Real factor = 1;     ///< omega
   Real share = 0;      ///< what potential_share asks for, 0 .. 1
   Real by_volume = 0;  ///< [1/m^Dim] derivative of ln omega by int G
+  Real by_area = 0;    ///< [1/m^(Dim-1)] the same by the area of the overlap
 
-  /// Takes in two borders by kappa and the integrals of G and of D_l + D_u [m^Dim].
-  /// filled  which part of the distance from border to border the overlap takes up, 0 .. 1
-  void add(int lower, int upper, Real facing, Real volume, Real room, Real filled);
+  /// An overlap between two borders.
+  struct Room {
+    Real volume = 0;         ///< [m^Dim] int G
+    Real size = 0;           ///< [m^Dim] int (D_l + D_u)
+    Real area = 1;           ///< [m^(Dim-1)]
+    Real filled = 1;         ///< part of the distance from border to border that it takes up
+    Real limit = kInfinity;  ///< [m] depth at which the faces let go
+  };
+  /// Takes in two borders by kappa.
+  void add(int lower, int upper, Real facing, const Room& room);
 };
 
 /// How much of the force between two faces follows the potential of their overlap, 0 .. 1, and how
@@ -73,6 +82,7 @@ struct OverlapArea {
   unsigned lower_borders, upper_borders;  ///< as of Facet
   const DeepArea& deep;                   ///< where the barrier pushes
   Real opening;                           ///< [m] of it, which is no distance of the faces
+  Real limit;                             ///< [m] depth at which the faces let go
 
   /// Largest less smallest penetration over the area, of the mean.
   Real change(const CommonPlane<3>& plane) const {
@@ -94,6 +104,7 @@ struct OverlapLine {
   unsigned lower_borders, upper_borders;  ///< as of Facet
   const DeepLine& deep;                   ///< where the barrier pushes
   Real opening;                           ///< [m]
+  Real limit;                             ///< [m]
   const Section& section;
 
   Real middle() const { return 0.5 * (end[0] + end[1]); }

@@ -61,8 +61,9 @@ int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, con
   }
   if (!(deepest > layer.depth)) return n;
   Planes<Dim> firm;
-  const int m = common_planes<Dim>(lower, upper, section, firm,
-                                   {.middle = true, .opening = needs.opening - layer.depth});
+  const int m = common_planes<Dim>(
+      lower, upper, section, firm,
+      {.middle = true, .opening = needs.opening - layer.depth, .limit = needs.limit});
   for (int j = 0; j < m; ++j) {
     const auto& under = firm[slot_of(j)];
     const auto end = plane.begin() + n;

@@ -13,9 +13,14 @@ struct FaceLaw {
   Real stiffness = 0;      ///< [Pa/m]
   Real damping = 0;        ///< [Pa s/m]
   Real limit = 0;          ///< [m] penetration at which they let go: the smaller depth
+  Real leaning = 0;        ///< [m] the same where they meet at an angle
   SoftLayer layer{};       ///< over the spring, where one body rests on the other
   Real layer_damping = 0;  ///< [Pa s/m] of it
 
+  /// The penetration [m] at which faces let go that meet by this cosine.
+  Real limit_at(Real facing) const {
+    return leaning > limit ? leaning + FaceBarrier::part_at(facing) * (limit - leaning) : limit;
+  }
   FaceBarrier barrier() const { return FaceBarrier::before(limit); }
   /// [N] of the dampers, without what may not pull. That of a soft layer acts in the layer alone,
   /// so that impacts go through it with next to no loss. at  area, closing, and the mean

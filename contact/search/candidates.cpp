@@ -74,6 +74,9 @@ bool same_piece(const A& a, const B& b) {
   return a.body == b.body && a.piece == b.piece;
 }
 
+/// So much sharper is a point or blade than what it digs into.
+constexpr Real kSharper = 0.5;
+
 template <int Dim>
 FaceLaw law_of(const ContactFace<Dim>& a, const ContactFace<Dim>& b, const PairOptions& options,
                const RestingLayer& rests) {
@@ -83,7 +86,11 @@ FaceLaw law_of(const ContactFace<Dim>& a, const ContactFace<Dim>& b, const PairO
   const Real mass = in_series(a.areal_mass, b.areal_mass);
   law.damping = damping_coefficient(options.damping, law.stiffness, mass);
   law.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
-  if (same_piece(a, b)) law.limit *= kDeepestInside;
+  // The flanks of a thin point or blade that digs into what is blunter go in deeper than it is
+  // wide.
+  const auto &blunt = a.sharpness < b.sharpness ? b : a, &sharp = a.sharpness < b.sharpness ? a : b;
+  if (sharp.sharpness < kSharper * blunt.sharpness) law.leaning = blunt.depth;
+  if (same_piece(a, b)) law.limit *= kDeepestInside, law.leaning = 0;
   if (options.joint) {
     law.stiffness = std::min(options.joint->normal, kTiedStiffness * both);
     law.damping = 0;

@@ -20,12 +20,13 @@ struct Pair {
   Section section;
   Real opening = 0;
   FaceBarrier barrier;
+  Real limit = kInfinity;
 
   Planes<Dim> planes;
   int meet() {
     refresh(lower), refresh(upper);
     return common_planes<Dim>(lower, upper, section, planes,
-                              {.opening = opening, .barrier = barrier});
+                              {.opening = opening, .barrier = barrier, .limit = limit});
   }
   Real energy() {
     const int n = meet();
@@ -141,6 +142,7 @@ void expect_gradients_that_fade(const Make& make) {
   for (int k = 0; k < 400; ++k) {
     auto pair = make(k);
     if (k % 2 == 0) pair.barrier = {0.05};
+    if (k % 3 == 0) pair.limit = 0.2;  // they fade by their depth too
     if (pair.meet() != 1 || !(pair.planes[0].share > 0)) continue;
     ++found;
     fading += pair.planes[0].ramp < 1 ? 1 : 0;
@@ -206,7 +208,7 @@ TEST(OverlapPush, BordersWithoutRoomLeaveNumbers) {
   // Opposite by 60 degrees: 1 - cos^2 is left of the overlap, and nothing is divided by no room.
   for (const Real room : {0.0, -1e-20, 1e-300}) {
     BorderFade<3> fade;
-    fade.add(0, 2, 0.5, 1, room, 1);
+    fade.add(0, 2, 0.5, {.volume = 1, .size = room});
     EXPECT_EQ(fade.factor, 0.75) << room;
     ASSERT_EQ(fade.n, 1) << room;
     EXPECT_EQ(fade.by_volume, 0) << room;
@@ -214,7 +216,7 @@ TEST(OverlapPush, BordersWithoutRoomLeaveNumbers) {
     EXPECT_EQ(fade.pair[0].by_facing, -2 * 0.5 / 0.75) << room;
   }
   BorderFade<3> opposite;
-  opposite.add(0, 2, 1, 1, 0, 1);
+  opposite.add(0, 2, 1, {.volume = 1});
   EXPECT_EQ(opposite.factor, 0);
 }
 
