@@ -35,6 +35,18 @@ Fading fades(Real rho, Real depth) {
           -v * w * low.value * deep.slope / (kTooDeep - kDeep)};
 }
 
+/// How far two borders oppose each other, by kappa: wholly from 26 degrees on, since what the rest
+/// of an angle would leave of an overlap that is deep is no less than what its faces hold.
+struct Opposing {
+  explicit Opposing(Real kappa) {
+    constexpr Real kWhole = 0.9;
+    const Real x = std::min(kappa / kWhole, 1.0);
+    value = x * x * (2 - x * x);
+    slope = 4 * x * (1 - x * x) / kWhole;
+  }
+  Real value, slope;
+};
+
 /// How much of the force between two borders the potential has, for what they ask.
 /// steep  kappa^2 rho
 Real share_between(Real steep, Real filled) {
@@ -60,25 +72,25 @@ template <int Dim>
 void BorderFade<Dim>::add(int lower, int upper, Real facing, const Room& room) {
   if (!(facing > 0)) return;
   constexpr Real kNothing = 1e-12;  // less is a rest of rounding, by which nothing is divided
-  const Real squared = facing * facing;
+  const Opposing opposing(facing);
   const Real rho = room.size > 0 ? room.volume / room.size : kInfinity;
   const Real depth = room.volume / (room.area * room.limit);
   const Fading fading = fades(rho, depth);
-  const Real value = 1 - squared * (1 - fading.value);
+  const Real value = 1 - opposing.value * (1 - fading.value);
   if (value < kNothing) {
     factor = 0;
     return;
   }
-  share = std::max(share, share_between(squared * std::min(rho, 1.0), room.filled));
+  share = std::max(share, share_between(facing * facing * std::min(rho, 1.0), room.filled));
   if (fading.value < 1) {
     // Where nothing is left of v nothing can be divided by the room, which may be none.
     const bool ends = fading.value == 0;
-    const Real slope = ends ? 0.0 : squared * fading.by_rho / (value * room.size);
-    const Real deeper = squared * fading.by_depth / (value * room.area * room.limit);
+    const Real slope = ends ? 0.0 : opposing.value * fading.by_rho / (value * room.size);
+    const Real deeper = opposing.value * fading.by_depth / (value * room.area * room.limit);
     by_volume += slope + deeper;
     by_area -= deeper * room.volume / room.area;
     pair[slot_of(n++)] = {lower, upper, ends ? 0.0 : -slope * rho,
-                          -2 * facing * (1 - fading.value) / value};
+                          -opposing.slope * (1 - fading.value) / value};
   }
   factor *= value;
 }
