@@ -107,7 +107,8 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate,
   const auto& lower = entities.planes[slot_of(candidate.lower)];
   const auto& upper = entities.planes[slot_of(candidate.upper)];
   if (lower.borders >> kBladeBits == 0 || upper.borders >> kBladeBits == 0) return;
-  const Real stiffening = 0.5 * candidate.normal.limit;
+  // At twice the depth of faces edges push as hard as faces do at theirs, by 34 k D.
+  const BladeDepths depths{0.5 * candidate.normal.limit, 2 * candidate.normal.limit};
   const Real stiffness =
       candidate.normal.stiffness * candidate.normal.limit * candidate.normal.limit;
   EdgeContact contact;
@@ -120,14 +121,14 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate,
       touch.key = {ContactKind::face_face, ordinal, entities.faces[slot_of(candidate.lower)].id,
                    entities.faces[slot_of(candidate.upper)].id};
       touch.overlap = overlap_before(candidate, step, born, touch.key);
-      const bool pushes = find_edge_contact(lower, i, upper, j, stiffening, touch.overlap, contact);
+      const bool pushes = find_edge_contact(lower, i, upper, j, depths, touch.overlap, contact);
       if ((step.touches.time_zero || born) && touch.overlap <= meeting_distance(lower, upper)) {
         touch.overlap = 0;  // a rounding
       }
       if (touch.matters()) part.face_touches.push_back(touch);
       if (!pushes) continue;
       add_record(entities, candidate, contact, ordinal, part);
-      take_step_limit(entities, candidate, contact, stiffening, stiffness, part.step_limit);
+      take_step_limit(entities, candidate, contact, depths.stiffening, stiffness, part.step_limit);
     }
   }
 }

@@ -134,7 +134,7 @@ void limit_on_ramp(const Entities<Dim>& entities, const FaceCandidate& candidate
                    const FacingRamp<Dim>& ramp, Real energy, Real until, StepLimit& step_limit) {
   const Real width = ramp.whole - ramp.none;
   // 6: the largest curvature of a smooth step.
-  const Real bends = 6 / (width * width) * candidate.normal.stiffness * energy;
+  const Real bends = 24 / (width * width) * candidate.normal.stiffness * energy;
   Real squared = 0;
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[slot_of(place)];

@@ -145,11 +145,13 @@ Vec3 inwards(const FacePlane<3>& face, int edge) {
 }  // namespace
 
 bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upper, int j,
-                       Real stiffening, Real& overlap, EdgeContact& contact) {
+                       const BladeDepths& depths, Real& overlap, EdgeContact& contact) {
+  const Real stiffening = depths.stiffening;
   const Vec3 out_of_lower = -inwards(lower, i), into_upper = inwards(upper, j);
   const auto lower_blade = blade_of<Real>(lower, i, 0);
   const auto upper_blade = blade_of<Real>(upper, j, kCorners);
   const auto found = push_of(lower_blade, upper_blade, out_of_lower, into_upper, stiffening);
+  if (found.depth > depths.farthest) overlap = found.depth;
   overlap = found.any ? std::min(overlap, found.depth) : 0;
   const Real d = found.depth - overlap;
   if (!found.any || !(d > 0)) return false;

@@ -34,10 +34,16 @@ struct EdgeContact {
   std::array<Vec3, kMost> push;      ///< [m] what corners get besides weight force normal, per k
 };
 
+/// Depths of two edges.
+struct BladeDepths {
+  Real stiffening;            ///< [m] g
+  Real farthest = kInfinity;  ///< [m] those that are deeper have passed each other
+};
+
 /// True where edge i of the lower face and edge j of the upper push each other.
-/// stiffening  [m] g
-/// overlap  [m] that does not count; in and out: no more than there is
+/// overlap  [m] that does not count; in and out: no more than there is, and all of it where they
+/// have passed each other
 bool find_edge_contact(const FacePlane<3>& lower, int i, const FacePlane<3>& upper, int j,
-                       Real stiffening, Real& overlap, EdgeContact& contact);
+                       const BladeDepths& depths, Real& overlap, EdgeContact& contact);
 
 }  // namespace brunt

@@ -39,7 +39,7 @@ FacePlane<3> face_of(const Corners& corners, std::uint8_t borders = kTopBlade) {
 bool find(const Corners& lower, const Corners& upper, EdgeContact& contact,
           std::uint8_t borders = kTopBlade) {
   Real overlap = 0;
-  return find_edge_contact(face_of(lower, borders), 0, face_of(upper, borders), 0, kStiffening,
+  return find_edge_contact(face_of(lower, borders), 0, face_of(upper, borders), 0, {kStiffening},
                            overlap, contact);
 }
 
@@ -70,7 +70,7 @@ TEST(EdgeContact, TakesNoNoticeOfAnOverlapUntilItOpens) {
   Real overlap = kInfinity;
   const auto at = [&](Real deep) {
     return find_edge_contact(face_of(lower_corners()), 0, face_of(upper_corners(deep)), 0,
-                             kStiffening, overlap, contact);
+                             {kStiffening}, overlap, contact);
   };
   EXPECT_FALSE(at(0.01));
   EXPECT_NEAR(overlap, 0.01, 1e-17);
@@ -83,6 +83,23 @@ TEST(EdgeContact, TakesNoNoticeOfAnOverlapUntilItOpens) {
   EXPECT_NEAR(contact.penetration, 0.011, 1e-17);
   EXPECT_FALSE(at(-0.001));
   EXPECT_EQ(overlap, 0);
+}
+
+// Blades that have passed each other are seen from behind: they push no sooner than they have come
+// back and meet again.
+TEST(EdgeContact, TakesNoNoticeOfBladesThatHavePassed) {
+  EdgeContact contact;
+  Real overlap = 0;
+  const auto at = [&](Real deep) {
+    return find_edge_contact(face_of(lower_corners()), 0, face_of(upper_corners(deep)), 0,
+                             {kStiffening, 0.02}, overlap, contact);
+  };
+  EXPECT_TRUE(at(0.0199));
+  EXPECT_FALSE(at(0.0201));
+  EXPECT_FALSE(at(0.015));
+  EXPECT_NEAR(overlap, 0.015, 1e-17);
+  ASSERT_TRUE(at(0.016));
+  EXPECT_NEAR(contact.penetration, 0.001, 1e-17);
 }
 
 TEST(EdgeContact, IsNoneWhereTheyPartOrFacesOpposeEachOther) {
