@@ -19,19 +19,21 @@ struct Step {
 
 /// v: 1 up to rho = 1, then 1/(1 + (rho - 1)^2): the energy of sides that are deep over a low
 /// height a falls as a^3, whatever their depth, so that no edge feels a step where it comes in
-/// beside them. A second fade from 5 to 10 ends them, and one by the depth, before they are let go
-/// as too deep.
+/// beside them. A second fade from 5 to 10 ends them, and one by the depth and from 3 to 5, before
+/// they are let go as too deep.
 struct Fading {
   Real value = 1, by_rho = 0, by_depth = 0;
 };
 /// depth  mean one over that at which the faces let go
 Fading fades(Real rho, Real depth) {
-  constexpr Real kLast = 5, kDeep = 0.4, kTooDeep = 0.8;
+  constexpr Real kLast = 5, kLow = 3, kLowest = 5, kDeep = 0.4, kTooDeep = 0.8;
   const Real u = std::max(rho - 1, 0.0), v = 1 / (1 + u * u);
-  const Step last(rho / kLast - 1), low(rho - 1), deep((depth - kDeep) / (kTooDeep - kDeep));
+  const Step last(rho / kLast - 1), low((rho - kLow) / (kLowest - kLow)),
+      deep((depth - kDeep) / (kTooDeep - kDeep));
   const Real w = 1 - last.value, z = 1 - low.value * deep.value;
   return {v * w * z,
-          -2 * u * v * v * w * z - v * last.slope / kLast * z - v * w * low.slope * deep.value,
+          -2 * u * v * v * w * z - v * last.slope / kLast * z -
+              v * w * low.slope / (kLowest - kLow) * deep.value,
           -v * w * low.value * deep.slope / (kTooDeep - kDeep)};
 }
 
