@@ -53,10 +53,9 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   Planes<Dim> planes;
   const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
   if (n == 0) return touch;
-  Planes<Dim> pressed;
-  const int n_pressed =
-      common_planes<Dim>(lower, upper, section, pressed,
-                         {.barrier = candidate.normal.barrier(), .limit = candidate.normal.limit});
+  Planes<Dim> pressed;  // whether they fade or not: what has faded is as deep as it is
+  const int n_pressed = common_planes<Dim>(
+      lower, upper, section, pressed, {.pushes = false, .barrier = candidate.normal.barrier()});
   const Real meets = meeting_distance(lower, upper);
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[slot_of(i)];
