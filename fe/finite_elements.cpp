@@ -61,7 +61,7 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   start_erosion();
   const auto conducts = [](const auto& block) { return block.conducts; };
   if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) {
-    if (node_ratio_.empty() && !erosion_) gather_ = {};  // masses were all that it had to sum
+    if (!averages_volumes_ && !erosion_) gather_ = {};  // masses were all that it had to sum
     return;
   }
   set_capacities();

@@ -15,7 +15,9 @@ bool averages(const ElementBlock<Dim>& block) {
 
 template <int Dim>
 void FiniteElements<Dim>::start_volumes() {
-  if (!std::any_of(blocks_.begin(), blocks_.end(), averages<Dim>)) return;
+  averages_volumes_ =
+      averages_volumes_ || std::any_of(blocks_.begin(), blocks_.end(), averages<Dim>);
+  if (!averages_volumes_) return;
   node_ratio_.assign(points_.x.size(), 1.0);
   corner_volume_.assign(n_corners_, 0.0);
   for (const auto& block : blocks_) {
@@ -52,7 +54,7 @@ void FiniteElements<Dim>::update_volumes() {
 
 template <int Dim>
 void FiniteElements<Dim>::refresh_state() {
-  if (node_ratio_.empty() || ranks_ == nullptr) return;
+  if (!averages_volumes_ || ranks_ == nullptr) return;
   refresh_ghosts(
       *ranks_, ghosts_, 1, [&](std::size_t i, Real* out) { *out = node_ratio_[i]; },
       [&](std::size_t i, const Real* in) { node_ratio_[i] = *in; });

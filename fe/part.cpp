@@ -100,6 +100,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   points_ = whole.points_.subset(kept, n_owned);
   surface_.points = &points_;
   surface_.held = held_;
+  averages_volumes_ = whole.averages_volumes_;
   make_blocks(sets);
   if (whole.erosion_) {
     surface_.may_free = whole.surface_.may_free;
@@ -119,7 +120,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   refresh_steps();
   if (points_.conducts) {
     start_conduction();
-  } else if (node_ratio_.empty() && !erosion_) {
+  } else if (!averages_volumes_ && !erosion_) {
     gather_ = {};  // no sums but of forces
   }
 }

@@ -43,7 +43,7 @@ void FiniteElements<Dim>::find_elements_of_facets() {
 
 template <int Dim>
 void FiniteElements<Dim>::update_state(Real) {
-  if (!node_ratio_.empty()) update_volumes();
+  if (averages_volumes_) update_volumes();
   if (!surface_.needs_material) return;
   // Else their laws see the temperatures where they strain.
   if (held_ && points_.conducts) interpolate_temperatures();

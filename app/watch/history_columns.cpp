@@ -13,14 +13,16 @@ namespace brunt {
 namespace {
 /// The energy [J] that rounding alone may put into a scene at rest: strains of 1e-12 in all of it,
 /// 1e-24 M V = 1e-24 m c^2. Drift is never measured against less, so that a body to which nothing
-/// happens yet does not drift by its whole energy of rounding.
+/// happens yet does not drift by its whole energy of rounding. Collective.
 template <int Dim>
 Real energy_of_rounding(const Scene<Dim>& scene) {
   ExactSum mass;
   for (const auto& solid : scene.solids) {
-    for (const Real m : solid->points().mass) mass.add(m);
+    const auto& points = solid->points();
+    for (std::size_t i = 0; i < points.owned(); ++i) mass.add(points.mass[i]);
   }
-  if (scene.rigid) {
+  scene.ranks->reduce_all(std::span(&mass, 1), [](ExactSum& a, const ExactSum& b) { a.add(b); });
+  if (scene.rigid) {  // all of them on all ranks
     for (const auto& body : scene.rigid->all()) mass.add(body.state.mass);
   }
   Real stiffest = 0;  // [m^2/s^2] c^2

@@ -124,14 +124,19 @@ typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const
 }
 
 /// No row with a value that is no finite number is written: the run ends there, and says what broke
-/// where elements or particles know, else which column.
+/// where elements or particles know, else which column. A probe in what has gone has none.
 template <int Dim>
 void Monitor<Dim>::refuse_row(Scene<Dim>& scene, const HistoryRow& row, const Clock& clock) const {
-  const auto is_none = [](Real value) { return !std::isfinite(value); };
-  const auto found = std::find_if(row.values.begin(), row.values.end(), is_none);
-  if (found == row.values.end()) return;
+  const bool erodes =
+      std::any_of(scene.erodes.begin(), scene.erodes.end(), [](char one) { return one != 0; });
+  std::size_t k = 0;
+  while (k < row.values.size() &&
+         (std::isfinite(row.values[k]) || (erodes && columns_[k].starts_with("probe.")))) {
+    ++k;
+  }
+  if (k == row.values.size()) return;
   scene.check(clock.time());
-  const std::string& column = columns_[found - row.values.begin()];
+  const std::string& column = columns_[k];
   throw PhysicsError({clock.time(), "", "step " + std::to_string(clock.step()),
                       "step [s] in which column '" + column + "' is no finite number",
                       clock.real(clock.dt()),

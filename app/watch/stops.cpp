@@ -85,8 +85,9 @@ std::string StopConditions<Dim>::look(const Scene<Dim>& scene, const Clock& cloc
     const bool passed = (start_center_ - beyond->at) * (now - beyond->at) <= 0;
     if (passed) why = beyond->body + " is beyond its place";
   }
-  // All ranks have the same row.
-  if (when_ && !row.empty() && (*when_)(row) != 0) why = "stop.when holds: " + stop_.when;
+  // All ranks have the same row. What is no number, as 0/0 before anything touches, does not hold.
+  const Real value = when_ && !row.empty() ? (*when_)(row) : 0;
+  if (value != 0 && !std::isnan(value)) why = "stop.when holds: " + stop_.when;
   return why;
 }
 

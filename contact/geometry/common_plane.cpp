@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/geometry/bilinear_weights.hpp"
+#include "contact/geometry/face_parts.hpp"
 #include "contact/geometry/overlap_push.hpp"
 
 namespace brunt {
@@ -323,35 +324,6 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   return true;
 }
 
-/// A face as a plane, as its two halves, or as both where it is on its way from one to the other.
-struct Parts {
-  explicit Parts(const FacePlane<3>& face) : whole(face) {
-    if (face.split > 0) halves = split(face);
-  }
-  const FacePlane<3>& operator[](std::size_t i) const {
-    return i == 0 ? whole : halves.part[i - 1];
-  }
-  Real share(std::size_t i) const { return i == 0 ? 1 - whole.split : whole.split; }
-  /// Puts the weights of part i where the corners of the whole face are.
-  template <class Value>
-  void spread(std::size_t i, const Value& none, std::array<Value, 4>& weight) const {
-    if (i == 0) return;
-    const std::array<Value, 4> of_part = weight;
-    weight.fill(none);
-    for (std::size_t c = 0; c < 3; ++c) {
-      weight[slot_of(halves.corners[i - 1][c])] = of_part[c];
-    }
-  }
-  /// Adds the push of an energy [m^4] that passes from the whole to its halves.
-  void add_push(std::size_t i, Real energy, std::array<Vec3, 4>& push) const {
-    if (whole.split == 0 || whole.split == 1) return;
-    const auto gradient = split_gradient(whole);
-    for (std::size_t c = 0; c < 4; ++c) push[c] += (i == 0 ? energy : -energy) * gradient[c];
-  }
-  const FacePlane<3>& whole;
-  SplitFace halves;
-};
-
 /// Lets a plane stand for a part of what there is between both faces.
 void scale(Real part, CommonPlane<3>& plane) {
   plane.part = part;
@@ -366,7 +338,7 @@ void scale(Real part, CommonPlane<3>& plane) {
 
 int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
                  const PlaneNeeds& needs, Planes<3>& planes) {
-  const Parts below(lower), above(upper);
+  const FaceParts below(lower), above(upper);
   std::size_t n = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

@@ -52,4 +52,4 @@ using Closures = std::tuple<HyperbolicClosure, ExponentialClosure>;
 using ClosureLaw = ChosenClosure<Closures>;
 
 }  // namespace brunt
-// Tested by tests/unit/contact/cohesive_bond_test.cpp and joint_test.cpp.
+// Tested by tests/unit/contact/joint_test.cpp.

@@ -73,6 +73,30 @@ expect 0 "$brunt" explain materials.strength.johnson-cook.C
 expect 0 "$brunt" schema
 grep -q '"taylor_quinney"' out.txt || fail "schema"
 
+# Points that erosion has left on the axis of an axisymmetric scene, where they stand for no area,
+# touch: frames are written.
+cat >axis.yaml <<'END'
+title: Elements at the axis erode to points that touch what comes
+geometry: axisymmetric
+time: {end: 4 us}
+materials:
+  glass:
+    density: 2500 kg/m^3
+    elastic: {E: 70 GPa, nu: 0.22}
+    damage: {principal_stress: 20 MPa, energy: 20 J/m^2}
+  steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}
+bodies:
+  plate:
+    material: glass
+    shape: {box: {min: [0, 0], max: [20 mm, 10 mm]}}
+    size: 1 mm
+    element: {integration: full}
+    erode: {when: [damage, inverted], to: points}
+  bullet: {material: steel, shape: {box: {min: [0, 10 mm], max: [4 mm, 13 mm]}}, size: 1 mm, velocity: [0, -40 m/s]}
+output: {every: 0.1 us}
+END
+expect 0 "$brunt" run axis.yaml --out axis
+
 # A signal stops at the end of a step: status 5 and a summary.
 "$brunt" run "$deck" --quiet --set "time.end=1 s" --out stopped &
 pid=$!

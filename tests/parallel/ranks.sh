@@ -58,6 +58,7 @@ cases=(
   "decks/sheet 15_us"
   "decks/solids 0.5_ms"
   "decks/fast 30_us"
+  "decks/tets 2_us"
   "decks/flight 0.2_ms"
   "decks/thin 4_us"
   "decks/erosion 8_us"

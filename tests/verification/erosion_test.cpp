@@ -90,6 +90,19 @@ TEST(Erosion, ASpinningBarPartsAndItsHalvesFlyOn) {
 }
 
 // A measure finds its place of time 0 again among what is left, as a probe does, which follows it.
+// A probe in what has gone says nan from then on, and the run goes on.
+TEST(Erosion, AProbeInWhatHasGoneSaysNan) {
+  const auto run =
+      simulate_text(spinning_bar("{when: damage}", "{integration: q1p0}"),
+                    {"probes={root: {body: bar, at: [0.001, 0.001], fields: [damage]}, "
+                     "tip: {body: bar, at: [0.08, 0.001], fields: [damage]}}"});
+  EXPECT_EQ(run.failure, "");
+  EXPECT_GT(run.last("body.bar.eroded"), 0);
+  EXPECT_TRUE(std::isfinite(run.first("probe.root.damage")));
+  EXPECT_TRUE(std::isnan(run.last("probe.root.damage")));
+  EXPECT_TRUE(std::isfinite(run.last("probe.tip.damage")));
+}
+
 TEST(Erosion, APointMeasureStaysWithItsPlace) {
   const auto run = simulate_text(
       spinning_bar("{when: damage}", "{integration: q1p0}"),
