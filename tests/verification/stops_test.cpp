@@ -48,8 +48,7 @@ TEST(Stops, WhenACondition) {
   expect_stops_at(stone("= body.stone-1.velocity.z < 0 && time > 0.35"), 0.35);
 }
 
-// The root of what is below 0 is no number: it holds no sooner than it is one, 2 m/s less 10 m/s^2 t
-// under 1.5 m/s.
+// The root of what is below 0 is no number: it holds no sooner than 2 m/s - 10 m/s^2 t < 1.5 m/s.
 TEST(Stops, NotWhereItIsNoNumber) {
   expect_stops_at(stone("= sqrt(1.5 - body.stone-1.velocity.z)"), 0.05);
 }
