@@ -114,7 +114,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   /// Where elements average volumes, by node: volume [m^3] of those about it at time 0, and the
   /// ratio [1] of the present one to it; else empty.
   std::vector<Real> start_volume_, node_ratio_;
-  bool averages_volumes_ = false;  ///< some elements do, on whichever rank
+  bool averages_volumes_ = false;    ///< some elements do, on whichever rank
   std::vector<Real> corner_volume_;  ///< [m^3] [element][corner]
   std::vector<Vec<1>> node_volume_;  ///< [m^3] of each node, while they are summed
   bool stepped_ = false;             ///< steps are those of the last motion, or of a checkpoint
