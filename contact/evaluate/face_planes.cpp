@@ -15,7 +15,8 @@ int pressing_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   const PlaneNeeds needs{.middle = candidate.laws.friction != nullptr,
                          .opening = opening,
                          .barrier = candidate.normal.barrier(),
-                         .limit = candidate.normal.limit};
+                         .limit = candidate.normal.limit,
+                         .at_point = candidate.normal.at_point};
   if (!candidate.normal.layer.acts())
     return common_planes<Dim>(lower, upper, section, planes, needs);
   return layered_planes<Dim>(lower, upper, section, candidate.normal.layer, planes, needs);
@@ -54,8 +55,10 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
   if (n == 0) return touch;
   Planes<Dim> pressed;  // whether they fade or not: what has faded is as deep as it is
-  const int n_pressed = common_planes<Dim>(
-      lower, upper, section, pressed, {.pushes = false, .barrier = candidate.normal.barrier()});
+  const int n_pressed = common_planes<Dim>(lower, upper, section, pressed,
+                                           {.pushes = false,
+                                            .barrier = candidate.normal.barrier(),
+                                            .at_point = candidate.normal.at_point});
   const Real meets = meeting_distance(lower, upper);
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[slot_of(i)];

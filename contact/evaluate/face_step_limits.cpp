@@ -200,6 +200,7 @@ void limit_by_turning(const Entities<Dim>& entities, const FaceCandidate& candid
                                    {.opening = -overlap,
                                     .barrier = candidate.normal.barrier(),
                                     .limit = candidate.normal.limit,
+                                    .at_point = candidate.normal.at_point,
                                     .turned = true});
   for (int i = 0; i < n; ++i) {
     const auto& plane = planes[slot_of(i)];

@@ -83,9 +83,9 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
   const auto& law = candidate.normal;
   if (plane.deepest + 2 * fastest_corner(entities, candidate) * dt <= law.limit) return false;
   Planes<Dim> planes;
-  const int n = common_planes<Dim>(before_step(entities, candidate.lower, dt),
-                                   before_step(entities, candidate.upper, dt), section, planes,
-                                   {.barrier = law.barrier(), .limit = law.limit});
+  const int n = common_planes<Dim>(
+      before_step(entities, candidate.lower, dt), before_step(entities, candidate.upper, dt),
+      section, planes, {.barrier = law.barrier(), .limit = law.limit, .at_point = law.at_point});
   for (const auto& one : std::span(planes.data(), slot_of(n))) {
     if (one.penetration > law.limit_at(one.facing)) return true;
   }

@@ -154,12 +154,13 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   const Polygon overlap = intersect(below, above);
   const Real smaller = std::min(lower.area, upper.area);
   if (!(area(overlap) > kSliver * smaller)) return false;
+  const bool whole = needs.whole || needs.at_point;
 
   const LinearField top = height(lower, plane), bottom = height(upper, plane);
   LinearField penetration;
   penetration.value = top.value - bottom.value + needs.opening;
   penetration.slope = top.slope - bottom.slope;
-  plane.polygon = needs.whole ? overlap : clip(overlap, penetration);
+  plane.polygon = whole ? overlap : clip(overlap, penetration);
   const FieldIntegrals sum = integrate(plane.polygon, penetration);
   // What is left of an overlap where it penetrates may be a line: its area, of either sign, is
   // round-off.
@@ -171,19 +172,19 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   }
 
   DeepArea deep;
-  if (!needs.whole) {
+  if (!whole) {
     deep = deep_area(plane.polygon, penetration, plane.half_cosine(), plane.deepest, plane.barrier);
   }
   const OverlapArea area{below,         above, penetration,   sum,        lower.borders,
                          upper.borders, deep,  needs.opening, needs.limit};
-  const bool pushes = needs.pushes && !needs.whole;
+  const bool pushes = needs.pushes && !whole;
   BorderFade<3> fade;
   if (pushes) fade = fade_of(lower, upper, area, plane);
   if (fade.factor == 0) return false;
   set_fade(fade.factor, plane);
   plane.area = sum.area;
-  Vec<2> p = needs.whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
-  const Real of_barrier = set_spring(sum.total, penetration.at(p), deep, needs.whole, plane);
+  Vec<2> p = whole ? Vec<2>(sum.first / sum.area) : Vec<2>(sum.moment / sum.total);
+  const Real of_barrier = set_spring(sum.total, penetration.at(p), deep, whole, plane);
   if (of_barrier > 0) p += of_barrier * (deep.moment / deep.squared - p);
   plane.penetration = penetration.at(p);
   plane.point = plane.origin + p[0] * plane.axis_1 + p[1] * plane.axis_2;
@@ -277,10 +278,9 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   };
   std::array<Real, 2> depth = {penetration(from), penetration(to)};
   plane.deepest = std::max(depth[0], depth[1]);
-  if (!needs.whole) {
-    if (plane.deepest <= 0) return false;
-    leave_out_gap(from, to, depth);
-  }
+  const bool whole = needs.whole || needs.at_point;
+  if (!needs.whole && plane.deepest <= 0) return false;
+  if (!whole) leave_out_gap(from, to, depth);
   if (!(to - from > kSliver * smaller)) return false;
 
   const Real middle = 0.5 * (from + to);
@@ -289,7 +289,7 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   if (!needs.whole && !(total > kTouching * smaller * area)) return false;
 
   DeepLine deep;
-  if (!needs.whole) {
+  if (!whole) {
     const Real c = plane.half_cosine();
     deep = deep_line({from, to}, {c * depth[0], c * depth[1]}, plane.barrier, breadth);
   }
@@ -307,13 +307,13 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
                          needs.opening,
                          needs.limit,
                          section};
-  const bool pushes = needs.pushes && !needs.whole;
+  const bool pushes = needs.pushes && !whole;
   const auto fade = pushes ? fade_of(lower, upper, line, plane) : BorderFade<2>();
   if (fade.factor == 0) return false;
   set_fade(fade.factor, plane);
   plane.area = area;
-  Real p = middle + (needs.whole ? first / area : moment / total);
-  const Real of_barrier = set_spring(total, penetration(p), deep, needs.whole, plane);
+  Real p = middle + (whole ? first / area : moment / total);
+  const Real of_barrier = set_spring(total, penetration(p), deep, whole, plane);
   if (of_barrier > 0) p += of_barrier * (deep.moment / deep.squared - p);
   plane.penetration = penetration(p);
   place_line(below, above, {from, to}, p, t, plane);

@@ -107,6 +107,8 @@ struct PlaneNeeds {
   bool pushes = true;
   FaceBarrier barrier = {};
   Real limit = kInfinity;  ///< [m] depth at which they let go
+  /// Their pressure is that at the middle of their overlap: as of the whole, where it penetrates.
+  bool at_point = false;
   /// As if they opposed each other enough to push with the whole of their pressure: what they would
   /// hold once they have turned so.
   bool turned = false;

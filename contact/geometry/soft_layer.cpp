@@ -61,9 +61,11 @@ int layered_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, con
   }
   if (!(deepest > layer.depth)) return n;
   Planes<Dim> firm;
-  const int m = common_planes<Dim>(
-      lower, upper, section, firm,
-      {.middle = true, .opening = needs.opening - layer.depth, .limit = needs.limit});
+  const int m = common_planes<Dim>(lower, upper, section, firm,
+                                   {.middle = true,
+                                    .opening = needs.opening - layer.depth,
+                                    .limit = needs.limit,
+                                    .at_point = needs.at_point});
   for (int j = 0; j < m; ++j) {
     const auto& under = firm[slot_of(j)];
     const auto end = plane.begin() + n;

@@ -14,6 +14,7 @@ struct FaceLaw {
   Real damping = 0;        ///< [Pa s/m]
   Real limit = 0;          ///< [m] penetration at which they let go: the smaller depth
   Real leaning = 0;        ///< [m] the same where they meet at an angle
+  bool at_point = false;   ///< pressure is that at the middle of an overlap
   SoftLayer layer{};       ///< over the spring, where one body rests on the other
   Real layer_damping = 0;  ///< [Pa s/m] of it
 

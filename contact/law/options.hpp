@@ -11,6 +11,7 @@
 #include "contact/law/friction_heat.hpp"
 #include "contact/law/initial_overlap.hpp"
 #include "contact/law/joint.hpp"
+#include "contact/law/plane_rule.hpp"
 #include "core/search/search.hpp"
 
 namespace brunt {
@@ -27,6 +28,7 @@ struct PairOptions {
   bool tied = false;
   std::optional<JointSpring> joint{};  ///< by these springs, and so does what meets later
   InitialOverlap initial_overlap = InitialOverlap::track;
+  PlaneRule plane = PlaneRule::integrated;
   /// Pressure, in weights of the body that rests, as far as which a soft layer lets it come to
   /// rest.
   Real resting_layer = 3;
@@ -66,6 +68,7 @@ inline void describe(Schema& s, PairOptions& pair) {
        "faces close and shear as those of a joint, from time 0 on held by cohesion and tension"},
       pair.joint);
   describe(s, pair.initial_overlap);
+  describe(s, pair.plane);
   s.real({"resting_layer",
           "pressure, in weights of the body that rests, up to which contact under gravity is soft "
           "and damped, so that bodies come to rest; none where it is 0, or damping is"},

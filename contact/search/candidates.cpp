@@ -83,6 +83,7 @@ FaceLaw law_of(const ContactFace<Dim>& a, const ContactFace<Dim>& b, const PairO
   FaceLaw law;
   const Real both = contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
   law.stiffness = options.stiffness * both;
+  law.at_point = options.plane == PlaneRule::point;
   const Real mass = in_series(a.areal_mass, b.areal_mass);
   law.damping = damping_coefficient(options.damping, law.stiffness, mass);
   law.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);

@@ -201,6 +201,38 @@ TEST(CommonPlane, MomentumOfRandomEdges) {
   EXPECT_GT(carried, 1000);
 }
 
+// A face 1 m wide that leans by 0.1, its middle 0.02 deep: over the whole overlap k A g of the
+// middle, though a part of it is open, where the integral has more: (0.07^2/2)/0.1 of a metre.
+TEST(CommonPlane, AtAPointThePressureIsThatOfTheMiddle) {
+  const Real lean = std::atan(0.1), half = 0.5 * std::cos(lean), rise = 0.5 * std::sin(lean);
+  const auto lower = face({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}});
+  const auto upper = face({{-half, -.5, -rise - .02},
+                           {-half, .5, -rise - .02},
+                           {half, .5, rise - .02},
+                           {half, -.5, rise - .02}});
+  Planes<3> plane;
+  ASSERT_EQ(common_planes<3>(lower, upper, k3d, plane), 1);
+  const Real integral = plane[0].volume;
+  ASSERT_EQ(common_planes<3>(lower, upper, k3d, plane, {.at_point = true}), 1);
+  const Real c = std::cos(0.5 * lean);
+  EXPECT_NEAR(plane[0].penetration, 0.02 / c, 1e-3 * 0.02);
+  EXPECT_NEAR(plane[0].volume, plane[0].area * plane[0].penetration, 1e-15);
+  EXPECT_NEAR(plane[0].area, c, 1e-12);
+  EXPECT_EQ(plane[0].share, 0);
+  EXPECT_NEAR(integral / plane[0].volume, 0.07 * 0.07 / 2 / 0.1 / 0.02, 0.01);
+  auto open = upper;
+  for (auto& x : open.corner) x[2] += 0.03;
+  refresh(open);
+  EXPECT_EQ(common_planes<3>(lower, open, k3d, plane), 1);
+  EXPECT_EQ(common_planes<3>(lower, open, k3d, plane, {.at_point = true}), 0);
+  // In the plane the same.
+  Planes<2> line;
+  const auto below = edge(Vec<2>(2, 0), Vec<2>(-2, 0));
+  const auto above = edge(Vec<2>(-half, -rise - .02), Vec<2>(half, rise - .02));
+  ASSERT_EQ(common_planes<2>(below, above, kPlane, line, {.at_point = true}), 1);
+  EXPECT_NEAR(line[0].volume / kPlane.depth, line[0].penetration * c, 1e-12);
+}
+
 TEST(CommonPlane, TouchingOrAlikeFacesCarryNothing) {
   Planes<3> plane;
   const Real z = 0.1 + 0.2;
