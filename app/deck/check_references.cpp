@@ -149,6 +149,28 @@ void check_friction(const Deck& deck, Findings& findings) {
   }
 }
 
+/// Particles that a pair names, which no face's bond or joint holds.
+void check_holding(const Deck& deck, Findings& findings) {
+  for (const auto& [name, pair] : deck.contact.pairs) {
+    const auto particles =
+        std::find_if(deck.bodies.begin(), deck.bodies.end(), [&, &pair = pair](const auto& body) {
+          return body.value.method == deck::Method::sph && !body.value.rigid &&
+                 contains(pair.between, body.name);
+        });
+    if (particles == deck.bodies.end()) continue;
+    const std::string path = "contact.pairs." + name, who = "'" + particles->name + "'";
+    if (findings.stands(path + ".joint")) {
+      findings.warn(path + ".joint", "faces of elements close as a joint: the particles of " + who +
+                                         " touch as without it");
+    }
+    for (const char* key : {".cohesion", ".tension"}) {
+      if (pair.options.holds() || !findings.stands(path + key)) continue;
+      findings.warn(path + key, "holds faces of elements: the particles of " + who +
+                                    " are not held (tied holds them on faces, up to this)");
+    }
+  }
+}
+
 /// The bodies in the name of a column: body.NAME.x, contact.NAME-NAME.x where no pair has the name.
 Names bodies_in(const std::string& column, const Deck& deck) {
   const auto dot = column.find('.');
@@ -236,6 +258,7 @@ void check_references(const Deck& deck, Findings& findings) {
   check_names_of_bodies(deck, bodies);
   bodies.report();
   check_friction(deck, findings);
+  check_holding(deck, findings);
   check_expressions(deck, findings);
 }
 
