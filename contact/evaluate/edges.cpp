@@ -107,8 +107,8 @@ void add_blades(const Entities<3>& entities, const FaceCandidate& candidate,
   const auto& lower = entities.planes[slot_of(candidate.lower)];
   const auto& upper = entities.planes[slot_of(candidate.upper)];
   if (lower.borders >> kBladeBits == 0 || upper.borders >> kBladeBits == 0) return;
-  // At twice the depth of faces edges push as hard as faces do at theirs, by 34 k D.
-  const BladeDepths depths{0.5 * candidate.normal.limit, 2 * candidate.normal.limit};
+  // Thin ones go three times as deep as faces; at ten times they hold 1e4 times what those do.
+  const BladeDepths depths{0.5 * candidate.normal.limit, 10 * candidate.normal.limit};
   const Real stiffness =
       candidate.normal.stiffness * candidate.normal.limit * candidate.normal.limit;
   EdgeContact contact;
