@@ -37,14 +37,16 @@ Fading fades(Real rho, Real depth) {
           -v * w * low.value * deep.slope / (kTooDeep - kDeep)};
 }
 
-/// How far two borders oppose each other, by kappa: wholly from 26 degrees on, since what the rest
-/// of an angle would leave of an overlap that is deep is no less than what its faces hold.
+/// How far two borders oppose each other, by kappa: its square, and wholly within 14 degrees, since
+/// what the rest of an angle would leave of an overlap that is deep is no less than what its faces
+/// hold.
 struct Opposing {
   explicit Opposing(Real kappa) {
-    constexpr Real kWhole = 0.9;
-    const Real x = std::min(kappa / kWhole, 1.0);
-    value = x * x * (2 - x * x);
-    slope = 4 * x * (1 - x * x) / kWhole;
+    constexpr Real kNearly = 0.9, kWhole = 0.97;
+    const Step whole((kappa - kNearly) / (kWhole - kNearly));
+    const Real rest = 1 - kappa * kappa;
+    value = kappa * kappa + rest * whole.value;
+    slope = 2 * kappa * (1 - whole.value) + rest * whole.slope / (kWhole - kNearly);
   }
   Real value, slope;
 };

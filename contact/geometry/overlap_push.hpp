@@ -13,7 +13,7 @@ namespace brunt {
 ///   rho = int_P G dA / int_P (D_l + D_u) dA
 /// is the mean depth over the distance D_l + D_u of both, and kappa the cosine between their
 /// directions into the faces, 1 where they are opposite. omega is the product over all such pairs
-/// of 1 - K (1 - v(rho)), K = x^2 (2 - x^2), x = kappa/0.9 up to 1, where v is 1 up to rho = 1 and
+/// of 1 - K (1 - v(rho)), K = kappa^2, but 1 within 14 degrees, where v is 1 up to rho = 1 and
 /// falls as 1/rho^2 beyond, to nothing before the overlap is so deep that its faces let go. Two
 /// boxes that overlap by p > a at their edges have p/a on the sides that are p deep, a/p on the
 /// others: these push. Borders on the same side, of faces that end flush, fade nothing.

@@ -205,18 +205,20 @@ TEST(OverlapPush, IsTheGradientOfThePotentialInTwoDimensions) {
 }
 
 TEST(OverlapPush, BordersWithoutRoomLeaveNumbers) {
-  // Opposite by 60 degrees: 1 - x^2 (2 - x^2), x = 0.5/0.9, is left of the overlap, and nothing is
-  // divided by no room.
-  const Real x = 0.5 / 0.9, left = 1 - x * x * (2 - x * x);
+  // Opposite by 60 degrees: 1 - cos^2 is left of the overlap, and nothing is divided by no room.
   for (const Real room : {0.0, -1e-20, 1e-300}) {
     BorderFade<3> fade;
     fade.add(0, 2, 0.5, {.volume = 1, .size = room});
-    EXPECT_NEAR(fade.factor, left, 1e-15) << room;
+    EXPECT_EQ(fade.factor, 0.75) << room;
     ASSERT_EQ(fade.n, 1) << room;
     EXPECT_EQ(fade.by_volume, 0) << room;
     EXPECT_EQ(fade.pair[0].by_room, 0) << room;
-    EXPECT_NEAR(fade.pair[0].by_facing, -4 * x * (1 - x * x) / 0.9 / left, 1e-14) << room;
+    EXPECT_EQ(fade.pair[0].by_facing, -2 * 0.5 / 0.75) << room;
   }
+  // By 13 degrees, nothing is.
+  BorderFade<3> nearly;
+  nearly.add(0, 2, 0.975, {.volume = 1});
+  EXPECT_EQ(nearly.factor, 0);
   BorderFade<3> opposite;
   opposite.add(0, 2, 1, {.volume = 1});
   EXPECT_EQ(opposite.factor, 0);
