@@ -336,31 +336,48 @@ void scale(Real part, CommonPlane<3>& plane) {
   for (auto& push : plane.upper_push) push *= part;
 }
 
+/// Adds what the force has because a face passes from its plane to its halves.
+/// by_split  [m^4] derivative of the energy by face.split
+void add_passing(const FacePlane<3>& face, Real by_split, std::array<Vec3, 4>& push) {
+  if (face.split == 0 || face.split == 1) return;
+  const auto gradient = split_gradient(face);
+  for (std::size_t c = 0; c < 4; ++c) push[c] -= by_split * gradient[c];
+}
+
+/// Both faces are planes, and both are halves, by the parts 1 - b and b, 1 - b the product of
+/// theirs: what is warped alike, as two meshes with the same corners, fits as either, but not as
+/// the plane of one beside the halves of the other.
 int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
                  const PlaneNeeds& needs, Planes<3>& planes) {
   const FaceParts below(lower), above(upper);
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Real of_lower = below.share(i), of_upper = above.share(j);
-      if (of_lower == 0 || of_upper == 0) continue;
-      auto& plane = planes[n];
-      if (!one_plane(below[i], above[j], section, needs, plane)) continue;
-      plane.ordinal = static_cast<std::uint32_t>(3 * i + j);
-      below.spread(i, 0.0, plane.lower_weight);
-      above.spread(j, 0.0, plane.upper_weight);
-      below.spread(i, 0.0, plane.lower_at_middle);
-      above.spread(j, 0.0, plane.upper_at_middle);
-      const Real energy = plane.share * plane.energy;
-      if (of_lower * of_upper < 1) scale(of_lower * of_upper, plane);
-      if (plane.share > 0) {
-        below.spread(i, Vec3(Vec3::Zero()), plane.lower_push);
-        above.spread(j, Vec3(Vec3::Zero()), plane.upper_push);
-        below.add_push(i, of_upper * energy, plane.lower_push);
-        above.add_push(j, of_lower * energy, plane.upper_push);
-      }
-      ++n;
+  const Real of_planes = (1 - lower.split) * (1 - upper.split);
+  std::size_t n = 0, most = 0;  // the one that follows its potential most
+  Real by_split = 0;            // [m^4] what halves hold more
+  const auto add = [&](std::size_t i, std::size_t j, Real part, Real sign) {
+    auto& plane = planes[n];
+    if (part == 0 || !one_plane(below[i], above[j], section, needs, plane)) return;
+    plane.ordinal = static_cast<std::uint32_t>(3 * i + j);
+    below.spread(i, 0.0, plane.lower_weight);
+    above.spread(j, 0.0, plane.upper_weight);
+    below.spread(i, 0.0, plane.lower_at_middle);
+    above.spread(j, 0.0, plane.upper_at_middle);
+    if (plane.share > 0) {
+      below.spread(i, Vec3(Vec3::Zero()), plane.lower_push);
+      above.spread(j, Vec3(Vec3::Zero()), plane.upper_push);
     }
+    by_split += sign * plane.energy;
+    if (part < 1) scale(part, plane);
+    if (plane.share > planes[most].share) most = n;
+    ++n;
+  };
+  add(0, 0, of_planes, -1);
+  for (std::size_t i = below.first; i <= below.last; ++i) {
+    for (std::size_t j = above.first; j <= above.last; ++j) add(i, j, 1 - of_planes, 1);
+  }
+  if (n > 0 && planes[most].share > 0) {
+    by_split *= planes[most].share;
+    add_passing(lower, (1 - upper.split) * by_split, planes[most].lower_push);
+    add_passing(upper, (1 - lower.split) * by_split, planes[most].upper_push);
   }
   return static_cast<int>(n);
 }

@@ -73,7 +73,7 @@ struct CommonPlane {
   Real layered = 0;           ///< [m] mean penetration, where a soft layer lies over the spring
   Real mean_slope = 1;        ///< of the pressure, over k: its mean over the area; 1: no barrier
   std::uint32_t ordinal = 0;  ///< which parts of the faces: 3 i + j, 0 the whole, 1 and 2 halves
-  Real part = 1;  ///< of faces between one plane and two triangles: it is in area, volume, energies
+  Real part = 1;              ///< of faces on their way to halves: it is in area, volume, energies
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
   /// The centre of the area under pressure with its weights, where asked for: friction acts there,
   /// since a place that followed the pressure would couple normal motion to friction, one way only.
@@ -114,9 +114,9 @@ struct PlaneNeeds {
   bool turned = false;
 };
 
-/// Between whole faces and their halves.
+/// Between two faces, and between their halves.
 template <int Dim>
-using Planes = std::array<CommonPlane<Dim>, Dim == 3 ? 9 : 1>;
+using Planes = std::array<CommonPlane<Dim>, Dim == 3 ? 5 : 1>;
 
 /// The planes between two faces, lower first by id: one, or more where warped or concave quads are
 /// split. Returns how many of them carry pressure; `plane` holds these in fixed order.

@@ -3,15 +3,15 @@
 
 namespace brunt {
 
-/// A face as a plane, as its two halves, or as both where it is on its way from one to the other.
+/// A face as its plane, part 0, and as its halves, parts 1 and 2. A triangle has none: its plane
+/// stands for them.
 struct FaceParts {
   explicit FaceParts(const FacePlane<3>& face) : whole(face) {
-    if (face.split > 0) halves = split(face);
+    if (face.n_corners == 4) halves = split(face), first = 1, last = 2;
   }
   const FacePlane<3>& operator[](std::size_t i) const {
     return i == 0 ? whole : halves.part[i - 1];
   }
-  Real share(std::size_t i) const { return i == 0 ? 1 - whole.split : whole.split; }
   /// Puts the weights of part i where the corners of the whole face are.
   template <class Value>
   void spread(std::size_t i, const Value& none, std::array<Value, 4>& weight) const {
@@ -22,13 +22,8 @@ struct FaceParts {
       weight[slot_of(halves.corners[i - 1][c])] = of_part[c];
     }
   }
-  /// Adds the push of an energy [m^4] that passes from the whole to its halves.
-  void add_push(std::size_t i, Real energy, std::array<Vec3, 4>& push) const {
-    if (whole.split == 0 || whole.split == 1) return;
-    const auto gradient = split_gradient(whole);
-    for (std::size_t c = 0; c < 4; ++c) push[c] += (i == 0 ? energy : -energy) * gradient[c];
-  }
   const FacePlane<3>& whole;
+  std::size_t first = 0, last = 0;  ///< parts that are its halves
   SplitFace halves;
 };
 

@@ -139,6 +139,7 @@ class AreaGradient {
   /// other face that is flush with it; dU/dA along it.
   void move_side(const Vec<2>& p, const Vec<2>& q, int side, const SideMeans& density) {
     const Vec<2> out(q[1] - p[1], p[0] - q[0]);  // as long as the side
+    if (out[0] == 0 && out[1] == 0) return;
     const bool of_upper = side >= Polygon::kOfSecond;
     const int number = of_upper ? side - Polygon::kOfSecond : side;
     const Edge edge = edge_of(overlap_, of_upper, number);
