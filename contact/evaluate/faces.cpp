@@ -6,6 +6,7 @@
 #include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
 #include "contact/evaluate/ties.hpp"
+#include "contact/surfaces/start_warp.hpp"
 
 namespace brunt {
 
@@ -50,6 +51,7 @@ FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real
     plane.corner[c] -= dt * entities.nodes.v[slot_of(face.node[c])];
   }
   refresh(plane);
+  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
   return plane;
 }
 

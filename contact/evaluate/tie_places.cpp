@@ -93,7 +93,7 @@ void begin_face_ties(const Entities<Dim>& entities, const FaceCandidate& candida
         r -= tie.lower[slot_of(k)] * lower.corner[slot_of(k)];
       }
       tie.gap = r.dot(plane.normal);
-      tie.area = plane.part * area;
+      tie.area = area;
       part.face_ties.push_back(tie);
       ++tie.key.ordinal;
     });

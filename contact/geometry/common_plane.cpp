@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contact/geometry/bilinear_weights.hpp"
-#include "contact/geometry/face_parts.hpp"
 #include "contact/geometry/overlap_push.hpp"
 
 namespace brunt {
@@ -23,7 +22,7 @@ bool orient(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Plan
   plane.facing = facing;
   plane.share = 0;
   plane.layered = 0;
-  plane.fade = plane.part = 1;
+  plane.fade = 1;
   plane.barrier = needs.barrier.at(facing);
   plane.ramp = needs.turned ? 1.0 : ramp.at(facing);
   plane.ramp_growth = needs.turned ? 0.0 : ramp.growth(facing);
@@ -324,60 +323,49 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   return true;
 }
 
-/// Lets a plane stand for a part of what there is between both faces.
-void scale(Real part, CommonPlane<3>& plane) {
-  plane.part = part;
-  for (Real* value : {&plane.area, &plane.volume, &plane.energy, &plane.energy_by_fade,
-                      &plane.energy_by_facing}) {
-    *value *= part;
+/// A face as one or two simple parts with the corners that each has in the face.
+struct Parts {
+  explicit Parts(const FacePlane<3>& face) : whole(face) {
+    if (face.simple) return;
+    halves = split(face);
+    count = 2;
   }
-  if (!(plane.share > 0)) return;
-  for (auto& push : plane.lower_push) push *= part;
-  for (auto& push : plane.upper_push) push *= part;
-}
-
-/// Adds what the force has because a face passes from its plane to its halves.
-/// by_split  [m^4] derivative of the energy by face.split
-void add_passing(const FacePlane<3>& face, Real by_split, std::array<Vec3, 4>& push) {
-  if (face.split == 0 || face.split == 1) return;
-  const auto gradient = split_gradient(face);
-  for (std::size_t c = 0; c < 4; ++c) push[c] -= by_split * gradient[c];
-}
-
-/// Both faces are planes, and both are halves, by the parts 1 - b and b, 1 - b the product of
-/// theirs: what is warped alike, as two meshes with the same corners, fits as either, but not as
-/// the plane of one beside the halves of the other.
-int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
-                 const PlaneNeeds& needs, Planes<3>& planes) {
-  const FaceParts below(lower), above(upper);
-  const Real of_planes = (1 - lower.split) * (1 - upper.split);
-  std::size_t n = 0, most = 0;  // the one that follows its potential most
-  Real by_split = 0;            // [m^4] what halves hold more
-  const auto add = [&](std::size_t i, std::size_t j, Real part, Real sign) {
-    auto& plane = planes[n];
-    if (part == 0 || !one_plane(below[i], above[j], section, needs, plane)) return;
-    plane.ordinal = static_cast<std::uint32_t>(3 * i + j);
-    below.spread(i, 0.0, plane.lower_weight);
-    above.spread(j, 0.0, plane.upper_weight);
-    below.spread(i, 0.0, plane.lower_at_middle);
-    above.spread(j, 0.0, plane.upper_at_middle);
-    if (plane.share > 0) {
-      below.spread(i, Vec3(Vec3::Zero()), plane.lower_push);
-      above.spread(j, Vec3(Vec3::Zero()), plane.upper_push);
+  const FacePlane<3>& operator[](std::size_t i) const {
+    return count == 1 ? whole : halves.part[i];
+  }
+  /// Puts the weights of part i where the corners of the whole face are.
+  template <class Value>
+  void spread(std::size_t i, const Value& none, std::array<Value, 4>& weight) const {
+    if (count == 1) return;
+    const std::array<Value, 4> of_part = weight;
+    weight.fill(none);
+    for (std::size_t c = 0; c < 3; ++c) {
+      weight[slot_of(halves.corners[i][c])] = of_part[c];
     }
-    by_split += sign * plane.energy;
-    if (part < 1) scale(part, plane);
-    if (plane.share > planes[most].share) most = n;
-    ++n;
-  };
-  add(0, 0, of_planes, -1);
-  for (std::size_t i = below.first; i <= below.last; ++i) {
-    for (std::size_t j = above.first; j <= above.last; ++j) add(i, j, 1 - of_planes, 1);
   }
-  if (n > 0 && planes[most].share > 0) {
-    by_split *= planes[most].share;
-    add_passing(lower, (1 - upper.split) * by_split, planes[most].lower_push);
-    add_passing(upper, (1 - lower.split) * by_split, planes[most].upper_push);
+  const FacePlane<3>& whole;
+  SplitFace halves;
+  std::size_t count = 1;
+};
+
+int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
+                 const PlaneNeeds& needs, Planes<3>& plane) {
+  const Parts below(lower), above(upper);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < below.count; ++i) {
+    for (std::size_t j = 0; j < above.count; ++j) {
+      if (!one_plane(below[i], above[j], section, needs, plane[n])) continue;
+      plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
+      below.spread(i, 0.0, plane[n].lower_weight);
+      above.spread(j, 0.0, plane[n].upper_weight);
+      below.spread(i, 0.0, plane[n].lower_at_middle);
+      above.spread(j, 0.0, plane[n].upper_at_middle);
+      if (plane[n].share > 0) {
+        below.spread(i, Vec3(Vec3::Zero()), plane[n].lower_push);
+        above.spread(j, Vec3(Vec3::Zero()), plane[n].upper_push);
+      }
+      ++n;
+    }
   }
   return static_cast<int>(n);
 }
@@ -387,8 +375,7 @@ template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
                   Planes<Dim>& plane, const PlaneNeeds& needs) {
   if constexpr (Dim == 3) {
-    if (lower.split > 0 || upper.split > 0)
-      return split_planes(lower, upper, section, needs, plane);
+    if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, needs, plane);
   }
   plane[0].ordinal = 0;
   return one_plane(lower, upper, section, needs, plane[0]) ? 1 : 0;

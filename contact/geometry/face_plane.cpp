@@ -1,12 +1,18 @@
 #include "contact/geometry/face_plane.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "contact/geometry/face_split.hpp"
+#include "contact/geometry/place.hpp"
 
 namespace brunt {
 
 namespace {
+/// A corner counts as convex if its parallelogram has at least this part of the face's area.
+constexpr Real kConvexLimit = 0.02;
+/// A diagonal is the shorter one where its square is less than this part of the other's.
+constexpr Real kShorter = 0.5;
+
 void finish(FacePlane<2>& face) {
   const Vec<2> edge = face.corner[1] - face.corner[0];
   face.center = 0.5 * (face.corner[0] + face.corner[1]);
@@ -32,15 +38,18 @@ void finish_quad(FacePlane<3>& face) {
   face.normal = twice / norm;
   // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
   face.warp = 0.25 * std::fabs(((x[0] - x[1]) + (x[2] - x[3])).dot(face.normal));
+  face.simple = face.warp <= kWarpLimit * std::sqrt(face.area);
   const Place<Pack> from = corners(x), edge = next(from) - from;
   const Pack turns = dot(cross(edge, next(edge)), everywhere(face.normal));  // left at each corner
-  face.split = split_of(face, turns);
+  const unsigned convex = mask_bits(turns >= broadcast<Pack>(kConvexLimit * face.area));
+  face.simple = face.simple && convex == 0b1111;
 }
 }  // namespace
 
 template <int Dim>
 void refresh(FacePlane<Dim>& face) {
-  face.warp = face.split = 0;
+  face.warp = 0;
+  face.simple = true;
   if constexpr (Dim == 2) {
     finish(face);
   } else if (face.n_corners == 3) {
@@ -49,7 +58,9 @@ void refresh(FacePlane<Dim>& face) {
     finish_quad(face);
   }
   if (!(face.area > 0) || !(face.normal.squaredNorm() > 0.5)) {
-    face.area = face.warp = face.split = 0;
+    face.area = 0;
+    face.warp = 0;
+    face.simple = true;
     face.normal.setZero();
   }
 }
@@ -88,6 +99,40 @@ SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
     box.hi[slot_of(c)] = hi + reach;
   }
   return box;
+}
+
+SplitFace split(const FacePlane<3>& face) {
+  const auto& x = face.corner;
+  const auto twice = [&](int a, int b, int c) {
+    const auto at = [&](int k) { return x[slot_of(k)]; };
+    return (at(b) - at(a)).cross(at(c) - at(a)).dot(face.normal);
+  };
+  const bool first_fits = twice(0, 1, 2) >= 0 && twice(0, 2, 3) >= 0;
+  const bool second_fits = twice(1, 2, 3) >= 0 && twice(1, 3, 0) >= 0;
+  // Of diagonals nearly alike, as those of a square are, always the same: under pressure its
+  // surface would jump with every rounding.
+  const bool second_shorter = (x[3] - x[1]).squaredNorm() < kShorter * (x[2] - x[0]).squaredNorm();
+  const bool first = first_fits == second_fits ? !second_shorter : first_fits;
+  SplitFace halves;
+  halves.corners = first ? std::array<std::array<int, 3>, 2>{{{0, 1, 2}, {0, 2, 3}}}
+                         : std::array<std::array<int, 3>, 2>{{{1, 2, 3}, {1, 3, 0}}};
+  for (std::size_t p = 0; p < 2; ++p) {
+    auto& part = halves.part[p];
+    part.n_corners = 3;
+    part.sharpness = face.sharpness;
+    for (std::size_t c = 0; c < 3; ++c) {
+      part.corner[c] = x[slot_of(halves.corners[p][c])];
+    }
+    part.corner[3].setZero();
+    // Edges that are the face's keep their borders; the diagonal is none.
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int from = halves.corners[p][c], to = halves.corners[p][(c + 1) % 3];
+      const bool of_face = (from + 1) % 4 == to && (face.borders >> from & 1U) != 0;
+      part.borders = static_cast<std::uint8_t>(part.borders | (of_face ? 1U << c : 0U));
+    }
+    refresh(part);
+  }
+  return halves;
 }
 
 template void refresh<2>(FacePlane<2>&);

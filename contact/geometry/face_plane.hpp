@@ -18,18 +18,14 @@ struct FacePlane {
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit, out of the body (Newell); 0 if degenerate
   Real area = 0;                       ///< [m^2]; 2D: length [m]; 0 if degenerate
   Real warp = 0;                       ///< [m] distance of the corners from the mean plane
-  Real area_start = 0;                 ///< [m^2] at time 0; 0: unknown
-  Real split = 0;  ///< how far it is two triangles instead of one plane, 0 .. 1; 2D: 0
+  bool simple = true;                  ///< one plane will do: convex, warp within kWarpLimit
 };
 
-/// A quad passes from one plane to two triangles as its corners leave their mean plane, by these
-/// parts of the root of its area now or at time 0, the smaller: faces that grow keep their depth
-/// and their spring, and a corner that dips in by a part of what they have grown to would be far in
-/// the barrier once they are split.
-inline constexpr Real kWarpNone = 0.03, kWarpWhole = 0.09;
+/// A quad whose corners leave their mean plane by more than this times sqrt(area) is split.
+inline constexpr Real kWarpLimit = 0.05;
 
-/// Fills all but `corner`, `n_corners`, `borders`, `sharpness` and `area_start`. A face without
-/// area or with a NaN gets area 0.
+/// Fills all but `corner`, `n_corners`, `borders` and `sharpness`. A face without area or with a
+/// NaN gets area 0.
 template <int Dim>
 void refresh(FacePlane<Dim>& face);
 
@@ -44,14 +40,5 @@ struct SplitFace {
   std::array<std::array<int, 3>, 2> corners;
 };
 SplitFace split(const FacePlane<3>& face);
-
-/// Derivative of face.split by the corners of a quad [1/m], where it is within 0 .. 1; the warp and
-/// the corners that turn least decide.
-std::array<Vec3, 4> split_gradient(const FacePlane<3>& face);
-
-/// Adds what a function of a face's normal has as gradient by its corners.
-/// d  derivative by the normal
-void add_turn(const FacePlane<3>& face, const Vec3& d, std::array<Vec3, 4>& gradient);
-void add_turn(const FacePlane<2>& face, const Vec<2>& d, std::array<Vec<2>, 2>& gradient);
 
 }  // namespace brunt

@@ -59,6 +59,30 @@ Real share_between(Real steep, Real filled) {
   return deep * filled * filled * (3 - 2 * filled);
 }
 
+/// Adds the gradient by a face's normal, d = (dU/dn) / k, at its corners: n = D/|D|.
+void add_turn(const FacePlane<3>& face, const Vec3& d, std::array<Vec3, 4>& gradient) {
+  const auto& x = face.corner;
+  const Vec3 w = (d - face.normal.dot(d) * face.normal) / (2 * face.area);
+  if (face.n_corners == 3) {  // D = (x1 - x0) x (x2 - x0)
+    const Vec3 of_1 = (x[2] - x[0]).cross(w), of_2 = w.cross(x[1] - x[0]);
+    gradient[0] -= of_1 + of_2;
+    gradient[1] += of_1;
+    gradient[2] += of_2;
+    return;
+  }
+  const Vec3 of_02 = (x[3] - x[1]).cross(w);  // D = (x2 - x0) x (x3 - x1)
+  const Vec3 of_13 = w.cross(x[2] - x[0]);
+  gradient[0] -= of_02, gradient[2] += of_02;
+  gradient[1] -= of_13, gradient[3] += of_13;
+}
+
+void add_turn(const FacePlane<2>& face, const Vec<2>& d, std::array<Vec<2>, 2>& gradient) {
+  const Vec<2> w = (d - face.normal.dot(d) * face.normal) / face.area;
+  const Vec<2> of_1(-w[1], w[0]);  // D = (e_y, -e_x), e = x1 - x0
+  gradient[0] -= of_1;
+  gradient[1] += of_1;
+}
+
 /// What the outline does where the plane turns: a corner at height h moves by -h dn in it.
 template <int Dim>
 Vec<Dim> turn_of_outline(const FacePlane<Dim>& face, const CommonPlane<Dim>& plane,

@@ -153,7 +153,7 @@ TEST(CommonPlane, MomentumOfRandomWarpedPairs) {
     }
     if (trial % 3 == 0) a.pop_back();
     const auto lower = face(a), upper = face(b);
-    split_faces += upper.split > 0 ? 1 : 0;
+    split_faces += upper.simple ? 0 : 1;
     Planes<3> plane;
     const int n = common_planes<3>(lower, upper, k3d, plane);
     for (int i = 0; i < n; ++i) {

@@ -1,6 +1,5 @@
-// A quad whose corners stand alternately w over and under a plane has warp w; it is split from 3 %
-// of sqrt(area) on, wholly from 9 %, or where it is not convex. Halves add up to the area of the
-// quad's projection.
+// A quad whose corners stand alternately w over and under a plane has warp w; it is split beyond 5
+// % of sqrt(area), or where it is not convex. Halves add up to the area of the quad's projection.
 #include "contact/geometry/face_plane.hpp"
 
 #include <gtest/gtest.h>
@@ -23,9 +22,8 @@ TEST(FacePlane, MeanPlaneOfAWarpedQuad) {
   EXPECT_NEAR(face.area, 4, 1e-15);
   EXPECT_LT((face.normal - Vec3::UnitZ()).norm(), 1e-15);
   EXPECT_LT((face.center - Vec3(1, 1, 0)).norm(), 1e-15);
-  EXPECT_EQ(warped(0.059).split, 0);            // 0.059 <= 0.03 * 2
-  EXPECT_NEAR(warped(0.12).split, 0.5, 1e-12);  // half way
-  EXPECT_EQ(warped(0.181).split, 1);            // 0.181 > 0.09 * 2
+  EXPECT_TRUE(face.simple);           // 0.09 <= 0.05 * 2
+  EXPECT_FALSE(warped(0.11).simple);  // 0.11 > 0.05 * 2
 }
 
 TEST(FacePlane, SplitsAlongTheShorterDiagonalAndOnATieAtCornerZero) {
@@ -37,7 +35,7 @@ TEST(FacePlane, SplitsAlongTheShorterDiagonalAndOnATieAtCornerZero) {
 
 TEST(FacePlane, SplitsAConcaveQuadAtItsInwardCorner) {
   const auto face = quad({Vec3(0, 0, 0), {4, 0, 0}, {1, 1, 0}, {0, 4, 0}});
-  EXPECT_EQ(face.split, 1);
+  EXPECT_FALSE(face.simple);
   const auto halves = split(face);
   EXPECT_EQ(halves.corners[0], (std::array<int, 3>{0, 1, 2}));
   EXPECT_NEAR(halves.part[0].area + halves.part[1].area, face.area, 1e-15);

@@ -224,66 +224,6 @@ TEST(OverlapPush, BordersWithoutRoomLeaveNumbers) {
   EXPECT_EQ(opposite.factor, 0);
 }
 
-/// Force per k by the potential on corner i, of all planes between two faces.
-Vec3 by_all(const Pair<3>& pair, int n_planes, std::size_t i) {
-  const auto n = static_cast<std::size_t>(pair.lower.n_corners);
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t p = 0; p < static_cast<std::size_t>(n_planes); ++p) {
-    const auto& plane = pair.planes[p];
-    const Real weight = i < n ? -plane.lower_weight[i] : plane.upper_weight[i - n];
-    const Vec3 push = i < n ? plane.lower_push[i] : plane.upper_push[i - n];
-    sum += weight * plane.volume * plane.normal + push / plane.share;
-  }
-  return sum;
-}
-
-// Faces on their way from one plane to two triangles hold a part of what both do: the gradient has
-// that of the parts too.
-TEST(OverlapPush, IsTheGradientWhereFacesPassToTheirHalves) {
-  Random random;
-  int found = 0;
-  for (int k = 0; k < 3000 && found < 150; ++k) {
-    auto pair = random_pair(random, 4, k % 4 == 0 ? 3 : 4);
-    for (std::size_t c = 0; c < 4; ++c) {
-      pair.lower.corner[c][2] += (c % 2 == 0 ? 1 : -1) * random(0.03, 0.09);
-    }
-    if (k % 2 == 0) pair.barrier = {0.08};
-    const int n = pair.meet();
-    const Real split = pair.lower.split;
-    if (n < 3 || split < 0.05 || split > 0.95) continue;
-    Real volume = 0;
-    bool all_push = true;
-    for (std::size_t p = 0; p < static_cast<std::size_t>(n); ++p) {
-      volume += pair.planes[p].volume;
-      all_push = all_push && pair.planes[p].share > 0;
-    }
-    if (!all_push || volume < 2e-3) continue;
-    ++found;
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    std::vector<Vec3> of_corner;
-    for (std::size_t i = 0; i < pair.n_corners(); ++i) {
-      of_corner.push_back(by_all(pair, n, i));
-      force += of_corner.back();
-      moment += moment_of(pair.corner(i), of_corner.back());
-    }
-    EXPECT_LT(force.norm(), 1e-13 * volume) << k;
-    EXPECT_LT(moment.norm(), 1e-13 * volume) << k;
-    const Real d = 1e-7;
-    for (std::size_t i = 0; i < pair.n_corners(); ++i) {
-      for (int c = 0; c < 3; ++c) {
-        const Real at = pair.corner(i)[c];
-        pair.corner(i)[c] = at + d;
-        const Real more = pair.energy();
-        pair.corner(i)[c] = at - d;
-        const Real less = pair.energy();
-        pair.corner(i)[c] = at;
-        EXPECT_NEAR(-(more - less) / (2 * d), of_corner[i][c], 2e-5 * volume) << k << ' ' << i << c;
-      }
-    }
-  }
-  EXPECT_EQ(found, 150);
-}
-
 TEST(OverlapPush, HasNoResultantAndNoMoment) {
   // Sums of eight forces of size N about points of size 1 round to some 1e-15 N.
   Random random;
