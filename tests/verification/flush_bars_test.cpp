@@ -176,5 +176,44 @@ TEST(FlushBars, FastOnesSlideOffAsOnAFinerMesh) {
   }
 }
 
+// Two plates on each other, corners on corners, clamped at both ends: sides of their overlap that
+// have no length carry nothing, and no force is no number.
+TEST(FlushBars, PlatesThatAreClampedAtBothEnds) {
+  const std::string ends = R"(
+  first: {body: upper, where: {side: min-x}, fix: [x, y, z]}
+  second: {body: upper, where: {side: max-x}, fix: [x, y, z]}
+  third: {body: lower, where: {side: min-x}, fix: [x, y, z]}
+  fourth: {body: lower, where: {side: max-x}, fix: [x, y, z]}
+)";
+  const auto run = simulate_text(R"(
+title: Two plates on each other, clamped at both ends
+geometry: 3d
+time: {end: 20 us}
+materials: {aluminium: {density: 2700 kg/m^3, elastic: {E: 70 GPa, nu: 0.33}}}
+bodies:
+  upper:
+    material: aluminium
+    shape: {box: {min: [-30 mm, -30 mm, -2 mm], max: [30 mm, 30 mm, 0]}}
+    cells: [3, 2, 1]
+    velocity: [0, 0, "= -20*exp(-(x*x+y*y)/5e-5)"]
+  lower:
+    material: aluminium
+    shape: {
+  box : {
+  min:
+    [ -30 mm, -30 mm, -4 mm ], max : [ 30 mm, 30 mm, -2 mm ]
+  }}
+    cells: [3, 2, 1]
+contact: {
+    default: {
+    friction:
+      0
+    }}
+output: {history: 0.1 us}
+boundaries:)" + ends);
+  EXPECT_EQ(run.failure, "");
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
 }  // namespace
 }  // namespace brunt::test

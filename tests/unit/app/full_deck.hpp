@@ -120,7 +120,8 @@ contact:
       heat: {conductance: 2e4 W/m^2/K}
     ac: {between: [a, c], friction: {static: 0.4, kinetic: 0.4, decay: 0}}
     ag: {between: [a, g], friction: "= 0.3 - v/1000 - T/1e5", shear_limit: true}
-    ad: {between: [a, d], friction: 0.3, cohesion: 1 MPa, tension: 0.5 MPa, initial_overlap: press, plane: point}
+    ad: {between: [a, d], friction: 0.3, cohesion: 1 MPa, tension: 0.5 MPa,
+         initial_overlap: press, plane: point}
     dd: {between: [d, d], bonded: true, resting_layer: 5}
     ae: {between: [a, e], tied: true,
          joint: {normal: 3.5 GPa/m, shear: 1 GPa/m, max_closure: 0.5 mm}}
