@@ -195,7 +195,7 @@ bodies:
     material: aluminium
     shape: {box: {min: [-30 mm, -30 mm, -2 mm], max: [30 mm, 30 mm, 0]}}
     cells: [3, 2, 1]
-    velocity: [0, 0, "= -20*exp(-(x*x+y*y)/5e-5)"]
+    velocity: [0, 0, = -20*exp(-(x*x+y*y)/5e-5)]
   lower:
     material: aluminium
     shape: {
