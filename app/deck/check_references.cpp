@@ -159,7 +159,7 @@ void check_holding(const Deck& deck, Findings& findings) {
         });
     if (particles == deck.bodies.end()) continue;
     const std::string path = "contact.pairs." + name, who = "'" + particles->name + "'";
-    if (findings.stands(path + ".joint")) {
+    if (!pair.options.tied && findings.stands(path + ".joint")) {
       findings.warn(path + ".joint", "faces of elements close as a joint: the particles of " + who +
                                          " touch as without it");
     }

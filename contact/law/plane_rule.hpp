@@ -11,7 +11,7 @@ inline void describe(Schema& s, PlaneRule& rule) {
   static constexpr const char* kWords[] = {"integrated", "point"};
   s.choice({"plane",
             "pressure of two faces: integrated over where they penetrate, or that at the middle of "
-            "their overlap (point): cheaper, and without a potential where edges dig in"},
+            "their overlap (point), which makes energy where edges and corners dig in"},
            rule, kWords);
 }
 
