@@ -88,6 +88,8 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
   const int n = common_planes<Dim>(
       before_step(entities, candidate.lower, dt), before_step(entities, candidate.upper, dt),
       section, planes, {.barrier = law.barrier(), .limit = law.limit, .at_point = law.at_point});
+  // Deeper than the thinner body only what has dug in may push: not what turns there (C9).
+  if (n == 0 && plane.penetration > law.limit) return true;
   for (const auto& one : std::span(planes.data(), slot_of(n))) {
     if (one.penetration > law.limit_at(one.facing)) return true;
   }
