@@ -65,6 +65,8 @@ class NearJohnsonCook {
   NearJohnsonCook() = default;
   BRUNT_INLINE NearJohnsonCook(const JohnsonCook& law, V eps_p, V T)
       : law_(&law),
+        per_rate_(1.0 / law.rate_ref),
+        per_kelvin_(law.homologous_slope()),
         eps_p_(eps_p),
         inverse_(1.0 / eps_p),
         power_(power_of(eps_p, law.n)),
@@ -82,26 +84,31 @@ class NearJohnsonCook {
     const V eps_p = eps_p_ + increment;
     const V power = power_near(eps_p, eps_p_, inverse_, power_, law.n);
     const V hardened = law.A + law.B * power;
+    const V hot = vmin(vmax((T - law.T_ref) * per_kelvin_, zero), one);
+    // One division for all three slopes.
+    const V least = broadcast<V>(1e-100), fast = vmax(rate, least), warm = vmax(hot, least);
+    const V both = eps_p * fast, inverse = 1.0 / (both * warm);
     V rate_factor = one, rate_slope = zero;
     if (law.C != 0) {
-      const V relative_rate = rate * (1.0 / law.rate_ref);
+      const V relative_rate = rate * per_rate_;
       rate_factor = 1.0 + law.C * detail::log_of_normal(vmax(relative_rate, one), zero);
-      rate_slope = select(one < relative_rate, law.C / rate, zero);
+      rate_slope = select(one < relative_rate, (law.C * (eps_p * warm)) * inverse, zero);
     }
     V soft = softening_, soft_slope = zero;
     if (law.T_melt) {
-      const V hot = law.homologous_temperature(T);
       soft = power_near(hot, hot_, inverse_hot_, softening_, law.m);
       const auto inside = (zero < hot) & (hot < one);
-      soft_slope = select(inside, (law.m * law.homologous_slope()) * soft / hot, zero);
+      soft_slope = select(inside, (law.m * per_kelvin_) * soft * (both * inverse), zero);
     }
     const V cold = 1.0 - soft;
-    return {hardened * rate_factor * cold, law.B * law.n * power / eps_p * (rate_factor * cold),
+    return {hardened * rate_factor * cold,
+            (law.B * law.n) * power * ((fast * warm) * inverse) * (rate_factor * cold),
             hardened * cold * rate_slope, -(hardened * rate_factor * soft_slope)};
   }
 
  private:
   const JohnsonCook* law_;
+  Real per_rate_, per_kelvin_;       // [s], [1/K]: one division each for all iterations
   V eps_p_, inverse_, power_;        // eps_p, 1/eps_p, eps_p^n
   V hot_, inverse_hot_, softening_;  // T*, 1/T*, T*^m
 };

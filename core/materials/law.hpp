@@ -93,7 +93,10 @@ template <class V>
 BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, Real exponent) {
   const V x = select(base == reference, broadcast<V>(0.0), (base - reference) * inverse);
   V series = broadcast<V>(1.0);
-  for (int k = 7; k >= 1; --k) series = 1.0 + (x * ((exponent - (k - 1)) / k)) * series;
+  for (int k = 7; k >= 1; --k) {
+    const Real factor = (exponent - (k - 1)) * (1.0 / k);  // a division costs as much as the series
+    series = 1.0 + (x * factor) * series;
+  }
   const V close = power * series;
   const auto is_close = vabs(x) < 0.02;  // false where the reference alone is 0
   if (!any(!is_close)) return close;

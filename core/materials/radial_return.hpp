@@ -120,8 +120,11 @@ class RadialReturn final : public Strength {
     }
   };
 
+  using ReturnPoints = std::array<ReturnPoint<V>, kTile / kStep>;
+
   void trial(MaterialTile& tile, int i, Candidates& candidates) const;
   void solve(Candidates& candidates, Real inverse_dt, Returned& returned) const;
+  void hand_out(const Candidates& candidates, const ReturnPoints& points, Returned& returned) const;
   void finish(MaterialTile& tile, int i, Real inverse_dt, const Returned& returned) const;
 
   Law law_;
@@ -156,6 +159,15 @@ void RadialReturn<Law, V>::trial(MaterialTile& tile, int i, Candidates& candidat
   const V q_old = vsqrt(old_square);
   V heating = broadcast<V>(0.0);
   if (heats(inputs_, tile)) heating = heating_at(inputs_, T, heat_factor<V>(inputs_, tile, i));
+  if (!any(!may_yield)) {
+    const int n = candidates.count;
+    for (int lane = 0; lane < kStep; ++lane) candidates.point[n + lane] = i + lane;
+    store(candidates.q_trial + n, q_trial), store(candidates.q_old + n, q_old);
+    store(candidates.eps_p + n, eps_p), store(candidates.temperature + n, T);
+    store(candidates.heating + n, heating);
+    candidates.count += kStep;
+    return;
+  }
   for (int lane = 0; lane < kStep; ++lane) {
     if (!lane_of(may_yield, lane)) continue;
     const int n = candidates.count++;
@@ -177,7 +189,7 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& retur
     c.q_trial[n] = c.q_trial[n - 1], c.q_old[n] = c.q_old[n - 1], c.eps_p[n] = c.eps_p[n - 1];
     c.temperature[n] = c.temperature[n - 1], c.heating[n] = c.heating[n - 1];
   }
-  std::array<ReturnPoint<V>, kTile / kStep> points;
+  ReturnPoints points;
   std::array<Near, kTile / kStep> laws;
   const int packs = n / kStep;
   for (int k = 0; k < packs; ++k) {
@@ -208,14 +220,27 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real inverse_dt, Returned& retur
       busy = busy || any(p.active);
     }
   }
+  hand_out(c, points, returned);
+}
+
+/// What the increments of the candidates make of their points.
+template <FlowLaw Law, class V>
+void RadialReturn<Law, V>::hand_out(const Candidates& c, const ReturnPoints& points,
+                                    Returned& returned) const {
+  alignas(32) Real scale[kTile], increment[kTile], work[kTile];
+  for (int i = 0; i < c.count; i += kStep) {
+    const ReturnPoint<V>& p = points[slot_of(i / kStep)];
+    const V q = vmax(p.q_trial - (3.0 * inputs_.shear) * p.increment, broadcast<V>(0.0));
+    const auto yields = broadcast<V>(0.0) < p.increment;
+    store(scale + i, select(yields, q / p.q_trial, broadcast<V>(1.0)));
+    store(increment + i, p.increment);
+    store(work + i, (0.5 * (p.q_old + q)) * p.increment);
+  }
   for (int i = 0; i < c.count; ++i) {
-    const ReturnPoint<V>& p = points[i / kStep];
-    const Real q_trial = lane_of(p.q_trial, i % kStep), d = lane_of(p.increment, i % kStep);
-    if (d == 0) continue;
-    const Real q = vmax(q_trial - 3.0 * shear * d, 0.0);
-    returned.scale[c.point[i]] = q / q_trial;
-    returned.increment[c.point[i]] = d;
-    returned.work[c.point[i]] = 0.5 * (lane_of(p.q_old, i % kStep) + q) * d;
+    const int point = c.point[i];
+    returned.scale[point] = scale[i];
+    returned.increment[point] = increment[i];
+    returned.work[point] = work[i];
   }
 }
 
