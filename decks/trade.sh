@@ -65,6 +65,8 @@ Found on 2026-11-25, with the tables below:
   no more time; twice as much is worse (-1.0 %).
 - Contact of equal bars: the default damping of 0.1 costs 0.2 % of the speed that is handed on, 1 costs 1.2 %, none
   nothing. A stiffness of 0.1 loses 1.7 % of the force. The skin changes no bit; without one lists are made every step.
+- The pressure at the middle of an overlap instead of its integral (`plane: point`) saves nothing that can be told from the
+  spread, and the area of contact of the cylinders is 13 to 26 % off instead of 2: leave it `integrated`.
 
 HEAD
 study half-spaces half-spaces/half-spaces.yaml --vary "parameters.size=0.4 mm,0.2 mm,0.1 mm" --vary time.heat_every=1,4 <<'TEXT'
@@ -75,6 +77,9 @@ Two elastic bars meet; exact by de Saint-Venant. Size and step.
 TEXT
 study hertz hertz/hertz.yaml --vary parameters.cells=12,24,34 --vary contact.default.stiffness=0.5,1,2,8 --against reference <<'TEXT'
 Two balls meet; the reference is Hertz. Size, and stiffness of the contact over that of the elements.
+TEXT
+study hertz-plane hertz/hertz.yaml --vary parameters.cells=12,24 --vary contact.default.plane=integrated,point --against reference <<'TEXT'
+The pressure over the overlap of two faces: integrated, or that at its middle times its area.
 TEXT
 study taylor-bar-axisymmetric taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml \
   --vary "bodies.bar.cells=[4, 40],[6, 60],[8, 80]" --vary bodies.bar.element.integration=one-point,q1p0,full <<'TEXT'
