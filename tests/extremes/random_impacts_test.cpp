@@ -107,7 +107,7 @@ TEST(RandomImpacts, BladesThatPointTheSameWayDoNotPush) {
   EXPECT_LT(outcome.created, 0.005);
 }
 
-// The flank of a needle and the end of another, at right angles to each other and deeper than either
+// The flank of a needle and the end of another, at right angles and deeper inside than either
 // is wide, turned into the range where their pressure fades in, a fifth of a degree, and back: in
 // one step of many they made 1.4 % (seed 477). 30 s.
 TEST(RandomImpacts, LongFlanksThatTurnInsideANeedleDoNotPush) {

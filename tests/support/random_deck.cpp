@@ -193,8 +193,8 @@ class Writer {
     if (failing_ && more_.chance(0.7)) how += ", damage: true";
     if (yields_ && more_.chance(0.4)) how += ", strain: " + text(more_.log_between(0.1, 2));
     if (how.empty() || more_.chance(0.3)) how += ", inverted: true";
-    if (more_.chance(0.3)) how += ", to: nothing";
-    return ", erode: {" + how.substr(2) + "}";
+    const std::string to = more_.chance(0.3) ? ", to: nothing" : "";
+    return ", erode: {when: {" + how.substr(2) + "}" + to + "}";
   }
 
   std::string symmetry() {
