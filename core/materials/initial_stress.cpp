@@ -168,13 +168,13 @@ void StressedStart::require_held(const PlacedStress& at, Real r) {
     refuse(at, "the equivalent stress of " + number(q) + " Pa is above the flow stress of '" +
                    material_.name + "', " + number(flow) + " Pa");
   }
-  MaterialState asked = scratch_;
-  MaterialTile tile = still_tile(asked, r, r, temperature_);
+  asked_ = scratch_;
+  MaterialTile tile = still_tile(asked_, r, r, temperature_);
   constexpr Real kSlowly = 1;  // [s] so long that no rate makes it stronger
   material_.update(tile, kSlowly);
-  Real lost = std::abs(asked.pressure[0] - p);
+  Real lost = std::abs(asked_.pressure[0] - p);
   for (std::size_t c = 0; c < 6; ++c) {
-    lost = std::max(lost, std::abs(asked.deviator[c][0] - scratch_.deviator[c][0]));
+    lost = std::max(lost, std::abs(asked_.deviator[c][0] - scratch_.deviator[c][0]));
   }
   if (lost <= 1e-6 * size + 1e-12 * material_.bulk) return;
   refuse(at, "'" + material_.name + "' does not hold it: " + number(lost) + " Pa of it are lost");

@@ -68,8 +68,9 @@ class StressedStart {
 
   const InitialStress& stress_;
   const Material& material_;
-  Real temperature_;              // [K]
-  MaterialState rest_, scratch_;  // a tile at rest; the one that is asked
+  Real temperature_;  // [K]
+  // A tile at rest; the one whose pressure is asked for; the same after a step without strain.
+  MaterialState rest_, scratch_, asked_;
 };
 
 }  // namespace brunt
