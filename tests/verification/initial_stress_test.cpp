@@ -123,14 +123,14 @@ TEST(InitialStress, RockOfParticlesSettlesByPartsOfASpacing) {
 // shortens; each end moves inwards with sigma/(rho c) until the wave from the other one comes at
 // L/c, then outwards until 2 L/c, and so on. The energy at the start is sigma^2/2E times volume,
 // and the sum stays. 2 %: fronts of some elements; energies 0.2 %: sigma/E = 5e-4 is not small to
-// first order. Particles' ends stand half a spacing inside, and their waves are slower by 2 % more.
+// first order.
 TEST(InitialStress, BarThatIsLetGoSwingsWithTheSpeedOfItsStress) {
   const Real sigma = 100e6, young = 200e9, c = std::sqrt(young / 8000), speed = sigma / (8000 * c);
   const Real length = 0.1, passage = length / c, volume = length * 4e-6;
   for (const Kind& kind : {Kind{"one-point", "3d", "    element: {integration: one-point}", 0.02},
                            Kind{"q1p0", "3d", "    element: {integration: q1p0}", 0.02},
                            Kind{"tet4", "3d", "    element: {type: tet4}", 0.02},
-                           Kind{"particles", "3d", "    method: sph", 0.04}}) {
+                           Kind{"particles", "3d", "    method: sph", 0.02}}) {
     SCOPED_TRACE(kind.name);
     std::vector<Real> crossings;
     Real time = 0, last = 0, sum = 0;
@@ -178,7 +178,7 @@ bodies:
 // Pressure alone. p = K (1/r - 1) has rho/rho0 = 1/r = 1 + p/K, and so has the mass of a given
 // volume. Mie and Grueneisen's law, with the energy E = p (1 - r)/2 of the compression from rest,
 // is on its Hugoniot: p = rho0 c0^2 eta/(1 - s eta)^2, eta = 1 - r. Held on all sides it keeps the
-// pressure to the rounding of volumes, 1e-13 K.
+// pressure to the rounding of volumes: 3e-16 K were measured, 1e-14 K are allowed.
 TEST(InitialStress, PressureComesWithItsDensityAndStays) {
   const Real p = 2e9, bulk = 100e9, c0 = 4000, s = 1.5;
   const Real a = p / (8000 * c0 * c0);  // eta = a (1 - s eta)^2
@@ -223,8 +223,8 @@ boundaries: {all: {body: block, where: all, fix: )" +
                         {}, {}, hooks);
       EXPECT_EQ(run.failure, "");
       const Real K = shock ? 8000 * c0 * c0 : bulk;
-      EXPECT_NEAR(low, p, 1e-13 * K);
-      EXPECT_NEAR(high, p, 1e-13 * K);
+      EXPECT_NEAR(low, p, 1e-14 * K);
+      EXPECT_NEAR(high, p, 1e-14 * K);
       const Real volume = std::string(kind.geometry) == "3d"             ? 1e-6
                           : std::string(kind.geometry) == "axisymmetric" ? kPi * 1e-6
                                                                          : 1e-4;
