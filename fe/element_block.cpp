@@ -7,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "fe/elements/catalog.hpp"
+#include "fe/initial_stress.hpp"
 
 namespace brunt {
 namespace {
@@ -128,6 +129,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.adiabatic = set.adiabatic;
   block.conducts = set.conducts, block.held = set.held, block.rigid = set.rigid;
   block.temperature = set.temperature;
+  block.stress = set.stress;
   block.n = static_cast<LocalIndex>(set.id.size());
   const int tile = block.elements_per_tile();
   block.n_padded = (block.n + tile - 1) / tile * tile;
@@ -160,6 +162,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   }
   block.rest.assign(slot_of(block.n_tiles()), Rest::unknown);
   if (block.formulation->averages_volumes()) block.volume_ratio.assign(padded, 1.0);
+  if (block.stress != nullptr) begin_under_stress(points, block);
   block.formulation->start(points, block);
   return block;
 }
@@ -188,8 +191,12 @@ std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim
     std::fill_n(share, n, block.mass[e] / block.corners);
     if (block.gauss == 1 || thickness.radial == 0) continue;
     std::fill_n(share, n, 0.0);
-    block.formulation->add_corner_volumes(corner_positions(block, e, points), thickness,
-                                          block.material->density, share);
+    const auto x = corner_positions(block, e, points);
+    Real density = block.material->density;
+    if (block.stress != nullptr) {
+      density = block.material_mass(slot_of(e)) / block.formulation->volume(x, false, thickness);
+    }
+    block.formulation->add_corner_volumes(x, thickness, density, share);
     if (block.mass_scale.empty()) continue;
     const Real scale = block.mass_scale[slot_of(e)];
     for (std::size_t I = 0; I < n; ++I) share[I] *= scale;

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/materials/initial_stress.hpp"
 #include "core/materials/material.hpp"
 #include "core/points.hpp"
 #include "core/step_limit.hpp"
@@ -47,6 +48,7 @@ struct ElementSet {
   bool conducts = false;      ///< nodes have the temperature; mechanical work heats them
   bool held = false;          ///< nothing of it ever moves: only its heat is computed
   bool rigid = false;  ///< as held, without mass, its facets rigid; it has a prescribed motion
+  const InitialStress* stress = nullptr;  ///< at time 0; null: none. It outlives the elements
 };
 
 /// What the out-of-plane direction adds: an element of area A about radius r fills A (c + s r).
@@ -83,8 +85,9 @@ struct ElementBlock {
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;
   bool conducts = false, held = false, rigid = false;
-  Real temperature = 0;  ///< [K] what the law sees where heat is off
-  LocalIndex n = 0;      ///< elements
+  Real temperature = 0;                   ///< [K] what the law sees where heat is off
+  const InitialStress* stress = nullptr;  ///< at time 0; null: none
+  LocalIndex n = 0;                       ///< elements
   LocalIndex n_padded = 0;
   std::size_t first_corner = 0;        ///< of this block in the buffer of corner forces
   std::vector<LocalIndex> corner;      ///< node of each corner, n_padded x corners
@@ -92,12 +95,13 @@ struct ElementBlock {
   std::vector<Label> body, piece;      ///< n_padded
   std::vector<char> owned;             ///< n; 0: computed here too, counted by another rank
   MaterialState state;                 ///< n_padded x gauss points
-  std::vector<Real> reference_volume;  ///< [m^3] of each material point at time 0
-  std::vector<Real> element_volume;    ///< [m^3] of each element at time 0
+  std::vector<Real> reference_volume;  ///< [m^3] of each material point, free of stress
+  std::vector<Real> element_volume;    ///< [m^3] of each element, free of stress: V0
   std::vector<Real> reference_size;    ///< [m] volume^(1/3), area^(1/2) in 2D, at time 0
   std::vector<Real> mass;              ///< [kg] of each element, with what scaling added
   std::vector<Real> mass_scale;        ///< [1] mass over that of the material; empty: 1
-  /// Where pressure is of volumes about nodes: their mean ratio to time 0 at n, of each element.
+  /// Where pressure is of volumes about nodes: their mean ratio to those free of stress at n, of
+  /// each element.
   std::vector<Real> volume_ratio;
   /// Viscous control: [N] generalised forces Q at n, kHourglassValues x n_padded.
   std::vector<Real> hourglass;
@@ -135,7 +139,8 @@ struct ElementBlock {
 };
 
 /// Builds the state of a set at the positions of its points; forces are zero.
-/// Throws PhysicsError where an element has no positive volume.
+/// Throws PhysicsError where an element has no positive volume, and InitialStressError where its
+/// material cannot begin with the stress of the set.
 template <int Dim>
 ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
                              const Thickness& thickness);

@@ -29,7 +29,7 @@ ElementBlock<Dim> without_state(const ElementBlock<Dim>& block) {
   bare.corners = block.corners, bare.gauss = block.gauss;
   bare.adiabatic = block.adiabatic, bare.conducts = block.conducts;
   bare.held = block.held, bare.rigid = block.rigid;
-  bare.temperature = block.temperature;
+  bare.temperature = block.temperature, bare.stress = block.stress;
   return bare;
 }
 

@@ -111,8 +111,8 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   std::vector<Vec<1>> node_mechanical_;  ///< [W] of plastic work alone; empty: it is in node_heat_
   std::vector<Real>
       corner_heat_;  ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
-  /// Where elements average volumes, by node: volume [m^3] of those about it at time 0, and the
-  /// ratio [1] of the present one to it; else empty.
+  /// Where elements average volumes, by node: volume [m^3] of those about it free of stress, and
+  /// the ratio [1] of the present one to it; else empty.
   std::vector<Real> start_volume_, node_ratio_;
   bool averages_volumes_ = false;    ///< some elements do, on whichever rank
   std::vector<Real> corner_volume_;  ///< [m^3] [element][corner]

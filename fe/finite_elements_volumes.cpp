@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "fe/finite_elements.hpp"
+#include "fe/initial_stress.hpp"
 
 namespace brunt {
 namespace {
@@ -31,6 +32,10 @@ void FiniteElements<Dim>::start_volumes() {
   gather_.template add<1>(corner_volume_.data(), sum);
   start_volume_.clear();
   for (const auto& volume : sum) start_volume_.push_back(volume[0]);
+  for (const auto& block : blocks_) {
+    if (averages(block) && block.stress != nullptr) find_node_ratios(points_, block, node_ratio_);
+  }
+  for (std::size_t i = 0; i < start_volume_.size(); ++i) start_volume_[i] /= node_ratio_[i];
 }
 
 /// The sums are over all elements about a node, by ascending id: the same on any rank that owns it.

@@ -53,6 +53,8 @@ class Formulation {
   /// Adds `factor` int N_I dV to the sum of each corner I; returns int dV [m^3].
   virtual Real add_corner_volumes(CornerPlaces<Dim> x, const Thickness& thickness, Real factor,
                                   Real* sum) const = 0;
+  /// Where material point g of `points` stands in an element.
+  virtual Vec<Dim> material_place(CornerPlaces<Dim> x, int points, int g) const = 0;
   /// Gives a block whose elements are measured what its kernels keep besides.
   virtual void start(const Points<Dim>& points, ElementBlock<Dim>& block) const = 0;
 

@@ -18,6 +18,7 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
       sum_of_piece_(std::move(sum_of_piece)) {
   assert(spacing.size() == points_.x.size());
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
+  compress_masses(sets);
   take_sets(std::move(sets), spacing);
   if (any_single()) unit_ = SingleUnit(least_single_spacing());
   const auto conducts = [](const auto& block) { return block.set.conducts; };
@@ -76,6 +77,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
     std::vector<Real> given;
     if (set.conducts && heats) given.assign(set.particle.size(), 0.0);
     blocks_.push_back({std::move(set), std::move(state), std::move(given)});
+    begin_under_stress(blocks_.back());
     for (const LocalIndex i : blocks_.back().set.particle) set_size(slot_of(i));
   }
   hold(n_owned());  // what the sets need

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/conversion.hpp"
+#include "core/materials/initial_stress.hpp"
 #include "core/materials/material.hpp"
 #include "core/search/search.hpp"
 #include "core/solid.hpp"
@@ -21,11 +22,12 @@ namespace brunt {
 struct ParticleSet {
   const Material* material = nullptr;  ///< outlives the particles
   SphOptions options;
-  Real temperature = 0;              ///< [K] at time 0; what laws see where heat is off
-  bool adiabatic = false;            ///< mechanical work heats the particle
-  bool conducts = false;             ///< particles exchange heat; mechanical work heats them
-  bool held = false;                 ///< none ever moves: only their heat is computed
-  std::vector<LocalIndex> particle;  ///< ascending; a body lies in one set as a whole
+  Real temperature = 0;                   ///< [K] at time 0; what laws see where heat is off
+  bool adiabatic = false;                 ///< mechanical work heats the particle
+  bool conducts = false;                  ///< particles exchange heat; mechanical work heats them
+  bool held = false;                      ///< none ever moves: only their heat is computed
+  std::vector<LocalIndex> particle;       ///< ascending; a body lies in one set as a whole
+  const InitialStress* stress = nullptr;  ///< at time 0; null: none. It outlives the particles
 };
 
 /// A set with the state of its material points, in the order of `set.particle`.
@@ -42,7 +44,7 @@ struct ParticleState {
   Real velocity_gradient[Dim * Dim] = {};        ///< [1/s] L at x(n+1) with v(n+1/2), by rows
   Real correction[kSymmetric<Dim>] = {};         ///< [1] B
   Real spacing = 0;                              ///< [m] dp at time 0
-  Real start_volume = 0;                         ///< [m^3] mass over reference density
+  Real start_volume = 0;                         ///< [m^3] mass over reference density: V0
   Real ratio = 1;                                ///< [1] volume over start volume
   Real volume = 0;                               ///< [m^3] at n+1
   Real sound_speed = 0;                          ///< [m/s]
@@ -69,11 +71,13 @@ struct ParticleState {
 template <int Dim>
 class SphParticles final : public Solid<Dim> {
  public:
-  /// points  with positions, velocities, masses, labels; ids ascending
+  /// points  with positions, velocities, masses, labels; ids ascending. The masses are those of the
+  ///         reference density: stress at time 0 changes them
   /// spacing  dp of each particle [m]
   /// sets  each particle in exactly one of them
   /// depth  [m] of a 2D scene, contained in the masses; 1 in 3D
   /// sum_of_piece  by piece, a label of the sum that it shares with others; empty: that of its body
+  /// Throws InitialStressError where a material cannot begin with the stress of its set.
   SphParticles(Points<Dim> points, std::span<const Real> spacing, std::vector<ParticleSet> sets,
                Real depth = 1, std::vector<Label> sum_of_piece = {});
   /// The part of a whole, at time 0, whose particles this rank owns, with copies of those of other
@@ -146,6 +150,8 @@ class SphParticles final : public Solid<Dim> {
   void publish_spins();
   void publish_materials();
   void take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing);
+  void compress_masses(const std::vector<ParticleSet>& sets);
+  void begin_under_stress(ParticleBlock& block);
   void renew_ghosts(Real skin);
   void refresh_ghost_positions();
   bool sums_hold(bool mine_hold) const;

@@ -10,6 +10,7 @@ namespace brunt::deck {
 
 namespace {
 constexpr Quantity kVelocity{"m/s", {}, between(-1e5, 1e5)};
+constexpr Quantity kStress{"Pa", {}, between(-1e11, 1e11)};
 constexpr Quantity kPlace{"m", {}, between(-1e4, 1e4)};
 
 void describe_finite_elements(Schema& s, Body& body) {
@@ -94,6 +95,27 @@ void describe(Schema& s, Motion& motion) {
             "needs a velocity, a spin or a temperature");
 }
 
+void describe(Schema& s, Stress& stress) {
+  static constexpr std::array kOver{Varying::Over::expression};
+  const auto describe_component = [&](Schema& at, const Key& key, SymmetricIndex index) {
+    auto& value = stress.component[slot_of(index)];
+    at.varying(key, value, kStress, kOver);
+    at.require(!value || !value->is_expression() || !value->depends[0], key.name,
+               "is that at time 0: t has no place in it");
+  };
+  describe_component(s, {"xx", "along x; in axisymmetry the radial stress"}, xx);
+  describe_component(s, {"yy", "along y; in axisymmetry the axial stress"}, yy);
+  describe_component(s, {"zz", "along z: out of the plane; in axisymmetry the hoop stress"}, zz);
+  describe_component(s, {"xy", "shear stress"}, xy);
+  s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {
+    describe_component(in3d, {"yz", "shear stress"}, yz);
+    describe_component(in3d, {"zx", "shear stress"}, zx);
+  });
+  s.require(std::any_of(stress.component.begin(), stress.component.end(),
+                        [](const auto& component) { return component.has_value(); }),
+            "", "needs a component: xx, yy, zz, xy, yz or zx");
+}
+
 namespace {
 /// Keys beside `file` that contradict it.
 void require_consistent_file(Schema& s, const Body& body) {
@@ -137,6 +159,8 @@ void describe_velocity(Schema& s, Body& body) {
 void require_consistent(Schema& s, const Body& body) {
   const bool is_sph = body.method == Method::sph;
   require_consistent_file(s, body);
+  s.require(!body.rigid || !body.stress, "stress",
+            "a rigid body has none: take it out, or take rigid: true out");
   s.require(!body.rigid || !is_sph, "rigid",
             "a rigid body of particles is not in this version; take method: sph out");
   s.require(!follows_forces(body) || !body.material.empty(), "motion",
@@ -183,6 +207,10 @@ void describe(Schema& s, Body& body) {
              body.size, {"m", positive(), between(1e-7, 0.2)});
   describe_velocity(s, body);
   s.object({"spin", "rotation at time 0"}, body.spin);
+  s.object({"stress",
+            "stress at time 0, tension positive; components may be expressions of x, y, z, and are "
+            "0 without"},
+           body.stress);
   s.real({"temperature", "temperature at time 0; default: ambient"}, body.temperature,
          {"K", at_least(0), between(50, 5000)});
   s.section(body.rigid, "only for rigid: true", [&](Schema& rigid) {

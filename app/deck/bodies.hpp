@@ -30,6 +30,12 @@ struct Motion {
   std::optional<Varying> temperature;  ///< [K] at which it is held, constant or over time
 };
 
+/// Cauchy stress of a body at time 0, tension positive.
+struct Stress {
+  /// [Pa] constants or expressions of x, y, z, SymmetricIndex; none: 0
+  std::array<std::optional<Varying>, 6> component;
+};
+
 struct Body {
   Method method = Method::fe;
   bool rigid = false;
@@ -45,6 +51,7 @@ struct Body {
   std::optional<std::vector<std::optional<Varying>>> start_velocity;
   std::vector<Real> velocity;       ///< [m/s] its constants; empty: at rest
   std::optional<Spin> spin;         ///< at time 0
+  std::optional<Stress> stress;     ///< at time 0; none: none
   std::optional<Real> temperature;  ///< [K] at time 0; none: ambient
   /// Rigid bodies only; none: held, or free where there is a material.
   std::optional<Motion> motion;
@@ -71,6 +78,7 @@ bool follows_forces(const Body& body);
 
 void describe(Schema& s, Spin& spin);
 void describe(Schema& s, Motion& motion);
+void describe(Schema& s, Stress& stress);
 void describe(Schema& s, Body& body);
 
 }  // namespace brunt::deck

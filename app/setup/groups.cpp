@@ -193,14 +193,15 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     const Material* material = material_of(loaded.deck, scene.materials, body);
     const ElementOptions options = element_options<Dim>(loaded.deck, body, geometry.elements);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
+    const InitialStress* stress = scene.initial_stress[geometry.label].get();
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ElementSet<Dim>& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
-             same_element(s.options, options);
+             s.stress == stress && same_element(s.options, options);
     });
     if (set == sets.end()) {
       sets.emplace_back();
       set = sets.end() - 1;
-      set->material = material, set->options = options;
+      set->material = material, set->options = options, set->stress = stress;
       set->temperature = temperature, set->adiabatic = adiabatic;
       set->conducts = kind.conducts, set->held = kind.held, set->rigid = kind.rigid;
     }
@@ -249,13 +250,15 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
     const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
     const Material* material = material_of(loaded.deck, scene.materials, body);
     const Real temperature = body.temperature.value_or(loaded.deck.ambient);
+    const InitialStress* stress = scene.initial_stress[geometry.label].get();
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
-             same_sph(s.options, body.sph);
+             s.stress == stress && same_sph(s.options, body.sph);
     });
     if (set == sets.end()) {
-      set = sets.insert(sets.end(),
-                        {material, body.sph, temperature, adiabatic, kind.conducts, kind.held, {}});
+      set = sets.insert(
+          sets.end(),
+          {material, body.sph, temperature, adiabatic, kind.conducts, kind.held, {}, stress});
     }
     set->particle.push_back(static_cast<LocalIndex>(k));
     // Each particle carries its share of the exact mass of the shape.

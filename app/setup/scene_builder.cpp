@@ -8,6 +8,7 @@
 #include "app/setup/bonds.hpp"
 #include "app/setup/boundaries.hpp"
 #include "app/setup/groups.hpp"
+#include "app/setup/initial_stress.hpp"
 #include "app/setup/materials.hpp"
 #include "app/setup/riders.hpp"
 #include "app/setup/rigid.hpp"
@@ -60,6 +61,21 @@ struct Followers {
     bodies.insert(bodies.end(), more.begin(), more.end());
   }
 };
+
+/// All that deforms: elements, then particles.
+template <int Dim>
+void add_deforming(const LoadedDeck& loaded, const std::vector<BodyGeometry<Dim>>& bodies,
+                   Scene<Dim>& scene, NextIds& next) {
+  const auto add = [&](std::unique_ptr<Solid<Dim>> group) {
+    if (group) scene.solids.push_back(std::move(group));
+  };
+  try {
+    for (const auto kind : kGroupKinds) add(make_elements(loaded, scene, bodies, kind, next));
+    for (const auto kind : kGroupKinds) add(make_particles(loaded, scene, bodies, kind, next));
+  } catch (const InitialStressError& error) {
+    throw DeckError({problem_of(loaded, error)});
+  }
+}
 
 /// Rigid bodies that conduct: first those that follow their forces, whose faces press all others.
 template <int Dim>
@@ -170,15 +186,11 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   scene->materials = make_materials(deck);
   take_from_files(deck, bodies, *scene);
 
+  scene->initial_stress = make_initial_stress(loaded, *scene, problems);
+  if (!problems.empty()) throw DeckError(problems);
+
   NextIds next;
-  for (const GroupKind kind : kGroupKinds) {
-    auto elements = make_elements(loaded, *scene, bodies, kind, next);
-    if (elements) scene->solids.push_back(std::move(elements));
-  }
-  for (const GroupKind kind : kGroupKinds) {
-    auto particles = make_particles(loaded, *scene, bodies, kind, next);
-    if (particles) scene->solids.push_back(std::move(particles));
-  }
+  add_deforming(loaded, bodies, *scene, next);
   // Faces that are held or have a prescribed motion come after those that are partitioned and do
   // not, and those that stand on every rank last: whatever a lower face asks of others can be sent
   // beforehand.

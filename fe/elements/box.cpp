@@ -169,6 +169,13 @@ class BoxFormulation final : public Formulation<Dim> {
     }
     return whole;
   }
+  Vec<Dim> material_place(CornerPlaces<Dim> x, int points, int g) const override {
+    Vec<Dim> place = Vec<Dim>::Zero();
+    for (int I = 0; I < kCorners; ++I) {
+      place += (points == 1 ? 1.0 / kCorners : kCornerTable<Dim>.at[g].value[slot_of(I)]) * x[I];
+    }
+    return place;
+  }
   void start(const Points<Dim>& points, ElementBlock<Dim>& block) const override {
     if (block.material->yields()) {
       for (LocalIndex e = 0; e < block.n_padded; ++e) {

@@ -198,6 +198,9 @@ class TetFormulation final : public Formulation<3> {
     for (int I = 0; I < kCorners; ++I) sum[I] += 0.25 * factor * whole;
     return whole;
   }
+  Vec3 material_place(CornerPlaces<3> x, int, int) const override {
+    return 0.25 * ((x[0] + x[1]) + (x[2] + x[3]));
+  }
   void start(const Points<3>&, ElementBlock<3>&) const override {}
 
   void write_corner_volumes(const ElementBlock<3>& block, int tile, const Vec3* x,

@@ -55,6 +55,7 @@ bodies:
     grading: {axis: z, ratio: 5, toward: both}
     velocity: [1, 2, 3]
     spin: {axis: x, rate: 3 rad/s, about: [0, 0, 0]}
+    stress: {xx: -1e6, yy: "= -2e4 * z", zz: -1e6, xy: 1e5, yz: 1e5, zx: 1e5}
     temperature: 300
     element: {hourglass: {viscous: 0.1}}
   b:
