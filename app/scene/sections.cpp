@@ -9,8 +9,16 @@ namespace brunt {
 
 template <int Dim>
 bool Sections<Dim>::cuts(std::size_t solid) const {
-  return std::any_of(all_.begin(), all_.end(),
-                     [&](const auto& section) { return section.solid == solid; });
+  return std::any_of(all_.begin(), all_.end(), [&](const auto& section) {
+    return std::find(section.solids.begin(), section.solids.end(), solid) != section.solids.end();
+  });
+}
+
+template <int Dim>
+void Sections<Dim>::join(std::size_t solid, std::size_t riders) {
+  for (auto& section : all_) {
+    if (section.solids.front() == solid) section.solids.push_back(riders);
+  }
 }
 
 template <int Dim>
@@ -28,18 +36,22 @@ void Sections<Dim>::after_internal(std::size_t solid, const Points<Dim>& points)
 }
 
 template <int Dim>
-SectionForce Sections<Dim>::force(const MaterialSection<Dim>& section, const Points<Dim>& points,
+SectionForce Sections<Dim>::force(const MaterialSection<Dim>& section,
+                                  const std::vector<std::unique_ptr<Solid<Dim>>>& solids,
                                   const Vec<Dim>& origin, const Communicator& ranks) const {
   std::array<ExactSum, 6> sums;
-  const bool any = section.solid < internal_.size();
-  for (std::size_t i = 0; any && i < internal_[section.solid].size(); ++i) {
-    if (points.body[i] != section.body || !(points.x_start[i][section.axis] > section.at)) continue;
-    const Vec<Dim>& on_beyond = internal_[section.solid][i];
-    const Vec3 f = in_space<Dim>(on_beyond);
-    const Vec3 m = in_space<Dim>(Vec<Dim>(origin + points.x[i])).cross(f);
-    for (int c = 0; c < 3; ++c) {
-      sums[c].add(-f[c]);
-      sums[3 + c].add(-m[c]);
+  for (const std::size_t solid : section.solids) {
+    if (solid >= internal_.size()) continue;
+    const Points<Dim>& points = solids[solid]->points();
+    for (std::size_t i = 0; i < internal_[solid].size(); ++i) {
+      if (points.body[i] != section.body || !(points.x_start[i][section.axis] > section.at))
+        continue;
+      const Vec3 f = in_space<Dim>(internal_[solid][i]);
+      const Vec3 m = in_space<Dim>(Vec<Dim>(origin + points.x[i])).cross(f);
+      for (int c = 0; c < 3; ++c) {
+        sums[c].add(-f[c]);
+        sums[3 + c].add(-m[c]);
+      }
     }
   }
   ranks.reduce_all(std::span<ExactSum>(sums), [](ExactSum& a, const ExactSum& b) { a.add(b); });

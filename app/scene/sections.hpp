@@ -1,10 +1,11 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/parallel/communicator.hpp"
-#include "core/points.hpp"
+#include "core/solid.hpp"
 
 namespace brunt {
 
@@ -12,7 +13,9 @@ namespace brunt {
 template <int Dim>
 struct MaterialSection {
   std::string name;
-  std::size_t solid = 0;  ///< the group of the body, by its place in the scene
+  /// The groups of the body, by their places in the scene: its elements or particles, and the
+  /// particles that its elements become.
+  std::vector<std::size_t> solids;
   Label body = 0;
   int axis = 0;
   Real at = 0;  ///< [m] points with a larger coordinate at time 0 are beyond it; as x_start is
@@ -34,14 +37,17 @@ template <int Dim>
 class Sections {
  public:
   void add(MaterialSection<Dim> section) { all_.push_back(std::move(section)); }
+  /// The points of group `riders` act for those of group `solid`, on which they ride.
+  void join(std::size_t solid, std::size_t riders);
   const std::vector<MaterialSection<Dim>>& all() const { return all_; }
 
   /// Before and after the internal forces of a group in a step: what they add to its points.
   void before_internal(std::size_t solid, const Points<Dim>& points);
   void after_internal(std::size_t solid, const Points<Dim>& points);
   /// Of the last step; 0 before the first. Exact sums. Collective.
-  SectionForce force(const MaterialSection<Dim>& section, const Points<Dim>& points,
-                     const Vec<Dim>& origin, const Communicator& ranks) const;
+  SectionForce force(const MaterialSection<Dim>& section,
+                     const std::vector<std::unique_ptr<Solid<Dim>>>& solids, const Vec<Dim>& origin,
+                     const Communicator& ranks) const;
 
  private:
   bool cuts(std::size_t solid) const;

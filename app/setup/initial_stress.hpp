@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/deck/deck.hpp"
 #include "app/scene/scene.hpp"
 #include "core/materials/initial_stress.hpp"
 

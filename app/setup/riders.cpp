@@ -112,7 +112,9 @@ void add_riders(const LoadedDeck& loaded, Scene<Dim>& scene, NextIds& next) {
     auto* const elements = dynamic_cast<FiniteElements<Dim>*>(scene.solids[s].get());
     if (elements == nullptr) continue;
     auto riders = make_riders(loaded, scene, *elements, next);
-    if (riders) scene.solids.push_back(std::move(riders));
+    if (!riders) continue;
+    scene.sections.join(s, scene.solids.size());
+    scene.solids.push_back(std::move(riders));
   }
 }
 

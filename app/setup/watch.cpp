@@ -61,7 +61,7 @@ std::string find_section(const deck::Section& given, const deck::Body& body, Rea
     const auto& points = scene.solids[s]->points();
     for (std::size_t i = 0; i < points.x_start.size(); ++i) {
       if (points.body[i] != section.body) continue;
-      section.solid = s;
+      section.solids = {s};
       ++(points.x_start[i][section.axis] > section.at ? beyond : before);
     }
   }

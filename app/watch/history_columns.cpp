@@ -75,8 +75,7 @@ void HistoryColumns<Dim>::add_watched(const Scene<Dim>& scene, std::vector<Real>
     values.insert(values.end(), watched.begin(), watched.end());
   }
   for (const auto& section : scene.sections.all()) {
-    const auto& points = scene.solids[section.solid]->points();
-    const auto total = scene.sections.force(section, points, scene.origin, *scene.ranks);
+    const auto total = scene.sections.force(section, scene.solids, scene.origin, *scene.ranks);
     for (std::size_t c = 0; c < Dim; ++c) values.push_back(total.force[c]);
     for (int c = first_torque(scene); c < 3; ++c) {
       values.push_back(total.moment[c]);
