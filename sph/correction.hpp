@@ -13,10 +13,10 @@ BRUNT_INLINE Real dot(const Vec<Dim>& a, const Vec<Dim>& b) {
   return sum;
 }
 
-/// Largest condition number (Frobenius norm) of a moment matrix that is still inverted: corners of
-/// cubes and rods two particles across stay below 10 with all kernels, debris whose few neighbours
-/// lie almost in a plane comes to 1e3, and strains by 1e3 times what its neighbours move.
-inline constexpr Real kLargestCondition = 50;
+/// Frobenius norms below which all eigenvalues of a moment K are over 0.15 of the largest, and over
+/// 0.02, so that B is its inverse (thin_moment.hpp): |K| |K^-1|, and |K^-1|. Corners of cubes, and
+/// rods and sheets two particles thick, have 5.5 and 23 at most with all kernels.
+inline constexpr Real kThickCondition = 6.6, kThickInverse = 50;
 
 template <int Dim>
 BRUNT_INLINE Real frobenius_square(const Real (&m)[kSymmetric<Dim>]) {
@@ -25,13 +25,13 @@ BRUNT_INLINE Real frobenius_square(const Real (&m)[kSymmetric<Dim>]) {
   return sum;
 }
 
-/// correction <- moment^-1; the identity where that is not usable or ill conditioned, as on an
-/// isolated particle, a straight row or, in space, a flat sheet.
+/// inverse <- moment^-1, and true, where the neighbourhood is thick: not an isolated particle, a
+/// straight row or, in space, a flat sheet.
 /// docs/theory/sph.md (S7), (S9).
-/// moment, correction  [1] symmetric
+/// moment, inverse  [1] symmetric
 template <int Dim>
-BRUNT_INLINE void invert_moment(const Real (&moment)[kSymmetric<Dim>], bool usable,
-                                Real (&correction)[kSymmetric<Dim>]) {
+BRUNT_INLINE bool invert_thick(const Real (&moment)[kSymmetric<Dim>],
+                               Real (&inverse)[kSymmetric<Dim>]) {
   const Real* m = moment;
   Real cofactor[kSymmetric<Dim>], determinant;
   if constexpr (Dim == 3) {
@@ -46,15 +46,16 @@ BRUNT_INLINE void invert_moment(const Real (&moment)[kSymmetric<Dim>], bool usab
     cofactor[0] = m[1], cofactor[1] = m[0], cofactor[2] = -m[2];
     determinant = m[0] * m[1] - m[2] * m[2];
   }
-  // |K| |K^-1| = |K| |cofactors| / |det|
-  const Real norms = frobenius_square<Dim>(moment) * frobenius_square<Dim>(cofactor);
-  const Real limit = kLargestCondition * determinant;
-  if (usable && determinant > 0 && norms <= limit * limit) {
-    const Real inverse = 1.0 / determinant;
-    for (int k = 0; k < kSymmetric<Dim>; ++k) correction[k] = cofactor[k] * inverse;
-  } else {
-    for (int k = 0; k < kSymmetric<Dim>; ++k) correction[k] = k < Dim ? 1.0 : 0.0;
+  // |K^-1| = |cofactors|/det
+  const Real cofactors = frobenius_square<Dim>(cofactor);
+  const Real least = kThickInverse * determinant, condition = kThickCondition * determinant;
+  if (!(determinant > 0 && cofactors <= least * least &&
+        frobenius_square<Dim>(moment) * cofactors <= condition * condition)) {
+    return false;
   }
+  const Real reciprocal = 1.0 / determinant;
+  for (int k = 0; k < kSymmetric<Dim>; ++k) inverse[k] = cofactor[k] * reciprocal;
+  return true;
 }
 
 /// velocity_gradient <- rate B, by rows [1/s].
@@ -77,7 +78,7 @@ BRUNT_INLINE void correct_rate(const Real (&rate)[Dim * Dim],
 template <int Dim>
 struct PlainMoment {
   Real moment[kSymmetric<Dim>] = {};   ///< [1] K
-  Real inverse[kSymmetric<Dim>] = {};  ///< [1] K^-1, or I where K is ill conditioned
+  Real inverse[kSymmetric<Dim>] = {};  ///< [1] K^-1, or B of a thin neighbourhood
 };
 
 /// velocity_gradient <- R + W - W K, W the skew part of R K^-1: a plain sum R of velocities w x r

@@ -15,6 +15,7 @@
 #include "sph/pair_sums.hpp"
 #include "sph/records.hpp"
 #include "sph/spread.hpp"
+#include "sph/thin_moment.hpp"
 
 namespace brunt {
 
@@ -58,6 +59,12 @@ struct ParticleState {
   Real stress_work = 0;                          ///< [J] booked since time 0, by channel
   Real viscous_work = 0;                         ///< [J]
   Real artificial_work = 0;                      ///< [J]
+};
+
+template <int Dim>
+struct ThinParticle {
+  LocalIndex particle = 0;
+  ThinMoment<Dim> moment;
 };
 
 /// Updated-Lagrangian SPH for solids, all particles of a scene: one group. Only particles of the
@@ -167,12 +174,18 @@ class SphParticles final : public Solid<Dim> {
   void take_gradients(const ParticleBlock& block, LocalIndex i, const GradientSums<Dim>& sums);
   template <class P>
   void find_gradients(const ParticleBlock& block);
+  template <class P>
+  void find_thin_gradient(const ParticleBlock& block, LocalIndex i, ThinMoment<Dim>& thin);
+  const ThinMoment<Dim>* thin_of(LocalIndex i) const;
   template <class Take>
   void sum_block_forces(const ParticleBlock& block, const MonaghanViscosity& viscosity,
                         const Take& take);
   void take_forces(const ParticleBlock& block, LocalIndex i, const ForceSums<Dim>& sums, Real dt);
   void move_with_neighbours(Real dt);
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
+  void turn_thin(const ParticleBlock& block, std::size_t first, Real dt, TileStress& tile) const;
+  void form_thin_stress(const ParticleBlock& block, std::size_t first, Real dt,
+                        TileStress& tile) const;
   void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
   void set_size(std::size_t i);
   std::uint64_t slot_hash(const ParticleBlock& block, std::size_t slot) const;
@@ -203,6 +216,8 @@ class SphParticles final : public Solid<Dim> {
   std::vector<StressRecord<Dim>> stress_;
   std::vector<ArtificialRecord<Dim>> artificial_;
   std::vector<PlainMoment<Dim>> plain_;  // of owned ones; empty: all gradients are corrected
+  std::vector<char> is_thin_;            // of owned ones
+  std::vector<ThinParticle<Dim>> thin_;  // those, ascending
   // What those of pair_precision: single read, of all particles; empty where there are none.
   std::vector<MotionRecord<Dim, SinglePairs>> single_motion_;
   std::vector<StressRecord<Dim, SinglePairs>> single_stress_;

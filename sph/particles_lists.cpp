@@ -91,7 +91,7 @@ void SphParticles<Dim>::find_spread(const ParticleBlock& block, LocalIndex i) {
   state.spread = {};
   if (!(frobenius_square<Dim>(state.correction) > kSteepCorrection)) return;
   state.spread = inverse_spread<Dim>(motion_.data(), i, rows_.row(i), rows_.weights(i),
-                                     shear_share(*block.set.material, state));
+                                     shear_share(*block.set.material, state), thin_of(i));
 }
 
 /// Half of a h/c_eff with c_eff = c + |v_ij| + 1.2 (alpha c + beta max |mu_ij|), a from the

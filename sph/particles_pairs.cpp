@@ -84,17 +84,16 @@ void in_precision_of(const ParticleBlock& block, const F& f) {
 template <int Dim>
 void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
                                        const GradientSums<Dim>& sums) {
-  const bool corrected = block.set.options.correction;
   auto& state = state_[i];
-  const bool usable = rows_.count(i) >= Dim + 1;
-  invert_moment<Dim>(sums.moment, corrected && usable, state.correction);
-  if (corrected) {
-    correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
+  if (block.set.options.correction) {
+    is_thin_[i] = !invert_thick<Dim>(sums.moment, state.correction);
+    if (!is_thin_[i]) correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
     return;
   }
+  is_thin_[i] = false;
   auto& plain = plain_[i];
   std::copy_n(sums.moment, kSymmetric<Dim>, plain.moment);
-  invert_moment<Dim>(sums.moment, usable, plain.inverse);
+  invert_moment<Dim>(sums.moment, plain.inverse);
   correct_turn<Dim>(sums.rate, plain, state.velocity_gradient);
 }
 
@@ -114,11 +113,43 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
   });
 }
 
+/// Axes, correction and gradient of a particle whose neighbourhood is thin.
+template <int Dim>
+template <class P>
+void SphParticles<Dim>::find_thin_gradient(const ParticleBlock& block, LocalIndex i,
+                                           ThinMoment<Dim>& thin) {
+  const auto records = pair_records<P>();
+  with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+    const GradientSums<Dim> sums = sum_gradients<Dim, Kernel>(
+        records.motion, i, rows_.row(i, P::kLanes), records.inverse_length, rows_.weights(i));
+    thin = thin_moment<Dim>(sums.moment);
+    thin_correction<Dim>(thin, state_[i].correction);
+    thin_gradient<Dim>(sums.rate, thin, state_[i].velocity_gradient);
+  });
+}
+
 template <int Dim>
 void SphParticles<Dim>::refresh_gradients() {
+  is_thin_.resize(n_owned());
   for (const auto& block : blocks_) {
     in_precision_of(block, [&]<class P>(P) { find_gradients<P>(block); });
   }
+  thin_.clear();
+  for (std::size_t i = 0; i < is_thin_.size(); ++i) {
+    if (is_thin_[i]) thin_.push_back({static_cast<LocalIndex>(i), {}});
+  }
+  for_each(thin_.size(), [&](std::size_t k) {
+    auto& [particle, moment] = thin_[k];
+    const ParticleBlock& block = blocks_[block_of_[particle]];
+    in_precision_of(block, [&]<class P>(P) { find_thin_gradient<P>(block, particle, moment); });
+  });
+}
+
+/// Axes of a particle's neighbourhood; null where it is thick.
+template <int Dim>
+const ThinMoment<Dim>* SphParticles<Dim>::thin_of(LocalIndex i) const {
+  if (is_thin_.empty() || !is_thin_[i]) return nullptr;
+  return &std::ranges::lower_bound(thin_, i, {}, &ThinParticle<Dim>::particle)->moment;
 }
 
 /// Calls take(i, sums) of the forces on each particle of a block.
@@ -196,7 +227,9 @@ template void SphParticles<2>::set_single_motion(std::size_t);
 template void SphParticles<3>::set_single_motion(std::size_t);
 template void SphParticles<2>::refresh_gradients();
 template void SphParticles<3>::refresh_gradients();
+template const ThinMoment<2>* SphParticles<2>::thin_of(LocalIndex) const;
 template void SphParticles<2>::seed_step_limits();
+template const ThinMoment<3>* SphParticles<3>::thin_of(LocalIndex) const;
 template void SphParticles<3>::seed_step_limits();
 template void SphParticles<2>::add_internal_forces(Real);
 template void SphParticles<3>::add_internal_forces(Real);

@@ -39,6 +39,19 @@ BRUNT_INLINE void load_stress(const MaterialState& state, std::size_t at, Pack (
   }
 }
 
+/// The same of one point.
+template <int Dim>
+Eigen::Matrix<Real, Dim, Dim> stress_of(const MaterialState& state, std::size_t at) {
+  Eigen::Matrix<Real, Dim, Dim> sigma;
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      const auto component = slot_of(Dim == 3 ? symmetric_place<3>(a, b) : a == b ? a : xy);
+      sigma(a, b) = state.deviator[component][at] - (a == b ? state.pressure[at] : 0.0);
+    }
+  }
+  return sigma;
+}
+
 }  // namespace
 
 /// What the particles of a tile publish, by slot of the tile.
@@ -115,6 +128,44 @@ BRUNT_INLINE void form_pair_stress(const Pack (&sigma)[Dim][Dim], const SphOptio
 
 }  // namespace
 
+/// dt L of a particle [1].
+template <int Dim>
+Eigen::Matrix<Real, Dim, Dim> step_gradient(const ParticleState<Dim>& state, Real dt) {
+  return dt *
+         Eigen::Map<const Eigen::Matrix<Real, Dim, Dim, Eigen::RowMajor>>(state.velocity_gradient);
+}
+
+/// Of those whose neighbourhood is thin: what the gradient misses of their turn.
+template <int Dim>
+void SphParticles<Dim>::turn_thin(const ParticleBlock& block, std::size_t first, Real dt,
+                                  TileStress& tile) const {
+  const std::size_t n = std::min(block.set.particle.size() - first, std::size_t{kTile});
+  for (std::size_t slot = 0; slot < n; ++slot) {
+    const LocalIndex i = block.set.particle[first + slot];
+    const ThinMoment<Dim>* thin = thin_of(i);
+    if (!thin) continue;
+    const Eigen::Matrix<Real, Dim, Dim> missed =
+        missed_turn<Dim>(step_gradient(state_[i], dt), *thin);
+    for (int c = 0; c < Dim * Dim; ++c) tile.gradient[c][slot] += missed(c / Dim, c % Dim);
+  }
+}
+
+/// T B of those whose neighbourhood is thin, in place of sigma B, and its power.
+template <int Dim>
+void SphParticles<Dim>::form_thin_stress(const ParticleBlock& block, std::size_t first, Real dt,
+                                         TileStress& tile) const {
+  const std::size_t n = std::min(block.set.particle.size() - first, std::size_t{kTile});
+  for (std::size_t slot = 0; slot < n; ++slot) {
+    const LocalIndex i = block.set.particle[first + slot];
+    const ThinMoment<Dim>* thin = thin_of(i);
+    if (!thin) continue;
+    const Eigen::Matrix<Real, Dim, Dim> sigma = stress_of<Dim>(block.state, first + slot);
+    const Eigen::Matrix<Real, Dim, Dim> pair = tile.growth[slot] * thin_stress<Dim>(sigma, *thin);
+    for (int c = 0; c < Dim * Dim; ++c) tile.corrected[c][slot] = pair(c / Dim, c % Dim);
+    tile.power[slot] = sigma.cwiseProduct(step_gradient(state_[i], dt)).sum();
+  }
+}
+
 template <int Dim>
 void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Real dt) {
   const Material& material = *block.set.material;
@@ -143,6 +194,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     const bool works = k < n && state.start_volume > 0;
     tile.viscous_work[slot] = works ? dt * state.viscous_power / state.start_volume : 0.0;
   }
+  if (!thin_.empty()) turn_thin(block, first, dt, stress);
   for (int i = 0; i < kTile; i += kLanes) {
     const std::size_t at = first + slot_of(i);
     Pack end[Dim][Dim], s[6], strain[6];
@@ -167,6 +219,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     const Pack density = material.density / load(tile.ratio + i);
     store(stress.sound_speed + i, vsqrt(modulus / density));
   }
+  if (!thin_.empty()) form_thin_stress(block, first, dt, stress);
   publish(block, first, stress);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "sph/correction.hpp"
+#include "sph/thin_moment.hpp"
 
 namespace brunt {
 
@@ -24,17 +25,24 @@ struct InverseSpread {
 /// has eigenvalues of 1 and 2.
 inline constexpr Real kSteepCorrection = 9;
 
+/// [1] A share of a gradient that bounds no step.
+inline constexpr Real kNoShare = 1e-6;
+
 /// excess(c)  [m^2] what an eigenvalue c [m^2] of the spread counts too much
+/// thin  of a thin neighbourhood: its axes strain in part; null: in full
 template <int Dim, class Excess>
-InverseSpread inverse_of(const Eigen::Matrix<Real, Dim, Dim>& spread, const Excess& excess) {
+InverseSpread inverse_of(const Eigen::Matrix<Real, Dim, Dim>& spread, const Excess& excess,
+                         const ThinMoment<Dim>* thin) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, Dim, Dim>> solver;
-  solver.computeDirect(spread, Eigen::EigenvaluesOnly);
+  solver.computeDirect(spread, thin ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
   InverseSpread inverse;
   for (int d = 0; d < Dim; ++d) {
+    const Real share = thin ? thin->share_along(solver.eigenvectors().col(d)) : 1;
+    if (share < kNoShare) continue;
     const Real least = solver.eigenvalues()[d] - excess(solver.eigenvalues()[d]);
     if (!(least > 0)) return {kInfinity, kInfinity};
-    inverse.trace += 1 / least;
-    inverse.largest = std::max(inverse.largest, 1 / least);
+    inverse.trace += share * share / least;
+    inverse.largest = std::max(inverse.largest, share * share / least);
   }
   return inverse;
 }
@@ -49,10 +57,11 @@ InverseSpread inverse_of(const Eigen::Matrix<Real, Dim, Dim>& spread, const Exce
 /// docs/theory/sph.md (S24), (S25).
 /// row, weights  neighbours and those of their gradients, 0 beyond the kernel
 /// shear_share  [1] 2 mu/(rho c^2)
+/// thin  its axes where it is thin; else null
 template <int Dim>
 InverseSpread inverse_spread(const MotionRecord<Dim>* motion, LocalIndex i,
-                             std::span<const LocalIndex> row, const Real* weights,
-                             Real shear_share) {
+                             std::span<const LocalIndex> row, const Real* weights, Real shear_share,
+                             const ThinMoment<Dim>* thin) {
   using Matrix = Eigen::Matrix<Real, Dim, Dim>;
   constexpr int volume = MotionRecord<Dim>::kVolume;
   const Real* own = motion[i].data;
@@ -71,9 +80,9 @@ InverseSpread inverse_spread(const MotionRecord<Dim>* motion, LocalIndex i,
   second /= total, first /= total;
   const Real cubed = std::pow(own[volume], 6.0 / Dim);  // [m^6] dp^6
   const auto of_two_layers = [&](Real c) { return cubed / (16 * c * c); };
-  const InverseSpread about_own = inverse_of<Dim>(second, of_two_layers);
-  const InverseSpread about_centre =
-      inverse_of<Dim>(second - first * first.transpose(), [](Real) { return 0.0; });
+  const InverseSpread about_own = inverse_of<Dim>(second, of_two_layers, thin);
+  const InverseSpread about_centre = inverse_of<Dim>(
+      second - first * first.transpose(), [](Real) { return 0.0; }, thin);
   const bool own_longer = about_own.stiffness(shear_share) < about_centre.stiffness(shear_share);
   return own_longer ? about_own : about_centre;
 }
