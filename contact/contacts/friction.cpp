@@ -213,7 +213,8 @@ Real sliding_limit(const ContactRecord<Dim>& record, const FrictionStep<Dim>& st
   const Real pressure = std::max(push, 0.0) / step.pressed;
   friction.state = {
       step.material.temperature, step.material.flow_stress, pressure, speed, push, step.pressed};
-  return step.laws->slip_limit(friction.state, step.bonded, friction.coefficient);
+  friction.state.bonded = step.bonded;
+  return step.laws->slip_limit(friction.state, friction.coefficient);
 }
 
 /// The traction [Pa] of the damper where friction sticks; with the spring's no more than the limit

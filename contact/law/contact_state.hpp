@@ -14,6 +14,7 @@ struct ContactState {
   Real area = 0;                 ///< [m^2] that is pressed, or held
   Real penetration = 0;          ///< [m]
   Real closing = 0;              ///< [m/s] along the normal
+  bool bonded = false;           ///< its bond holds
 };
 
 }  // namespace brunt

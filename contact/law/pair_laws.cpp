@@ -4,10 +4,10 @@
 
 namespace brunt {
 
-Real PairLaws::slip_limit(const ContactState& at, bool bonded, Real& coefficient) const {
-  if (at.pressure > 0 || bonded) coefficient = friction->coefficient(at);
+Real PairLaws::slip_limit(const ContactState& at, Real& coefficient) const {
+  if (at.pressure > 0 || at.bonded) coefficient = friction->coefficient(at);
   return friction->limited(
-      at, bonded ? bond.slip_limit(at, coefficient) : coefficient * std::max(at.push, 0.0));
+      at, at.bonded ? bond.slip_limit(at, coefficient) : coefficient * std::max(at.push, 0.0));
 }
 
 }  // namespace brunt

@@ -26,9 +26,9 @@ struct PairLaws {
         holds(options.holds() ? &options : nullptr) {}
 
   bool presses_at_once() const { return initial_overlap == InitialOverlap::press; }
-  /// The force [N] at which contact slips. bonded  its bond holds;  coefficient  out, where the
-  /// state has one: it may be infinite at no pressure, c/p, a friction that does not depend on it
-  Real slip_limit(const ContactState& at, bool bonded, Real& coefficient) const;
+  /// The force [N] at which contact slips. coefficient  out, where the state has one: it may be
+  /// infinite at no pressure, c/p, a friction that does not depend on it
+  Real slip_limit(const ContactState& at, Real& coefficient) const;
 };
 
 }  // namespace brunt

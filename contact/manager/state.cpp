@@ -9,29 +9,31 @@ namespace {
 
 template <class Row, class Nodes>
 void visit_node(Row& row, Nodes& nodes, std::size_t i) {
-  row(nodes.v[i]);
-  row(nodes.spring[i]);
-  row(nodes.damping[i]);
-  row(nodes.spring_work[i]);
-  row(nodes.damping_energy[i]);
-  row(nodes.eroded_energy[i]);
-  if (nodes.conduct) row(nodes.friction_given[i]);
-  if (nodes.holds) row(nodes.joint_loss[i]);
-  if (!nodes.has_friction) return;
-  row(nodes.friction[i]);
-  row(nodes.friction_heat[i]);
-  row(nodes.friction_stored[i]);
-  row(nodes.friction_damped[i]);
-  row(nodes.pair_energy[i]);
+  nodes.for_carried([&](auto field, FieldUse use) {
+    using Value = std::remove_cvref_t<decltype((nodes.*field)[i])>;
+    if constexpr (!std::is_integral_v<Value>) {
+      if (use.saved) row((nodes.*field)[i]);
+    }
+  });
 }
 
+/// Numbers first, then the components of vectors one after the other.
 template <int Dim>
 std::uint64_t node_hash(const ContactNodes<Dim>& nodes, std::size_t i) {
   EntityHash hash(nodes.id[i]);
   hash.add(static_cast<std::uint64_t>(nodes.surface[i]));
-  hash.add(nodes.spring_work[i]);
-  hash.add(nodes.damping_energy[i]);
-  for (int c = 0; c < Dim; ++c) hash.add(nodes.spring[i][c]), hash.add(nodes.damping[i][c]);
+  nodes.for_carried([&](auto field, FieldUse use) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype((nodes.*field)[i])>, Real>) {
+      if (use.hashed) hash.add((nodes.*field)[i]);
+    }
+  });
+  for (int c = 0; c < Dim; ++c) {
+    nodes.for_carried([&](auto field, FieldUse use) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype((nodes.*field)[i])>, Vec<Dim>>) {
+        if (use.hashed) hash.add((nodes.*field)[i][c]);
+      }
+    });
+  }
   return hash.value();
 }
 

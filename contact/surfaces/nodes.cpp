@@ -6,6 +6,17 @@
 
 namespace brunt {
 
+namespace {
+template <class T>
+void add_blank(std::vector<T>& field) {
+  if constexpr (std::is_same_v<T, Vec3>) {
+    field.push_back(Vec3::Zero());
+  } else {
+    field.emplace_back();
+  }
+}
+}  // namespace
+
 template <int Dim>
 LocalIndex ContactNodes<Dim>::add(LocalIndex on_surface, LocalIndex at_point,
                                   const Points<Dim>& points) {
@@ -27,25 +38,9 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
   mass.push_back(m);
   x.push_back(at);
   x_made.push_back(at);
-  v.push_back(velocity);
-  for (auto* field : {&spring, &damping, &spring_last, &damping_last}) {
-    field->push_back(Vec<Dim>::Zero());
-  }
-  pressed.push_back(0), pressed_last.push_back(0);
-  if (holds) joint_loss.push_back(0);
-  if (turns) spin.push_back(Vec3::Zero());
-  if (needs_material) material.emplace_back();
-  spring_work.push_back(0);
-  damping_energy.push_back(0);
-  eroded_energy.push_back(0);
-  if (conduct) {
-    for (auto* field : {&temperature, &capacity, &heat_rate, &friction_given}) field->push_back(0);
-  }
-  if (has_friction) {
-    friction.push_back(Vec<Dim>::Zero());
-    for (auto* field : {&friction_heat, &friction_stored, &friction_damped, &pair_energy})
-      field->push_back(0);
-  }
+  for_carried([&](auto field, FieldUse use) { fit_field(this->*field, use, size()); });
+  for_renewed([&](auto field) { add_blank(this->*field); });
+  v.back() = velocity;
   return static_cast<LocalIndex>(size()) - 1;
 }
 
@@ -145,18 +140,7 @@ void ContactNodes<Dim>::inherit(const ContactNodes& old) {
         std::lower_bound(order.begin(), order.end(), name,
                          [&](std::size_t k, const auto& of) { return name_of(old, k) < of; });
     if (it == order.end() || name_of(old, *it) != name) continue;
-    v[i] = old.v[*it];
-    spring[i] = old.spring[*it], damping[i] = old.damping[*it];
-    spring_last[i] = old.spring_last[*it], damping_last[i] = old.damping_last[*it];
-    pressed[i] = old.pressed[*it], pressed_last[i] = old.pressed_last[*it];
-    spring_work[i] = old.spring_work[*it], damping_energy[i] = old.damping_energy[*it];
-    eroded_energy[i] = old.eroded_energy[*it];
-    if (conduct) friction_given[i] = old.friction_given[*it];
-    if (holds) joint_loss[i] = old.joint_loss[*it];
-    if (!has_friction) continue;
-    friction[i] = old.friction[*it], friction_heat[i] = old.friction_heat[*it];
-    friction_stored[i] = old.friction_stored[*it], pair_energy[i] = old.pair_energy[*it];
-    friction_damped[i] = old.friction_damped[*it];
+    for_carried([&](auto field, FieldUse) { (this->*field)[i] = (old.*field)[*it]; });
   }
 }
 

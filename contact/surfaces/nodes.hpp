@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "contact/geometry/motion_bounds.hpp"
+#include "core/field_use.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
@@ -36,7 +37,7 @@ struct ContactNodes {
   std::vector<Vec<Dim>> x;                ///< [m] at the last evaluation
   std::vector<Vec<Dim>> x_made;           ///< [m] when they were added here
   std::vector<Vec<Dim>> v;                ///< [m/s] at the last evaluation
-  MotionBounds<Dim> motion;               ///< since then, of the points that are here, as last read
+  MotionBounds<Dim> motion;               ///< since `x_made`, of the points here, as last read
   std::vector<Vec<Dim>> spring, damping;  ///< [N] forces of this evaluation
   std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
   /// Whether anything gave them a force in this evaluation, and in the one before: where nothing
@@ -62,6 +63,40 @@ struct ContactNodes {
 
   /// Those that are here: of bodies that may touch something, and of others.
   std::vector<LocalIndex> near, far;
+
+  /// Hands each field that outlives a step to f(&ContactNodes::field, use). All that is done with
+  /// them reads them here: room, rows of a checkpoint in this order, the hash, a table made anew.
+  template <class F>
+  void for_carried(const F& f) const {
+    f(&ContactNodes::v, kSaved);
+    f(&ContactNodes::spring, kState);
+    f(&ContactNodes::damping, kState);
+    f(&ContactNodes::spring_last, FieldUse{});
+    f(&ContactNodes::damping_last, FieldUse{});
+    f(&ContactNodes::pressed, FieldUse{});
+    f(&ContactNodes::pressed_last, FieldUse{});
+    f(&ContactNodes::spring_work, kState);
+    f(&ContactNodes::damping_energy, kState);
+    f(&ContactNodes::eroded_energy, kSaved);
+    if (conduct) f(&ContactNodes::friction_given, kSaved);
+    if (holds) f(&ContactNodes::joint_loss, kSaved);
+    if (!has_friction) return;
+    f(&ContactNodes::friction, kSaved);
+    f(&ContactNodes::friction_heat, kSaved);
+    f(&ContactNodes::friction_stored, kSaved);
+    f(&ContactNodes::friction_damped, kSaved);
+    f(&ContactNodes::pair_energy, kSaved);
+  }
+  /// The same of those that are read from the groups, or begin at 0, in every step.
+  template <class F>
+  void for_renewed(const F& f) const {
+    if (turns) f(&ContactNodes::spin);
+    if (needs_material) f(&ContactNodes::material);
+    if (!conduct) return;
+    f(&ContactNodes::temperature);
+    f(&ContactNodes::capacity);
+    f(&ContactNodes::heat_rate);
+  }
 
   std::size_t size() const { return point.size(); }
   LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
