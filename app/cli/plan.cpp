@@ -112,6 +112,7 @@ struct PlannedSteps {
   Flattening flattening;
 
   bool flattens() const { return flattening.most_steps() >= kHardly; }
+  bool whole() const { return !rehearsals.empty() && rehearsals.front().factor == 1; }
   Real expected() const { return kept * expected_growth(rehearsals); }
   /// Without a rehearsal: if they flatten as far as the energy allows.
   Real most() const {
@@ -119,13 +120,16 @@ struct PlannedSteps {
   }
 };
 
-/// Rehearses a run of elements that may flatten.
+/// Rehearses a run of elements that may flatten. Where those of a body as a whole hardly do, some
+/// that are struck by an edge may yet: a short run is tried.
 PlannedSteps plan_steps(const RunArguments& arguments, const LoadedDeck& loaded, Real kept,
                         const std::optional<Calibration>& measured) {
   PlannedSteps steps{kept, {}, flattening_of(loaded.deck)};
-  if (!steps.flattens() || !measured || !arguments.rehearse) return steps;
-  steps.rehearsals =
-      rehearse(arguments.deck, arguments.overrides, loaded, measured->seconds_per_step * kept);
+  if (!measured || measured->ended || !arguments.rehearse) return steps;
+  const Real seconds = measured->seconds_per_step * kept;
+  if (steps.flattens() || (steps.flattening.speed > 0 && seconds < kShortRun)) {
+    steps.rehearsals = rehearse(arguments.deck, arguments.overrides, loaded, seconds);
+  }
   return steps;
 }
 
@@ -140,6 +144,11 @@ void print_steps(const Deck& deck, const PlannedSteps& steps) {
   std::string end = deck::time_text(deck.time.real(deck.time.end));
   if (!deck.stop.when.empty() || deck.stop.at_rest || deck.stop.beyond) end += ", or until `stop`";
   const std::string speed = deck::short_text(steps.flattening.speed);
+  if (steps.whole()) {
+    std::printf("steps      %.0f to %s, by a run of the deck itself\n", std::ceil(steps.expected()),
+                end.c_str());
+    return;
+  }
   if (steps.most() < kHardly * steps.kept) {
     std::printf("steps      about %.0f to %s; more where elements are driven flat\n",
                 std::ceil(steps.expected()), end.c_str());

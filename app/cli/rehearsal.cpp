@@ -33,11 +33,15 @@ Real expected_growth(const std::vector<Rehearsal>& rehearsals) {
 std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::string>& overrides,
                                 const LoadedDeck& loaded, Real seconds) {
   constexpr Real kFactors[] = {3, 2};
-  constexpr Real kPart = 0.25, kLeast = 10, kMost = 60;  // [s]
+  constexpr Real kPart = 0.25, kLeast = 20, kMost = 60;  // [s]
   std::vector<Rehearsal> done;
+  const bool solid = loaded.deck.geometry == Geometry::three_d;
+  if (seconds < kShortRun) {
+    const auto run = solid ? run_whole<3>(loaded, kLeast) : run_whole<2>(loaded, kLeast);
+    if (run && run->ended) return {{1, run->growth()}};
+  }
   const SizeLever lever = own_sizes(loaded);
   if (lever.keys.empty()) return done;
-  const bool solid = loaded.deck.geometry == Geometry::three_d;
   const Real finer = std::pow(kFactors[0] / kFactors[1], solid ? 4 : 3);  // more points and steps
   const Real begun = processor_seconds();
   Real last = 0;  // [s] what the one before took

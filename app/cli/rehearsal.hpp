@@ -6,9 +6,10 @@
 
 namespace brunt {
 
-/// A run of the deck with larger elements and particles, which costs little: how its steps grew.
+/// A run of the deck, mostly with larger elements and particles, which costs little: how its steps
+/// grew.
 struct Rehearsal {
-  Real factor = 1;  ///< sizes over those of the deck
+  Real factor = 1;  ///< sizes over those of the deck; 1: that of the deck itself
   Real growth = 1;  ///< steps over those that its first step promised
 };
 
@@ -18,10 +19,13 @@ struct Rehearsal {
 /// large in taylor-bar-axisymmetric.
 Real expected_growth(const std::vector<Rehearsal>& rehearsals);
 
-/// Runs the deck to its end with elements and particles 3 and 2 times as large, on one thread, as
-/// far as that takes no more than a quarter of the run itself; none where sizes cannot be made
-/// larger. seconds  [s] of processor time that the run would take if steps stayed as long as the
-/// first
+/// [s] of processor time up to which a run is tried whole.
+inline constexpr Real kShortRun = 5;
+
+/// Runs the deck to its end on one thread: itself, if it then takes a few seconds; else with
+/// elements and particles 3 and 2 times as large, as far as that takes no more than a quarter of
+/// the run itself. None where sizes cannot be made larger. seconds  [s] of processor time that the
+/// run would take if steps stayed as long as the first
 std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::string>& overrides,
                                 const LoadedDeck& loaded, Real seconds);
 
