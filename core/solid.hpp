@@ -74,7 +74,7 @@ class Solid {
   /// Elements and particles that this rank counts.
   virtual std::size_t n_elements() const = 0;
   virtual std::size_t n_particles() const = 0;
-  /// How dear each owned point is to compute, in a unit of the group's own; points() order.
+  /// Cost of each owned point, in a unit of the group's own; points() order.
   virtual std::vector<Real> point_work() const = 0;
   /// Adds tables of all that the group carries from step to step, owned points and all elements.
   virtual void save_state(std::vector<StateTable>& tables) const = 0;

@@ -1,3 +1,4 @@
+/// docs/theory/heat.md (H4) to (H6), (H10).
 #include "fe/conduction.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #pragma once
 /// Hourglass control of one-point elements: viscous and by stiffness after Flanagan & Belytschko
 /// 1981, by assumed strain after Belytschko & Bindeman 1991, 1993.
+/// docs/theory/elements.md (E4) to (E7).
 #include "fe/one_point_kinematics.hpp"
 
 namespace brunt {

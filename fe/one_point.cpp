@@ -1,4 +1,5 @@
 /// One-point elements, Flanagan & Belytschko 1981, in modal coordinates.
+/// docs/theory/elements.md (E1) to (E3).
 #include "fe/hourglass_control.hpp"
 #include "fe/shape_guard.hpp"
 

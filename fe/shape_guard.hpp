@@ -11,7 +11,7 @@ namespace brunt {
 ///   W = V0 k/(2 n) sum ln^2(|F^-1|^2 h^2) where |F^-1| h > 1, else none:
 /// 1/|F^-1| is the least height over that at time 0, and h the least that is free. The stress in
 /// the direction of that height is 2 k ln(..), the stiffness there about 4 k: it does not grow as
-/// heights fall, so that steps follow heights alone.
+/// heights fall, so that steps follow heights alone. docs/theory/elements.md (E11).
 struct ShapeGuard {
   static constexpr Real kHeight = 0.02;     ///< h [1]
   static constexpr Real kStiffness = 0.02;  ///< k over the bulk modulus [1]

@@ -32,7 +32,6 @@ class NeighbourRows {
   /// What the first pass leaves to the second of each pair of the row, beside row(i).
   Real* weights(LocalIndex i) { return weight_.data() + first_[i]; }
   int count(LocalIndex i) const { return count_[i]; }
-  std::size_t n_candidates() const { return list_.neighbour.size(); }
 
  private:
   NeighbourList list_;

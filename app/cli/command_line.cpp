@@ -269,7 +269,7 @@ int guarded(const ParallelSession& session, Command command) {
 int command_line(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads may go; a run goes on
   CLI::App app{
-      "brunt: bodies that hit, cut, rub and heat each other. Finite elements, SPH, contact."};
+      "brunt: bodies that hit, cut, slide on and heat each other. Finite elements, SPH, contact."};
   app.set_version_flag("--version", std::string(BRUNT_VERSION) + " (" + BRUNT_ISA + ")");
   app.name("brunt");
   app.require_subcommand(1);

@@ -74,7 +74,7 @@ struct Scene {
   /// The longest stable step of heat of the owned points of this rank, and whose it is.
   StepLimit heat_step() const;
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
-  /// are due, after the motion; no answer depends on when.
+  /// may miss a pair, after the motion; no answer depends on when.
   void rearrange();
   /// Exact totals of all columns and bodies, and the state hash where it is asked for; dt is that
   /// of the last step.

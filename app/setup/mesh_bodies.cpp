@@ -186,7 +186,7 @@ void take_mesh_elements(const deck::Body& body, const MeshFile& mesh, int max_ce
   const Formulation<Dim>& asked = formulation_of<Dim>(body.element.type);
   BodyElements& elements = geometry.elements;
   elements.type = taken.cells.type;
-  if (taken.cells.type->corners == (1 << Dim)) {
+  if (taken.cells.type->corners == Shape<Dim>::kCorners) {
     elements.type = &asked.type();
     for (std::size_t e = 0; e < taken.cells.size(); ++e) {
       asked.cut_box(taken.cells[e], elements.corner);

@@ -25,7 +25,7 @@ struct MeasureReads {
 std::optional<MeasureReads> reads_of(const deck::Measure& measure);
 
 /// Evaluates one measure; an expression reads the values found before it.
-/// Throws DeckError-free std::invalid_argument where body, field or column do not exist.
+/// Throws std::invalid_argument where body, field or column do not exist.
 Real evaluate_measure(const deck::Measure& measure, const MeasureSource& source,
                       const std::vector<MeasureValue>& before);
 

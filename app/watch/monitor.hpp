@@ -139,7 +139,7 @@ class Monitor final : public Observer<Dim> {
   std::string reason_;
   // Times of the run [s], as it is stepped; rows and frames are in real time.
   Real history_every_, frame_every_;
-  std::int64_t row_steps_ = 1;  // least number of steps between two rows that are due
+  std::int64_t row_steps_ = 1;  // least number of steps between two rows
   std::int64_t row_step_ = 0;   // of the last row
   std::int64_t rows_due_ = 0, frames_due_ = 0;
   Real last_row_ = -1, last_frame_ = -1;

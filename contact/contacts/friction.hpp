@@ -75,8 +75,8 @@ struct EndedHeat {
   Real heat = 0;  ///< [J]
 };
 
-/// What contacts remember from the step before, in the order of keys. Who asks does so in that
-/// order too, and hands in a place that is 0 at first: from there on it is looked for.
+/// What contacts remember from the step before, in the order of keys. Look-ups go in that order
+/// too: `from` is where the search begins, 0 at first, then as the last call left it.
 template <int Dim>
 class FrictionHistory {
  public:

@@ -40,12 +40,13 @@ struct HeatShare {
 /// times what they are apart after it, by backward Euler: dT / (1/(h A) + dt/C), C = C1 C2/(C1 +
 /// C2). Stable for any step, exact where temperatures are steady, and of one temperature where h is
 /// infinite.
+/// docs/theory/heat.md (H11), (H12).
 /// h_area  [W/K]
 /// lower, upper  heat capacities behind the sides [J/K]
 Real heat_between(Real h_area, Real lower, Real upper, Real difference, Real dt);
 
 /// The way of heat between two faces, by the weights of the middle of `plane`, of which an area
-/// `pressed` [m^2] is under `pressure` [Pa] and the rest under none.
+/// `pressed` [m^2] is under `pressure` [Pa] and the rest under none. docs/theory/heat.md (H13).
 template <int Dim>
 HeatFlow<Dim> heat_path(const ContactFace<Dim>& lower, const ContactFace<Dim>& upper,
                         const CommonPlane<Dim>& plane, const ContactHeat& heat, Real pressed,
@@ -63,7 +64,7 @@ struct ParticleTouch {
 };
 
 /// The way of heat between a particle and a face, by the weights of the nearest point: over half a
-/// spacing inside the particle, nothing inside the face.
+/// spacing inside the particle, nothing inside the face. docs/theory/heat.md (H14).
 template <int Dim>
 HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>& touch,
                         const ContactHeat& heat);

@@ -31,8 +31,8 @@ struct ContactRecord {
   Real damping = 0;            ///< [N]
   Real area = 0;               ///< [m^2]
   Real penetration = 0;        ///< [m] of what borders fade, that part (C14)
-  Real opening = 0;            ///< [m] of its plane's needs
-  bool bonded = false;         ///< its plane is the whole overlap of both faces
+  Real opening = 0;            ///< [m] of PlaneNeeds: minus what is left of time 0
+  bool bonded = false;         ///< it is held: its plane is the whole overlap
   std::int32_t friction = -1;  ///< its place among those of the same part; -1: it slides freely
   std::int32_t push = -1;      ///< the same of what its spring gives beside the normal; -1: nothing
   int n_nodes = 0;

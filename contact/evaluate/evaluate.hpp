@@ -30,8 +30,8 @@ struct ParticleLoad {
 /// Evaluates the candidates and appends a record for each that carries force, in their order.
 /// F = k volume + c area closing speed at the centre of pressure, not below 0
 /// (docs/theory/contact.md (C11), (C16)); friction goes on from its past, or from what both faces
-/// carried (2.6). No past: no friction. What is left of first touches goes to part.face_touches,
-/// the bounds of what closes in or is deep to part.step_limit.
+/// carried (docs/theory/contact.md (C31)). No past: no friction. What is left of first touches goes
+/// to part.face_touches, the bounds of what closes in or is deep to part.step_limit.
 template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
                     const Section& section, const EvaluationStep& step,
@@ -69,15 +69,16 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
 /// of the materials of both sides, where its options need it; sides and weights of the step are
 /// there.
 template <int Dim>
-void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
-               const ContactRecord<Dim>& record, FrictionStep<Dim>& step);
+void set_face_material(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                       const ContactRecord<Dim>& record, FrictionStep<Dim>& step);
 template <int Dim>
-void ask_particle(const Entities<Dim>& entities, const ContactParticle& particle, LocalIndex face,
-                  const ContactRecord<Dim>& record, FrictionStep<Dim>& step);
+void set_particle_material(const Entities<Dim>& entities, const ContactParticle& particle,
+                           LocalIndex face, const ContactRecord<Dim>& record,
+                           FrictionStep<Dim>& step);
 template <int Dim>
-void ask_pair(const Entities<Dim>& entities, const ContactParticle& first,
-              const ContactParticle& second, const ContactRecord<Dim>& record,
-              FrictionStep<Dim>& step);
+void set_pair_material(const Entities<Dim>& entities, const ContactParticle& first,
+                       const ContactParticle& second, const ContactRecord<Dim>& record,
+                       FrictionStep<Dim>& step);
 
 /// Faces that are nearer than this [m] meet; of particles a distance of this part of their radius.
 inline constexpr Real kMeets = 1e-6;

@@ -196,7 +196,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   }
   step.damping = candidate.normal.damping;
   step.dt = dt;
-  ask_faces(entities, candidate, record, step);
+  set_face_material(entities, candidate, record, step);
   step.before = history.of_faces(key_of(record), part.past);
   step.kept = kept_traction(entities, candidate);
   if (step.before == nullptr) {

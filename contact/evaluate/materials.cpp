@@ -29,8 +29,8 @@ SurfaceMaterial of_both(const SurfaceMaterial& a, const SurfaceMaterial& b) {
 }  // namespace
 
 template <int Dim>
-void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
-               const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
+void set_face_material(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                       const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
   if (!step.laws->friction->needs_material()) return;
   const auto l = slot_of(candidate.lower);
   const auto u = slot_of(candidate.upper);
@@ -41,8 +41,9 @@ void ask_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
 }
 
 template <int Dim>
-void ask_particle(const Entities<Dim>& entities, const ContactParticle& particle, LocalIndex face,
-                  const ContactRecord<Dim>& record, FrictionStep<Dim>& step) {
+void set_particle_material(const Entities<Dim>& entities, const ContactParticle& particle,
+                           LocalIndex face, const ContactRecord<Dim>& record,
+                           FrictionStep<Dim>& step) {
   if (!step.laws->friction->needs_material()) return;
   const auto f = slot_of(face);
   const auto& shown = entities.nodes.material[slot_of(particle.node)];
@@ -53,9 +54,9 @@ void ask_particle(const Entities<Dim>& entities, const ContactParticle& particle
 }
 
 template <int Dim>
-void ask_pair(const Entities<Dim>& entities, const ContactParticle& first,
-              const ContactParticle& second, const ContactRecord<Dim>& record,
-              FrictionStep<Dim>& step) {
+void set_pair_material(const Entities<Dim>& entities, const ContactParticle& first,
+                       const ContactParticle& second, const ContactRecord<Dim>& record,
+                       FrictionStep<Dim>& step) {
   if (!step.laws->friction->needs_material()) return;
   const auto shown = [&](const ContactParticle& particle) -> const SurfaceMaterial& {
     return entities.nodes.material[slot_of(particle.node)];
@@ -65,18 +66,20 @@ void ask_pair(const Entities<Dim>& entities, const ContactParticle& first,
               at_contact<Dim>(entities, second.surface, shown(second), record, step.upper, step));
 }
 
-template void ask_faces<2>(const Entities<2>&, const FaceCandidate&, const ContactRecord<2>&,
-                           FrictionStep<2>&);
-template void ask_faces<3>(const Entities<3>&, const FaceCandidate&, const ContactRecord<3>&,
-                           FrictionStep<3>&);
-template void ask_particle<2>(const Entities<2>&, const ContactParticle&, LocalIndex,
-                              const ContactRecord<2>&, FrictionStep<2>&);
-template void ask_particle<3>(const Entities<3>&, const ContactParticle&, LocalIndex,
-                              const ContactRecord<3>&, FrictionStep<3>&);
-template void ask_pair<2>(const Entities<2>&, const ContactParticle&, const ContactParticle&,
-                          const ContactRecord<2>&, FrictionStep<2>&);
-template void ask_pair<3>(const Entities<3>&, const ContactParticle&, const ContactParticle&,
-                          const ContactRecord<3>&, FrictionStep<3>&);
+template void set_face_material<2>(const Entities<2>&, const FaceCandidate&,
+                                   const ContactRecord<2>&, FrictionStep<2>&);
+template void set_face_material<3>(const Entities<3>&, const FaceCandidate&,
+                                   const ContactRecord<3>&, FrictionStep<3>&);
+template void set_particle_material<2>(const Entities<2>&, const ContactParticle&, LocalIndex,
+                                       const ContactRecord<2>&, FrictionStep<2>&);
+template void set_particle_material<3>(const Entities<3>&, const ContactParticle&, LocalIndex,
+                                       const ContactRecord<3>&, FrictionStep<3>&);
+template void set_pair_material<2>(const Entities<2>&, const ContactParticle&,
+                                   const ContactParticle&, const ContactRecord<2>&,
+                                   FrictionStep<2>&);
+template void set_pair_material<3>(const Entities<3>&, const ContactParticle&,
+                                   const ContactParticle&, const ContactRecord<3>&,
+                                   FrictionStep<3>&);
 
 }  // namespace brunt
 // Tested by tests/verification/friction_law_test.cpp.

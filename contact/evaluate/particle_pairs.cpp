@@ -98,7 +98,7 @@ void add_friction(const Entities<Dim>& entities, const PresentPair<Dim>& pair, R
   step.damping = damper;
   step.dt = dt;
   step.turn = &turn;
-  ask_pair(entities, first, second, record, step);
+  set_pair_material(entities, first, second, record, step);
   step.before = history.of_faces(key_of(record), part.past);
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   find_friction(entities.nodes, record, step, part.frictions.emplace_back());

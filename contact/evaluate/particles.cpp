@@ -274,7 +274,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
   step.stiffness = law.stiffness * now.breadth;
   step.damping = hit.damping;
   step.dt = dt;
-  ask_particle(entities, now.particle, hit.face, record, step);
+  set_particle_material(entities, now.particle, hit.face, record, step);
   step.before =
       history.of_particle(key_of(record), face.body, face.piece, record.normal, part.past);
   record.friction = static_cast<std::int32_t>(part.frictions.size());

@@ -1,6 +1,6 @@
 #pragma once
 /// What is held from time 0 on, by springs between places of both sides (docs/theory/contact.md,
-/// 8a).
+/// section 9).
 #include "contact/evaluate/evaluate.hpp"
 
 namespace brunt {

@@ -7,6 +7,7 @@
 namespace brunt {
 
 /// Heat that passes by the difference of temperatures, by pressure, and over a gap.
+/// docs/theory/heat.md (H13) to (H15).
 struct ContactConductance {
   static constexpr const char* deck_name = "conductance";
   static constexpr const char* deck_help = "heat passes by the difference of temperatures";

@@ -7,7 +7,8 @@
 namespace brunt {
 
 /// The exponential closure of Malama & Kulatilake 2003: u = V (1 - exp(-sigma/(k V))), half of it
-/// at a pressure of k V ln 2. It stiffens later than the hyperbola (docs/theory/contact.md, 8a).
+/// at a pressure of k V ln 2. It stiffens later than the hyperbola (docs/theory/contact.md, section
+/// 9).
 ///   sigma = -k V ln(1 - u/V),  u the closure since time 0
 struct ExponentialClosure {
   std::optional<Real> largest;  ///< [m] V

@@ -27,7 +27,8 @@ struct FaceLaw {
   /// so that impacts go through it with next to no loss. at  area, closing, and the mean
   /// penetration of the layer
   Real damping_force(const ContactState& at) const {
-    if (at.penetration == 0) return damping * at.area * at.closing;
+    const bool in_layer = at.penetration != 0;
+    if (!in_layer) return damping * at.area * at.closing;
     const Real part = layer.damped(at.penetration);
     const Real most = stiffness * at.area * layer.most_damped(at.penetration);
     return std::clamp(part * layer_damping * at.area * at.closing, -most, most) +

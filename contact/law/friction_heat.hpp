@@ -7,6 +7,7 @@ namespace brunt {
 
 /// What becomes of the heat of friction: `fraction` of it goes to the two bodies, the rest leaves
 /// the scene. Of what goes to a body that keeps no temperature nothing is left either.
+/// docs/theory/heat.md (H16), (H17).
 struct FrictionHeat {
   Real fraction = 1;          ///< [1]
   std::optional<Real> split;  ///< [1] of it to the first body; none: by sqrt(k rho cp) of both

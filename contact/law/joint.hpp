@@ -1,6 +1,6 @@
 #pragma once
 /// What a deck says of faces and particles that hold together or close on each other as a joint
-/// does, and the spring that it makes of them (docs/theory/contact.md, 8a).
+/// does, and the spring that it makes of them (docs/theory/contact.md, section 9).
 #include <algorithm>
 #include <cmath>
 #include <optional>

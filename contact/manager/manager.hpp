@@ -131,7 +131,7 @@ class ContactManager {
   ContactView view() const;
   std::size_t n_facets() const;
   ContactWork work() const;
-  /// How dear each owned point of each surface is to compute here, in nanoseconds or so.
+  /// Cost of each owned point of each surface here, about [ns].
   std::vector<std::vector<Real>> point_work() const;
   /// Where each face and particle may touch, and what touches: what a partition would have to
   /// carry.

@@ -46,7 +46,8 @@ struct SurfaceHeat {
 };
 void describe(Schema& s, SurfaceHeat& heat);
 
-/// Heats or cools points from outside: docs/theory/heat.md. Absent functions are empty.
+/// Heats or cools points from outside: docs/theory/heat.md (H18) to (H21). Absent functions are
+/// empty.
 template <int Dim>
 struct HeatBoundary {
   static constexpr const char* kTable = "heat.";

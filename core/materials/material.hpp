@@ -69,7 +69,6 @@ class Strength {
   virtual ~Strength() = default;
   /// deviator += 2 G dev(strain), then the return to the yield surface; eps_p, strain_rate,
   /// temperature (adiabatic) and heat with it.
-  /// shear [Pa], density and specific heat [J/m^3/K reference] = rho0 cp.
   virtual void update(MaterialTile& tile, Real dt) const = 0;
   virtual bool yields() const = 0;
   virtual bool needs_temperature() const = 0;

@@ -31,7 +31,6 @@ class Card {
 
   /// True where nothing but blanks is left.
   bool at_end() const { return trimmed(rest_).empty(); }
-  bool has_commas() const { return commas_; }
   /// The next field: up to a comma where the line has any or width is 0, else of so many columns.
   std::string_view field(std::size_t width) {
     const bool to_comma = commas_ || width == 0;

@@ -32,7 +32,7 @@ ContactScene<3> corner(Real stiffness) {
   return scene;
 }
 
-// C6. Thrown into the corner at v = 0.04 c along each axis the particle overlaps each wall by less
+// Thrown into the corner at v = 0.04 c along each axis the particle overlaps each wall by less
 // than v/c dp sqrt(rho dp^3 / k dp^-2) = 0.04 dp / sqrt(phi), under 5 % of dp for phi = 1. With the
 // default damping it never leaves faster than it came, whatever the stiffness and although steps as
 // long as its limits allow meet the walls within a step, which gives or takes (w dt)^2/8 of a
@@ -103,7 +103,7 @@ struct Pairing {
   const char* size;           // of the plate
 };
 
-// C14. A spring in series of both sides is as soft as the softer one: at 1 m/s = 0.03 c of rubber
+// A spring in series of both sides is as soft as the softer one: at 1 m/s = 0.03 c of rubber
 // of c = 37 m/s the one sinks into the other by v/c dp / phi = 5.5 % of 2 mm, less than 10 %, be
 // they elements or particles, and whichever is hit (the edges of a hard block press up to 2.5 times
 // as much as its middle does: it falls at half the speed); and no contact asks for a shorter step
@@ -164,7 +164,7 @@ std::string with(std::string text, const std::string& word, const std::string& b
   return text.replace(text.find(word), word.size(), by);
 }
 
-// C7. Weight that comes at once shakes the block about m g with its own period, 4 L/c = 0.7 ms, and
+// Weight that comes at once shakes the block about m g with its own period, 4 L/c = 0.7 ms, and
 // throws it no higher than it stood. Bulk viscosity and the damping of contact take some 14 % of
 // the amplitude a period (measured; a block of 1 MPa, 3.2 times as slow, rings by a fifth of its
 // weight after 50 ms and by 1 % after 100): 70 periods leave 3e-5 of it after 50 ms. What is left
@@ -231,7 +231,7 @@ void add_edge(ContactScene<3>& scene, Real stiffness) {
   }
 }
 
-// C9. A ball, which is a particle of its radius, is led over the edge: along the top, about the
+// A ball, which is a particle of its radius, is led over the edge: along the top, about the
 // edge and down the side, 0.1 r deep all the way, then past the edge on a straight line, 0.57 r
 // from it. Its force is a function of the distance to the nearest point: its work is that of a
 // potential, 0 here, where the ball is as deep, or as free, at the end as at the start. The normal

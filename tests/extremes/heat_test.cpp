@@ -1,5 +1,5 @@
 // Extremes of heat: conductivities a factor of a million apart. Two rods of 50 mm
-// between 100 and 0 degC (B1.10), k2 = k1/1e6: q = 100 K/(L/k1 + 1/h + L/k2), 0.474 W/m^2. The poor
+// between 100 and 0 degC, k2 = k1/1e6: q = 100 K/(L/k1 + 1/h + L/k2), 0.474 W/m^2. The poor
 // conductor has a heat capacity as small, so that it settles as fast: exp(-2.4 alpha t/L^2) is
 // 1e-12 after 300 s. On the way no temperature may leave what the ends are held at (maximum
 // principle), and a poor conductor that is not light, of which only a skin heats up, is watched for

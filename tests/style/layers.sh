@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fails on an #include that goes upward or sideways (docs/architecture.md): core < fe, sph, contact, io < app,
+# Fails on an #include that goes upward or sideways (README.md, How it is built): core < fe, sph, contact, io < app,
 # and on a library outside the one folder that may use it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."

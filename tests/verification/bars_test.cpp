@@ -94,7 +94,7 @@ output: {history: 0.02 us}
 }
 
 TEST(Bars, ParticlesSwapVelocities) {
-  // A strip of particles 10 across and 100 along, nu = 0; viscosity off as B1.1 asks.
+  // A strip of particles 10 across and 100 along, nu = 0; viscosity off.
   const auto run = simulate_text(kSteelForPlaneWaves + R"(
 title: SPH bars
 geometry: plane-strain

@@ -1,5 +1,5 @@
 // Heat across contacts. Half-spaces: T = (e1 T1 + e2 T2)/(e1 + e2) at the
-// contact, e = sqrt(k rho cp); inside, T + (T_i - T) erfc(|x| / sqrt(4 alpha t)). Rod (B1.10): q =
+// contact, e = sqrt(k rho cp); inside, T + (T_i - T) erfc(|x| / sqrt(4 alpha t)). Rod: q =
 // dT/(L/k1 + 1/h + L/k2). Tolerances are those of the page: 0.5 % of 480 K at the contact, 1 % of
 // it inside, 0.5 % of the rod's.
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 // 986 N, 20.84 um, 0.3228 mm, 61.35 us. Pressed by F: a = (3 F R*/(4 E*))^(1/3);
 // cylinders by F a length L: b = sqrt(4 F R*/(pi E* L)), p = 2 F/(pi b L).
 // Errors are of first order in h: facets of the ball, springs of contact that give way by
-// 4 h p/(M phi), stresses that are means over an element. B1.4 and test 25 ask for 5 % with
+// 4 h p/(M phi), stresses that are means over an element. 5 % are asked for with
 // 10 elements over a; what is reported as area is where springs touch at all, and is wider.
 #include <gtest/gtest.h>
 

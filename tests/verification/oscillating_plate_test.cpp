@@ -1,5 +1,5 @@
 /// A plate that is held at one end starts with the velocity of its first mode, an expression of the
-/// place (B1.15; Gray, Monaghan & Swift 2001): L 0.2, H 0.02 m, K 3.25 MPa, G 0.715 MPa,
+/// place (Gray, Monaghan & Swift 2001): L 0.2, H 0.02 m, K 3.25 MPa, G 0.715 MPa,
 /// rho 1000 kg/m^3. The thin plate's period in plane strain is 0.2541 s; shear and rotary inertia
 /// make it 1 to 3 % longer at H/L = 0.1, and a deflection of a tenth of L a little more:
 /// 0 to 8 % is the gate.

@@ -39,7 +39,7 @@ void drive(ContactScene<Dim>& scene, Real dt,
   scene.contact->add_forces(dt);
 }
 
-// Test 6: forces of a pair with friction have no resultant and no moment. A few hundred sums of
+// Forces of a pair with friction have no resultant and no moment. A few hundred sums of
 // forces of size F at arms of size 1 leave some 1e-15.
 TEST(Friction, RandomWarpedPairsHaveNoMoment) {
   std::mt19937_64 random(5);
@@ -122,7 +122,7 @@ ContactScene<Dim> gripped(Real mu) {
   return scene;
 }
 
-// Test 7: a pair that is sheared by 0.002 and then turned as one rigid body about an oblique axis,
+// A pair that is sheared by 0.002 and then turned as one rigid body about an oblique axis,
 // or flown at 1e4 m/s, keeps its forces in the frame of the bodies. Turns are exact but for
 // rounding; at 1e4 m/s and 1e-3 s a displacement of 10 m has an error of 2e-15 m, against 2e-3 m of
 // shear.
@@ -169,7 +169,7 @@ TEST(Friction, GrippedEdgesTurnWithTheirBodies) {
   }
 }
 
-// Test 15: a slider one face long crosses 20 faces. With mu sigma / k = 0.1 h its friction is mu N
+// A slider one face long crosses 20 faces. With mu sigma / k = 0.1 h its friction is mu N
 // from 0.1 h on; without inheritance it would dip by 2.5 % at each crossing.
 template <int Dim>
 void check_slider(bool slider_first) {
@@ -206,7 +206,7 @@ TEST(Friction, SliderDoesNotDipWhereFacesMeet) {
   }
 }
 
-// Test 16: shear to and fro by an amplitude a beyond the slip: each cycle dissipates 4 mu N (a -
+// Shear to and fro by an amplitude a beyond the slip: each cycle dissipates 4 mu N (a -
 // mu N / k), to the part of a step in which slip begins: k du^2 / 2 of each of four corners. All
 // that motion loses is heat and store: what faces hand on to each other cancels, to rounding.
 template <int Dim>

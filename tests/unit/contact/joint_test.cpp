@@ -8,7 +8,7 @@
 namespace brunt {
 namespace {
 
-// k_ni 3.5 GPa/m, V 0.57 mm: values of docs/theory/contact.md, 8a.
+// k_ni 3.5 GPa/m, V 0.57 mm: values of docs/theory/contact.md, section 9.
 const HoldingSpring kBandis{
     .normal = 3.5e9, .shear = 3.5e9, .closure = ClosureLaw::of(HyperbolicClosure{0.57e-3})};
 

@@ -134,7 +134,7 @@ void expect_balance(const ContactScene<Dim>& scene, Real size) {
   ASSERT_LT(moment.norm(), 1e-14 * sum * size);
 }
 
-// Test 22: a particle 0.04 m deep crosses six cells of a sheet that turns by a degree, and is
+// A particle 0.04 m deep crosses six cells of a sheet that turns by a degree, and is
 // stretched and sheared along itself, in each of 400 steps: k d along the normal, in one contact,
 // and nothing along the sheet. Places of up to 10 m in double precision are 1e-15 m off, 5e-14 of
 // the depth.
@@ -191,7 +191,7 @@ std::vector<Vec<Dim>> box_corners() {
   return corners;
 }
 
-// Test 22: about a box whose sides change between 1 and 1.6 m and that turns, a particle feels
+// About a box whose sides change between 1 and 1.6 m and that turns, a particle feels
 // k (r - distance) away from the nearest point, at faces, edges and corners alike, in one contact:
 // nowhere does it leak in.
 template <int Dim>
@@ -236,7 +236,7 @@ TEST(MovingFaces, ABoxThatDeformsDoesNotLeakAtEdgesAndCorners) {
   }
 }
 
-// Test 22: in the corner of two walls at right angles, which move, a particle touches both.
+// In the corner of two walls at right angles, which move, a particle touches both.
 template <int Dim>
 void check_corner(bool elements) {
   auto scene = scene_with<Dim>(0);
@@ -268,7 +268,7 @@ TEST(MovingFaces, ACornerOfTwoWallsTouchesTwice) {
   }
 }
 
-// Test 7: pressed by 0.04 m on a sheet, and dragged by `drag` along it, a particle sticks with k s
+// Pressed by 0.04 m on a sheet, and dragged by `drag` along it, a particle sticks with k s
 // or slips with mu k d. Turned with the sheet about an oblique axis, a degree a step, and flown at
 // 1e4 m/s, it keeps both forces in the frame of the bodies: to rounding, and in flight to that of
 // 10 m a step, 2e-15 m, against 2e-3 m of drag.

@@ -6,7 +6,7 @@
 namespace brunt {
 namespace {
 
-TEST(PairOptions, AShearLimitAsksForTheMaterialOfWhatRubs) {
+TEST(PairOptions, AShearLimitNeedsTheMaterial) {
   PairOptions pair;
   pair.coulomb.shear_limit = true;
   EXPECT_FALSE(pair.needs_material());

@@ -144,7 +144,7 @@ TEST(ParticleFriction, DecaysWithTheSpeedOfSlip) {
   }
 }
 
-// C20. The mirrored drag has the mirrored force; turned back, friction falls by k s to -mu N, over
+// The mirrored drag has the mirrored force; turned back, friction falls by k s to -mu N, over
 // 2 mu N / k.
 template <int Dim>
 void check_reversal() {
@@ -198,7 +198,7 @@ TEST(ParticleFriction, StickingParticleReturns) {
   EXPECT_EQ(scene.totals().value(Column::contact_friction), 0);
 }
 
-// B1.7: a mass of 1 kg on a spring K = 100 N/m whose end is pulled at V. It slips when the spring
+// A mass of 1 kg on a spring K = 100 N/m whose end is pulled at V. It slips when the spring
 // carries mu N; from then on its mass swings by V sqrt(K m) = 0.0033 mu N about it.
 template <int Dim>
 void check_stick_slip() {
@@ -239,7 +239,7 @@ ContactScene<Dim> block_on_table() {
   return scene;
 }
 
-/// Test 14: 1 kg at v0 = 1 m/s on a floor with g = k kPressed / m = 10 m/s^2 stops after v0^2 /
+/// 1 kg at v0 = 1 m/s on a floor with g = k kPressed / m = 10 m/s^2 stops after v0^2 /
 /// (2 mu g), to the stretch mu N / k of its spring. It comes to rest with the spring let go, so it
 /// has slipped all of its way: heat mu N s, to what slips in the step in which it begins. All that
 /// it lost is heat of friction or of the dampers, to 1e-10.
@@ -343,7 +343,7 @@ TEST(ParticleFriction, HasNoMomentOnAFaceOfFreeNodes) {
   check_moment<3>();
 }
 
-// C13: a ball of mass m that falls with speed v on the middle of a free face of mass M leaves with
+// A ball of mass m that falls with speed v on the middle of a free face of mass M leaves with
 // (m - M) / (m + M) v downwards and the face with 2 m / (m + M) v, to 1 % of v: entry and exit fall
 // between two steps of 0.02 / omega.
 template <int Dim>

@@ -91,7 +91,7 @@ TEST(ParticlePair, NothingActsBetweenThoseApartOrIgnored) {
   EXPECT_EQ(bonded.force(1), Vec3(Vec3::Zero()));
 }
 
-// C18: at 1e-9 h and in one place the force is that of the formula, k 2r + 200 own r, and finite.
+// At 1e-9 h and in one place the force is that of the formula, k 2r + 200 own r, and finite.
 TEST(ParticlePair, NearlyCoincidentOnesHaveAFiniteForce) {
   const Real wanted = kSpring * 2 * kRadius + 200 * kOwn * kRadius;
   for (const Real apart : {1e-9 * kRadius, 0.0}) {

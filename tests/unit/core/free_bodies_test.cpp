@@ -149,7 +149,7 @@ TEST(FreeBodies, PointsMoveAsOne) {
 }
 
 // What is prescribed is so: x and z of the second body, about a centre that moves, whatever pulls.
-TEST(FreeBodies, ToldComponentsGoAsTold) {
+TEST(FreeBodies, PrescribedComponentsMoveAsPrescribed) {
   Bodies bodies;
   for (int n = 0; n < 100; ++n) bodies.step(0.01, pulls);
   const auto& state = bodies.free->all()[1].state;

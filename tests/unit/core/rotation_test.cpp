@@ -1,5 +1,5 @@
 /// Hughes-Winget rotation. The Cayley form turns by 2 atan(|spin|/2) about the spin's axis.
-/// Simple shear of a hypoelastic Jaumann body (B1.17): d gamma in L_xy gives D_xy = d gamma / 2 and
+/// Simple shear of a hypoelastic Jaumann body: d gamma in L_xy gives D_xy = d gamma / 2 and
 /// w_yx = -d gamma / 2; ds/dgamma = w s - s w + 2 G D has sigma_xy = G sin gamma,
 /// sigma_xx = G (1 - cos gamma). Rotating first and adding the strain after leaves an error of
 /// first order, d gamma / 2 of the stress: 5e-4 at 1000 steps to gamma = 1; tolerance 1e-3.

@@ -137,7 +137,7 @@ TEST(FeConduction, TheStepIsStableOnAnyShape) {
   }
 }
 
-// C21: a rod of two materials, k2 = 1e-6 k1, steady between 100 and 0: q = 100/(L/k1 + L/k2).
+// A rod of two materials, k2 = 1e-6 k1, steady between 100 and 0: q = 100/(L/k1 + L/k2).
 TEST(FeConduction, OneMaterialConductsAMillionTimesBetter) {
   const auto good = conductor(50), poor = conductor(50e-6, 1e-6);  // of the same diffusivity
   auto mesh = box_mesh<3>({20, 1, 1}, Vec3::Zero(), Vec3(2, 0.1, 0.1));

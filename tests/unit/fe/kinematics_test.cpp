@@ -5,7 +5,7 @@
 ///   that of r. (One-point axisymmetric elements measure 2 pi r A, which on distorted meshes does
 ///   not sum to the volume of the body: their inner forces vanish only with the mesh size, not
 ///   tested.) Tolerance 1e-12 of the stress: round-off of some 100 operations on strains of 1e-2.
-/// - Rigid spin (B1.18): a prestressed body turned by hand, 10 turns of 360 steps, changes |sigma|
+/// - Rigid spin: a prestressed body turned by hand, 10 turns of 360 steps, changes |sigma|
 ///   by round-off only: 3600 rotations, orthogonal to 1e-15 each, and strains of 1e-16/step.
 #include <gtest/gtest.h>
 
@@ -186,7 +186,7 @@ void expect_hourglass() {
     for (int c = 1; c < Dim; ++c) EXPECT_NEAR(f[i][c], 0, 1e-8 * k * d);
   }
 
-  // C3: ten turns bring the forces back and do no work on the hourglass modes.
+  // Ten turns bring the forces back and do no work on the hourglass modes.
   spin(*body);
   for (std::size_t i = 0; i < f.size(); ++i) {
     EXPECT_LT((body->points().f[i] - f[i]).norm(), 1e-7 * k * d);  // strains of 1e-16 a step

@@ -146,7 +146,7 @@ TEST(SphConduction, HeatIsConservedAndEvenTemperaturesStay) {
   EXPECT_LT(std::fabs(sum), 1e-14 * size);
 }
 
-// C21: two materials, k2 = 1e-6 k1, between 100 and 0: q = 100/(L1/k1 + L2/k2). The interface lies
+// Two materials, k2 = 1e-6 k1, between 100 and 0: q = 100/(L1/k1 + L2/k2). The interface lies
 // midway between two columns, whose conductivity is the harmonic mean; the second neighbours, that
 // conduct across the interface as if half the way were good, shorten the poor side by some tenths
 // of a spacing of its 20.
