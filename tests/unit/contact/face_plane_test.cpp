@@ -17,17 +17,17 @@ FacePlane<3> quad(const std::array<Vec3, 4>& corners) {
 FacePlane<3> warped(Real w) { return quad({Vec3(0, 0, w), {2, 0, -w}, {2, 2, w}, {0, 2, -w}}); }
 
 TEST(FacePlane, MeanPlaneOfAWarpedQuad) {
-  const auto face = warped(0.09);
-  EXPECT_NEAR(face.warp, 0.09, 1e-15);
+  const auto face = warped(0.23);
+  EXPECT_NEAR(face.warp, 0.23, 1e-15);
   EXPECT_NEAR(face.area, 4, 1e-15);
   EXPECT_LT((face.normal - Vec3::UnitZ()).norm(), 1e-15);
   EXPECT_LT((face.center - Vec3(1, 1, 0)).norm(), 1e-15);
-  EXPECT_TRUE(face.simple);           // 0.09 <= 0.05 * 2
-  EXPECT_FALSE(warped(0.11).simple);  // 0.11 > 0.05 * 2
+  EXPECT_TRUE(face.simple);           // 0.23 <= 0.12 * 2
+  EXPECT_FALSE(warped(0.25).simple);  // 0.25 > 0.12 * 2
 }
 
 TEST(FacePlane, SplitsAlongTheShorterDiagonalAndOnATieAtCornerZero) {
-  const auto tie = split(warped(0.11));
+  const auto tie = split(warped(0.25));
   EXPECT_EQ(tie.corners[0], (std::array<int, 3>{0, 1, 2}));
   const auto shorter = split(quad({Vec3(0, 0, .2), {2, 0, -.2}, {3, 3, .2}, {0, 2, -.2}}));
   EXPECT_EQ(shorter.corners[0], (std::array<int, 3>{1, 2, 3}));

@@ -1,5 +1,5 @@
-// A face that is 2 m wide now and was `start` at time 0 is split where its warp is beyond 5 % of
-// the smaller width: of 0.5 m 25 mm, of 4 m the 100 mm that its width now allows.
+// A face that is 2 m wide now and was `start` at time 0 is split where its warp is beyond 12 % of
+// the smaller width: of 0.5 m 60 mm, of 4 m the 240 mm that its width now allows.
 #include "contact/surfaces/start_warp.hpp"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ bool is_one_plane(Real warp, Real start) {
 }
 
 TEST(StartWarp, IsMeasuredByTheSmallerOfTheWidthsNowAndAtTimeZero) {
-  EXPECT_TRUE(is_one_plane(0.024, 0.5));
-  EXPECT_FALSE(is_one_plane(0.026, 0.5));
-  EXPECT_TRUE(is_one_plane(0.09, 4));
-  EXPECT_FALSE(is_one_plane(0.11, 4));
+  EXPECT_TRUE(is_one_plane(0.059, 0.5));
+  EXPECT_FALSE(is_one_plane(0.061, 0.5));
+  EXPECT_TRUE(is_one_plane(0.23, 4));
+  EXPECT_FALSE(is_one_plane(0.25, 4));
 }
 
 }  // namespace
