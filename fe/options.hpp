@@ -123,8 +123,7 @@ inline void describe(Schema& s, Erosion& erosion) {
 inline void describe(Schema& s, ElementOptions& element) {
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& solid) {
     solid.choice({"type",
-                  "kind of element; tet4: six tetrahedra in the place of a hexahedron, "
-                  "with nodal pressures"},
+                  "kind of element: hexahedra, or what each of them is cut into"},
                  element.type, ElementCatalog<3>::names);
   });
   s.section(element.type == 0, "only for type: hex8", [&](Schema& box) {

@@ -125,7 +125,12 @@ struct PlannedSteps {
 PlannedSteps plan_steps(const RunArguments& arguments, const LoadedDeck& loaded, Real kept,
                         const std::optional<Calibration>& measured) {
   PlannedSteps steps{kept, {}, flattening_of(loaded.deck)};
-  if (!measured || measured->ended || !arguments.rehearse) return steps;
+  if (!measured) return steps;
+  if (measured->ended) {
+    steps.rehearsals = {{1, static_cast<Real>(measured->steps) / kept}};
+    return steps;
+  }
+  if (!arguments.rehearse) return steps;
   const Real seconds = measured->seconds_per_step * kept;
   if (steps.flattens() || (steps.flattening.speed > 0 && seconds < kShortRun)) {
     steps.rehearsals = rehearse(arguments.deck, arguments.overrides, loaded, seconds);

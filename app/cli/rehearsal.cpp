@@ -38,7 +38,10 @@ std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::
   const bool solid = loaded.deck.geometry == Geometry::three_d;
   if (seconds < kShortRun) {
     const auto run = solid ? run_whole<3>(loaded, kLeast) : run_whole<2>(loaded, kLeast);
-    if (run && run->ended) return {{1, run->growth()}};
+    if (run && run->ended) {  // at its end, or where `stop` says
+      const Real kept = loaded.deck.time.end / run->planned_step;
+      return {{1, run->planned_step > 0 ? static_cast<Real>(run->steps) / kept : 1}};
+    }
   }
   const SizeLever lever = own_sizes(loaded);
   if (lever.keys.empty()) return done;

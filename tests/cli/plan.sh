@@ -30,19 +30,21 @@ compare "$decks/projectile-2d/projectile-2d.yaml" "parameters.size=0.5 mm"
 for text in "bound by" "body.striker.velocity.x" "contact.striker-target.force.x"; do
   grep -qF "$text" plan.txt || { cat plan.txt; echo "FAILED: the plan lacks: $text"; exit 1; }
 done
-# How far elements flatten is rehearsed with larger ones: the steps are known to a quarter.
+# How far elements flatten is known of a run that takes seconds, as it is tried: to a hundredth, as the first step is not
+# that of the deck alone. Of longer ones it is rehearsed with larger elements (Rehearsals of unit_app).
 planned=$("$brunt" plan "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml" |
-  sed -n 's/^steps *about \([0-9]*\) to .*/\1/p')
+  sed -n 's/^steps *\([0-9]*\) to 80 us, by a run of the deck itself/\1/p')
 "$brunt" run "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml" --quiet --out steps
 steps=$(sed -n 's/^  "steps": *\([0-9]*\).*/\1/p' steps/summary.json)
 echo "taylor-bar-axisymmetric: planned $planned steps, taken $steps"
-[ $((4 * planned)) -ge $((3 * steps)) ] && [ $((4 * planned)) -le $((5 * steps)) ]
+{ [ -n "$planned" ] && [ $((100 * planned)) -ge $((99 * steps)) ] && [ $((100 * planned)) -le $((101 * steps)) ]; } ||
+  { echo "FAILED: steps"; exit 1; }
 "$brunt" plan "$decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml" --no-rehearsal >plan.txt
 grep -q '^steps *[0-9]* to [0-9]* up to 80 us' plan.txt ||
   { cat plan.txt; echo "FAILED: no range without a rehearsal"; exit 1; }
 # All of them had one reason, which the summary names.
 grep -qF '"element of bar": 1.0' steps/summary.json
-# Sizes of a mesh file cannot be made larger: a range, which the energy bounds.
+# Sizes of a mesh file cannot be made larger, and this run does not get far: a range, which the energy bounds.
 printf '%s\n' '$MeshFormat' '2.2 0 8' '$EndMeshFormat' '$Nodes' 4 '1 0 0 0' '2 1 0 0' '3 1 1 0' '4 0 1 0' \
   '$EndNodes' '$Elements' 1 '1 3 2 1 1 1 2 3 4' '$EndElements' >bar.msh
 printf '%s\n' 'title: a bar from a file' 'geometry: plane-strain' 'time: {end: 80 us}' \
