@@ -176,8 +176,8 @@ void warn_of_sheets(const LoadedDeck& loaded, const Scene<Dim>& scene, Label lab
   const Real size = scene.body_size[label];  // two layers lie half a spacing to either side
   if (spread.eigenvalues()[0] > 0.01 * size * size) return;
   warn("bodies." + name + ".size",
-       "all particles lie in one layer, which bends and folds without resistance: half the size "
-       "gives two");
+       "all particles lie in one layer, which bends and folds without resistance and may clump "
+       "where it is pulled: half the size gives two layers, and so may `lattice: hexagonal`");
 }
 
 /// Contact that is to pass heat between bodies none of which conducts.
