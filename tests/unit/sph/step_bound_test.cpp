@@ -120,14 +120,14 @@ TEST(StepBound, HoldsInSpaceLong) {
   expect_stable<3>({{5, 5, 2}, {6, 2, 2}, {2, 2, 2}}, 0.45);
 }
 
-// Sheets and rods whose particles lie a fifth to half a spacing off their plane: the normal strains
-// in part (docs/theory/sph.md (S9a)).
+// Sheets and rods whose particles lie up to a third or half a spacing off their plane: the normal
+// strains in part (docs/theory/sph.md (S9a)).
 TEST(StepBound, HoldsForWarpedSheets) {
   const auto material = elastic_material(kDensity, 200e9, 0.3);
   for (const auto& [kernel, smoothing] : kAll) {
     SphOptions options;
     options.kernel = kernel, options.smoothing = smoothing;
-    for (const Real noise : {0.2, 0.3, 0.4, 0.5}) {
+    for (const Real noise : {0.3, 0.5}) {
       for (const std::array<int, 3> n : {std::array<int, 3>{5, 5, 1}, {8, 1, 1}}) {
         const Real limits = stable_step_limits<3>(body_of<3>(n, false, noise), *material, options);
         EXPECT_GT(limits, 1) << static_cast<int>(kernel) << " " << smoothing << ", " << n[0]
