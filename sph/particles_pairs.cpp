@@ -139,9 +139,10 @@ void SphParticles<Dim>::refresh_gradients() {
     if (is_thin_[i]) thin_.push_back({static_cast<LocalIndex>(i), {}});
   }
   for_each(thin_.size(), [&](std::size_t k) {
-    auto& [particle, moment] = thin_[k];
-    const ParticleBlock& block = blocks_[block_of_[particle]];
-    in_precision_of(block, [&]<class P>(P) { find_thin_gradient<P>(block, particle, moment); });
+    ThinParticle<Dim>& thin = thin_[k];
+    const ParticleBlock& block = blocks_[block_of_[thin.particle]];
+    in_precision_of(block,
+                    [&]<class P>(P) { find_thin_gradient<P>(block, thin.particle, thin.moment); });
   });
 }
 
