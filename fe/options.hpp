@@ -122,8 +122,7 @@ inline void describe(Schema& s, Erosion& erosion) {
 }
 inline void describe(Schema& s, ElementOptions& element) {
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& solid) {
-    solid.choice({"type",
-                  "kind of element: hexahedra, or what each of them is cut into"},
+    solid.choice({"type", "kind of element: hexahedra, or what each of them is cut into"},
                  element.type, ElementCatalog<3>::names);
   });
   s.section(element.type == 0, "only for type: hex8", [&](Schema& box) {
