@@ -1,15 +1,15 @@
 #pragma once
-/// Four doubles side by side, on GNU vector types alone: the same bits on every instruction set,
-/// because each lane is one IEEE operation and nothing is contracted. Kernels are written once on a
-/// scalar V, Real or Pack. A lane never looks at another lane: what a group of four does may not
-/// change the bits of one.
+/// Four or eight doubles side by side, on GNU vector types alone: the same bits on every
+/// instruction set, because each lane is one IEEE operation and nothing is contracted. Kernels are
+/// written once on a scalar V: Real, Pack or Wide. A lane never looks at another lane: what a group
+/// does may not change the bits of one.
 #include <array>
 #include <cmath>
 #include <cstring>
 
 #include "core/types.hpp"
 
-#if defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__)
+#if defined(__FMA__) || defined(__FMA4__) || (defined(__AVX512F__) && !defined(BRUNT_WIDE))
 #error "fused instructions change bits: see CMakeLists.txt and docs/decisions/122-fused-turns.md"
 #endif
 
@@ -17,7 +17,14 @@ namespace brunt {
 
 inline constexpr int kLanes = 4;
 using Pack = Real __attribute__((vector_size(32)));
-using PackMask = decltype(Pack{} < Pack{});  // what comparing Packs gives: 0 or -1 in each lane
+/// Of kernels that have a version for processors with AVX-512 (core/wide_lanes.hpp); elsewhere it
+/// is two Packs.
+using Wide = Real __attribute__((vector_size(64)));
+/// What comparing two V gives: bool, or 0 or -1 in each lane.
+template <class V>
+using MaskOf = decltype(V{} < V{});
+using PackMask = MaskOf<Pack>;
+using WideMask = MaskOf<Wide>;
 
 #define BRUNT_INLINE inline __attribute__((always_inline))
 
@@ -29,7 +36,7 @@ BRUNT_INLINE V broadcast(Real s) {
   if constexpr (lanes_of<V> == 1) {
     return s;
   } else {
-    return V{s, s, s, s};
+    return s - V{};
   }
 }
 BRUNT_INLINE Pack load(const Real* p) {
@@ -41,17 +48,31 @@ BRUNT_INLINE void store(Real* p, Pack v) { std::memcpy(p, &v, sizeof v); }
 
 template <class V>
 BRUNT_INLINE V load_as(const Real* p) {
-  if constexpr (lanes_of<V> == 1) {
-    return *p;
-  } else {
-    return load(p);
-  }
+  V r;
+  std::memcpy(&r, p, sizeof r);
+  return r;
 }
 BRUNT_INLINE void store(Real* p, Real v) { *p = v; }
+BRUNT_INLINE void store(Real* p, Wide v) { std::memcpy(p, &v, sizeof v); }
+
+BRUNT_INLINE Pack low_half(Wide a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3); }
+BRUNT_INLINE Pack high_half(Wide a) { return __builtin_shufflevector(a, a, 4, 5, 6, 7); }
+BRUNT_INLINE Wide joined_wide(Pack low, Pack high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
 
 BRUNT_INLINE Real select(bool m, Real a, Real b) { return m ? a : b; }
 BRUNT_INLINE Pack select(PackMask m, Pack a, Pack b) { return m ? a : b; }
+BRUNT_INLINE Wide select(WideMask m, Wide a, Wide b) { return m ? a : b; }
 BRUNT_INLINE bool any(bool m) { return m; }
+BRUNT_INLINE bool any(WideMask m) {
+#ifdef __AVX512DQ__
+  using Bits = long long __attribute__((vector_size(64)));
+  return __builtin_ia32_cvtq2mask512(reinterpret_cast<Bits>(m)) != 0;
+#else
+  return (m[0] | m[1] | m[2] | m[3] | m[4] | m[5] | m[6] | m[7]) != 0;
+#endif
+}
 BRUNT_INLINE bool any(PackMask m) {
 #ifdef __AVX__
   return __builtin_ia32_movmskpd256(reinterpret_cast<Pack>(m)) !=
@@ -85,22 +106,38 @@ BRUNT_INLINE void store_permuted(LocalIndex* to, const LocalIndex* from, const s
 }
 BRUNT_INLINE bool lane_of(bool m, int) { return m; }
 BRUNT_INLINE bool lane_of(PackMask m, int lane) { return m[lane] != 0; }
+BRUNT_INLINE bool lane_of(WideMask m, int lane) { return m[lane] != 0; }
 BRUNT_INLINE Real lane_of(Real a, int) { return a; }
 BRUNT_INLINE Real lane_of(Pack a, int lane) { return a[lane]; }
+BRUNT_INLINE Real lane_of(Wide a, int lane) { return a[lane]; }
 BRUNT_INLINE void set_lane(Real& a, int, Real value) { a = value; }
 BRUNT_INLINE void set_lane(Pack& a, int lane, Real value) { a[lane] = value; }
+BRUNT_INLINE void set_lane(Wide& a, int lane, Real value) { a[lane] = value; }
 BRUNT_INLINE Real vmin(Real a, Real b) { return a < b ? a : b; }
 BRUNT_INLINE Pack vmin(Pack a, Pack b) { return a < b ? a : b; }
+BRUNT_INLINE Wide vmin(Wide a, Wide b) { return a < b ? a : b; }
 BRUNT_INLINE Real vmax(Real a, Real b) { return a > b ? a : b; }
 BRUNT_INLINE Pack vmax(Pack a, Pack b) { return a > b ? a : b; }
+BRUNT_INLINE Wide vmax(Wide a, Wide b) { return a > b ? a : b; }
 BRUNT_INLINE Real vabs(Real a) { return std::fabs(a); }
 BRUNT_INLINE Pack vabs(Pack a) {
-  constexpr long long m = 0x7fffffffffffffffLL;
-  return reinterpret_cast<Pack>(reinterpret_cast<PackMask>(a) & PackMask{m, m, m, m});
+  return reinterpret_cast<Pack>(reinterpret_cast<PackMask>(a) & 0x7fffffffffffffffLL);
+}
+BRUNT_INLINE Wide vabs(Wide a) {
+  return reinterpret_cast<Wide>(reinterpret_cast<WideMask>(a) & 0x7fffffffffffffffLL);
 }
 BRUNT_INLINE Real vsqrt(Real a) { return std::sqrt(a); }
 BRUNT_INLINE Pack vsqrt(Pack a) {
   return Pack{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+BRUNT_INLINE Wide vsqrt(Wide a) {
+#ifdef __AVX512F__
+  constexpr int kAsTheModeSays = 4;
+  constexpr char kAll = -1;
+  return __builtin_ia32_sqrtpd512_mask(a, Wide{}, kAll, kAsTheModeSays);
+#else
+  return joined_wide(vsqrt(low_half(a)), vsqrt(high_half(a)));
+#endif
 }
 
 }  // namespace brunt

@@ -1,5 +1,5 @@
 #pragma once
-/// exp, log and pow on V = Real or Pack, with the same bits for a Real and for each lane of a Pack
+/// exp, log and pow on V = Real, Pack or Wide, with the same bits for a Real and for each lane
 /// on every instruction set: additions, products, divisions and bits alone, in one fixed order.
 #include <bit>
 #include <type_traits>
@@ -10,7 +10,7 @@ namespace brunt {
 
 /// The type of the bits of V, and of its comparisons.
 template <class V>
-using BitsOf = std::conditional_t<lanes_of<V> == 1, long long, PackMask>;
+using BitsOf = std::conditional_t<lanes_of<V> == 1, long long, MaskOf<V>>;
 
 template <class V>
 BRUNT_INLINE BitsOf<V> bits_of(V x) {

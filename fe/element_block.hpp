@@ -71,9 +71,12 @@ enum class Rest : char {
   moved,       ///< it has
 };
 
+/// Elements whose points stand side by side: those of Gauss point 0 of all, then of point 1.
+inline constexpr int kGroup = 8;
+
 /// The elements of one set with their state, padded to whole tiles of kTile material points by
-/// repeating the last element. Point g of element e stands at (e/4) 4G + 4 g + e mod 4, so that
-/// four elements fill a Pack and a tile holds kTile/G elements, G the points of an element.
+/// repeating the last element. Point g of element e stands at (e/8) 8G + 8 g + e mod 8, so that
+/// eight elements fill a Wide and a tile holds kTile/G elements, G the points of an element.
 template <int Dim>
 struct ElementBlock {
   static constexpr int kHourglassValues = Shape<Dim>::kHourglass * Dim;
@@ -130,7 +133,7 @@ struct ElementBlock {
   int elements_per_tile() const { return kTile / gauss; }
   int n_tiles() const { return n_padded / elements_per_tile(); }
   std::size_t point(LocalIndex e, int g) const {
-    return slot_of(e / kLanes) * kLanes * gauss + kLanes * g + e % kLanes;
+    return slot_of(e / kGroup) * kGroup * gauss + kGroup * g + e % kGroup;
   }
   std::span<const LocalIndex> corners_of(LocalIndex e) const {
     const auto n_corners = slot_of(corners);

@@ -21,10 +21,10 @@ struct ElementStep {
 };
 
 /// Formulation::advance of hexes and quads of one point.
-template <int Dim>
+template <int Dim, class V>
 void advance_one_point(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 /// The same for q1p0 and full integration.
-template <int Dim>
+template <int Dim, class V>
 void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 /// Formulation::refresh_stable_steps of hexes and quads.
 template <int Dim>
@@ -89,15 +89,37 @@ BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][2], std::size_t e, const Co
   }
 }
 
+/// The same of eight elements: of four and of four.
+template <int Dim, int N>
+BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Wide (&node)[N][Dim]) {
+  Pack low[N][Dim], high[N][Dim];
+  gather(corner, field, low);
+  gather(corner + kLanes * N, field, high);
+  for (int I = 0; I < N; ++I) {
+    for (int i = 0; i < Dim; ++i) node[I][i] = joined_wide(low[I][i], high[I][i]);
+  }
+}
+template <int N, int Dim>
+BRUNT_INLINE void add_to_nodes(const Wide (&node)[N][Dim], std::size_t e, const CornerSums& sums) {
+  Pack low[N][Dim], high[N][Dim];
+  for (int I = 0; I < N; ++I) {
+    for (int i = 0; i < Dim; ++i) {
+      low[I][i] = low_half(node[I][i]), high[I][i] = high_half(node[I][i]);
+    }
+  }
+  add_to_nodes(low, e, sums);
+  add_to_nodes(high, e + kLanes, sums);
+}
+
 /// Components of a symmetric tensor that are not zero by symmetry of the geometry.
 template <int Dim>
 inline constexpr int kTensorSize = Dim == 3 ? 6 : 4;
 
-template <int Dim>
+template <int Dim, class V>
 BRUNT_INLINE void load_tensor(const std::array<std::vector<Real>, 6>& from, std::size_t at,
-                              Pack (&s)[6]) {
-  for (int k = 0; k < kTensorSize<Dim>; ++k) s[k] = load(from[k].data() + at);
-  for (int k = kTensorSize<Dim>; k < 6; ++k) s[k] = broadcast<Pack>(0);
+                              V (&s)[6]) {
+  for (int k = 0; k < kTensorSize<Dim>; ++k) s[k] = load_as<V>(from[k].data() + at);
+  for (int k = kTensorSize<Dim>; k < 6; ++k) s[k] = broadcast<V>(0);
 }
 
 /// Largest eigenvalue of a symmetric positive matrix, from above to round-off (1e-8 at a double
@@ -181,38 +203,39 @@ BRUNT_INLINE V stable_step(const BulkViscosity& option, const OperatorNorm<V>& n
   return 2.0 * vsqrt(rho / (corners * stiffness)) * (vsqrt(1.0 + Q * Q) - Q);
 }
 
-/// Stores the stable steps of the four elements from e on. Viscous hourglass control damps its
+/// Stores the stable steps of the elements from e on. Viscous hourglass control damps its
 /// modes at the rate 2 Q c V^(2/3) corners/V, explicit in time: the step is at most 1.6 over it,
 /// the true limit 2 being for undistorted elements.
-template <class Element>
+template <class Element, class V>
 BRUNT_INLINE void store_stable_step(ElementBlock<Element::kDim>& block, std::size_t e,
-                                    const OperatorNorm<Pack>& norm, Pack rho, Pack bulk,
-                                    Pack rate) {
+                                    const OperatorNorm<V>& norm, V rho, V bulk,
+                                    V rate) {
   const Real shear = block.material->shear;
-  const Real* pressure = block.state.pressure.data() + e * slot_of(block.gauss);
-  Pack tension = -load(pressure);
-  for (int g = 1; g < block.gauss; ++g) tension = vmax(tension, -load(pressure + kLanes * g));
-  Pack dt =
+  const Real* pressure = block.state.pressure.data() + block.point(static_cast<LocalIndex>(e), 0);
+  V tension = -load_as<V>(pressure);
+  for (int g = 1; g < block.gauss; ++g) tension = vmax(tension, -load_as<V>(pressure + kGroup * g));
+  V dt =
       stable_step<Element>(block.options.bulk_viscosity, norm, rho, bulk, shear, rate, tension);
   const auto* viscous = std::get_if<ViscousHourglass>(&block.options.hourglass);
   if (Element::kHourglass > 0 && block.gauss == 1 && viscous != nullptr) {
     constexpr Real corners = Element::kCorners;
-    const Pack c = vsqrt((bulk + (4.0 / 3) * shear) / rho);
-    const Pack size = load(block.reference_size.data() + e);
+    const V c = vsqrt((bulk + (4.0 / 3) * shear) / rho);
+    const V size = load_as<V>(block.reference_size.data() + e);
     dt = vmin(dt, (0.8 / corners) * size / (viscous->coefficient * c));
   }
   store(block.stable_step.data() + e, dt);
 }
 
-BRUNT_INLINE void add_half(std::vector<Real>& total, std::size_t e, Pack work) {
-  store(total.data() + e, load(total.data() + e) + 0.5 * work);
+template <class V>
+BRUNT_INLINE void add_half(std::vector<Real>& total, std::size_t e, V work) {
+  store(total.data() + e, load_as<V>(total.data() + e) + 0.5 * work);
 }
 
-/// Strain increment of four points from the gradient of displacement L at mid-step.
-template <int Dim>
-BRUNT_INLINE void store_strain(const Pack (&L)[Dim][Dim], Pack hoop, int at, MaterialTile& tile) {
-  Pack strain[6];
-  for (auto& component : strain) component = broadcast<Pack>(0);
+/// Strain increment of points from the gradient of displacement L at mid-step.
+template <int Dim, class V>
+BRUNT_INLINE void store_strain(const V (&L)[Dim][Dim], V hoop, int at, MaterialTile& tile) {
+  V strain[6];
+  for (auto& component : strain) component = broadcast<V>(0);
   strain[zz] = hoop;
   step_strain(L, strain);
   for (int k = 0; k < 6; ++k) store(tile.strain[k] + at, strain[k]);

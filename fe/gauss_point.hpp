@@ -77,12 +77,12 @@ BRUNT_INLINE V radius_at(const Modal<2, V>& c, int g) {
 
 /// dx/dxi at n+1 and what the step added to it, at one Gauss point. Both are linear in the modes,
 /// so that other configurations of the step follow from them.
-template <int Dim>
+template <int Dim, class V>
 struct GaussSlopes {
-  Pack J[Dim][Dim], A[Dim][Dim];
-  Pack r, u_r;  ///< [m] first coordinate at n+1 and its increment, in 2D
+  V J[Dim][Dim], A[Dim][Dim];
+  V r, u_r;  ///< [m] first coordinate at n+1 and its increment, in 2D
 
-  BRUNT_INLINE GaussSlopes(const Modal<Dim, Pack>& c, const Modal<Dim, Pack>& u, int g) {
+  BRUNT_INLINE GaussSlopes(const Modal<Dim, V>& c, const Modal<Dim, V>& u, int g) {
     slopes(c, g, J);
     slopes(u, g, A);
     if constexpr (Dim == 2) r = radius_at(c, g), u_r = radius_at(u, g);
@@ -90,31 +90,31 @@ struct GaussSlopes {
 };
 
 /// One Gauss point at one configuration; volumes are those of its share of the element.
-template <int Dim>
+template <int Dim, class V>
 struct GaussPoint {
-  Pack cof[Dim][Dim];  ///< determinant times inverse transpose of dx/dxi
-  Pack determinant;
-  Pack thickness;    ///< [m] depth or 2 pi r; 1 in 3D
-  Pack G[Dim][Dim];  ///< [m^Dim] determinant times gradient of the displacement of the step
-  Pack hoop;         ///< [m] thickness times hoop strain
+  V cof[Dim][Dim];  ///< determinant times inverse transpose of dx/dxi
+  V determinant;
+  V thickness;    ///< [m] depth or 2 pi r; 1 in 3D
+  V G[Dim][Dim];  ///< [m^Dim] determinant times gradient of the displacement of the step
+  V hoop;         ///< [m] thickness times hoop strain
 
-  Pack volume() const { return Dim == 3 ? determinant : determinant * thickness; }
-  Pack dilatation() const {
+  V volume() const { return Dim == 3 ? determinant : determinant * thickness; }
+  V dilatation() const {
     if constexpr (Dim == 3) return trace(G);
     return thickness * trace(G) + determinant * hoop;
   }
   /// Work of the stress s on the displacement of the step [J].
-  Pack work(const Pack (&s)[6]) const {
+  V work(const V (&s)[6]) const {
     if constexpr (Dim == 3) return double_dot(s, G);
     return thickness * double_dot(s, G) + determinant * s[zz] * hoop;
   }
 };
 
 /// back: part of the step by which the configuration is before n+1.
-template <int Dim>
-BRUNT_INLINE void evaluate(const GaussSlopes<Dim>& now, Real back, const Thickness& option,
-                           GaussPoint<Dim>& at) {
-  Pack J[Dim][Dim];
+template <int Dim, class V>
+BRUNT_INLINE void evaluate(const GaussSlopes<Dim, V>& now, Real back, const Thickness& option,
+                           GaussPoint<Dim, V>& at) {
+  V J[Dim][Dim];
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j)
       J[i][j] = back == 0 ? now.J[i][j] : now.J[i][j] - back * now.A[i][j];
@@ -128,7 +128,7 @@ BRUNT_INLINE void evaluate(const GaussSlopes<Dim>& now, Real back, const Thickne
     }
   }
   if constexpr (Dim == 2) {
-    const Pack r = back == 0 ? now.r : now.r - back * now.u_r;
+    const V r = back == 0 ? now.r : now.r - back * now.u_r;
     at.thickness = option.constant + option.radial * r;
     at.hoop = option.radial * now.u_r;
   }

@@ -172,9 +172,9 @@ Square<Dim> inverse_of(const Square<Dim>& A) {
 }
 
 /// Adds to an element's corner forces what a place gives by `slope`, times `scale`.
-template <int Dim>
+template <int Dim, class V>
 void add_forces(int place, const Square<Dim>& slope, Real scale, int lane,
-                Pack (&node)[Shape<Dim>::kCorners][Dim]) {
+                V (&node)[Shape<Dim>::kCorners][Dim]) {
   for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
     for (int i = 0; i < Dim; ++i) {
       Real sum = 0;
@@ -185,9 +185,9 @@ void add_forces(int place, const Square<Dim>& slope, Real scale, int lane,
 }
 }  // namespace
 
-template <int Dim>
+template <int Dim, class V>
 void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step, int lane,
-                 Pack (&force)[Shape<Dim>::kCorners][Dim]) {
+                 V (&force)[Shape<Dim>::kCorners][Dim]) {
   constexpr int n = Shape<Dim>::kCorners;
   Places<Dim> start, now, old;
   for (int I = 0; I < n; ++I) {
@@ -245,6 +245,10 @@ template void guard_shape(ElementBlock<2>&, std::size_t, const ElementStep<2>&, 
                           Pack (&)[Shape<2>::kCorners][2]);
 template void guard_shape(ElementBlock<3>&, std::size_t, const ElementStep<3>&, int,
                           Pack (&)[Shape<3>::kCorners][3]);
+template void guard_shape(ElementBlock<2>&, std::size_t, const ElementStep<2>&, int,
+                          Wide (&)[Shape<2>::kCorners][2]);
+template void guard_shape(ElementBlock<3>&, std::size_t, const ElementStep<3>&, int,
+                          Wide (&)[Shape<3>::kCorners][3]);
 template Real guard_reach<2>(CornerPlaces<2>);
 template Real guard_reach<3>(CornerPlaces<3>);
 

@@ -25,9 +25,9 @@ struct ShapeGuard {
 /// Adds the guard's forces to the corner forces of element e, their work to hourglass_work and
 /// their stiffness to the stable step.
 /// lane  of the four elements whose forces [N] on their nodes `force` has
-template <int Dim>
+template <int Dim, class V>
 void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>& step, int lane,
-                 Pack (&force)[Shape<Dim>::kCorners][Dim]);
+                 V (&force)[Shape<Dim>::kCorners][Dim]);
 
 /// Square of the largest least singular value of dx/dxi at which the guard may act [m^2], in an
 /// element with positions x at time 0: |F^-1| <= |dx0/dxi| |(dx/dxi)^-1|.
@@ -38,22 +38,22 @@ Real guard_reach(CornerPlaces<Dim> x);
 /// node: forces on the corners.
 /// With s half of the least height of the linear modes and t the most that the others change dx/dxi
 /// by, its least singular value is at least s - t.
-template <int Dim>
+template <int Dim, class V>
 BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e,
-                               const OperatorNorm<Pack>& norm, const Pack (*mode)[Dim],
+                               const OperatorNorm<V>& norm, const V (*mode)[Dim],
                                const ElementStep<Dim>& step,
-                               Pack (&node)[Shape<Dim>::kCorners][Dim]) {
+                               V (&node)[Shape<Dim>::kCorners][Dim]) {
   if (block.guard_reach.empty()) return;
   constexpr Real kHeightSquare = Dim == 3 ? 0.5 : 1.0;  // times the largest eigenvalue
   constexpr Real kOtherModes = Dim == 3 ? 9 : 2;        // t^2 over the sum of their squares
-  Pack square = broadcast<Pack>(0);
+  V square = broadcast<V>(0);
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
     for (int i = 0; i < Dim; ++i) square += mode[a][i] * mode[a][i];
   }
-  const Pack reach = load(block.guard_reach.data() + e);
+  const V reach = load_as<V>(block.guard_reach.data() + e);
   const auto safe = 8.0 * norm.largest * (kOtherModes * square + reach) < kHeightSquare;
   if (!any(~safe)) return;
-  for (int lane = 0; lane < kLanes; ++lane) {
+  for (int lane = 0; lane < lanes_of<V>; ++lane) {
     if (lane_of(safe, lane)) continue;
     guard_shape(block, e + slot_of(lane), step, lane, node);
   }

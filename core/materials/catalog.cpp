@@ -3,6 +3,8 @@
 #include <type_traits>
 
 #include "core/materials/softening.hpp"
+#include "core/materials/wide_return.hpp"
+#include "core/wide_lanes.hpp"
 
 namespace brunt {
 
@@ -65,6 +67,8 @@ std::unique_ptr<Damage> make_damage(const DamageChoice& law, const DamageInputs&
 }
 
 std::unique_ptr<Strength> make_strength(const StrengthLaw& law, const StrengthInputs& inputs) {
+  auto wide = wide_lanes() ? make_wide_strength(law, inputs) : nullptr;
+  if (wide != nullptr) return wide;
   return std::visit([&](const auto& chosen) { return make(chosen, inputs); }, law);
 }
 

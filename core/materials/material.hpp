@@ -49,7 +49,7 @@ struct MaterialState {
 /// Points first .. first+count of a state, with what has happened to them in this step.
 /// The caller has rotated the deviator into the new configuration (Hughes-Winget) already.
 /// count is a multiple of kLanes. Arrays are indexed from 0 within the tile.
-inline constexpr int kTile = 32;
+inline constexpr int kTile = 64;
 struct MaterialTile {
   MaterialState* state = nullptr;
   std::size_t first = 0;

@@ -1,5 +1,6 @@
 #include "fe/elements/box.hpp"
 
+#include "core/wide_lanes.hpp"
 #include "fe/conduction_kernel.hpp"
 #include "fe/element_step.hpp"
 #include "fe/gauss_point.hpp"
@@ -185,10 +186,18 @@ class BoxFormulation final : public Formulation<Dim> {
     if (block.gauss == 1) start_hourglass(points, block);
   }
   void advance(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step) const override {
-    if (block.gauss == 1) {
-      advance_one_point(block, tile, step);
+    if (wide_lanes()) {
+      advance_as<Wide>(block, tile, step);
     } else {
-      advance_gauss(block, tile, step);
+      advance_as<Pack>(block, tile, step);
+    }
+  }
+  template <class V>
+  static void advance_as(ElementBlock<Dim>& block, int tile, const ElementStep<Dim>& step) {
+    if (block.gauss == 1) {
+      advance_one_point<Dim, V>(block, tile, step);
+    } else {
+      advance_gauss<Dim, V>(block, tile, step);
     }
   }
   void refresh_stable_steps(ElementBlock<Dim>& block, int tile,
@@ -207,13 +216,13 @@ class BoxFormulation final : public Formulation<Dim> {
   void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e,
                                const Real* temperature) const override {
     if (block.gauss == 1) return mean_temperature<kCorners>(block, e, temperature);
-    Real* out = block.state.temperature.data() + e * slot_of(block.gauss);
+    Real* out = block.state.temperature.data() + block.point(static_cast<LocalIndex>(e), 0);
     Pack T[kCorners];
     gather_temperature(block.corner.data() + e * kCorners, temperature, T);
     for (int g = 0; g < block.gauss; ++g) {
       Pack sum = broadcast<Pack>(0);
       for (int I = 0; I < kCorners; ++I) sum += kCornerTable<Dim>.at[g].value[I] * T[I];
-      store(out + kLanes * g, sum);
+      store(out + kGroup * g, sum);
     }
   }
 };
