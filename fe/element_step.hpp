@@ -208,14 +208,12 @@ BRUNT_INLINE V stable_step(const BulkViscosity& option, const OperatorNorm<V>& n
 /// the true limit 2 being for undistorted elements.
 template <class Element, class V>
 BRUNT_INLINE void store_stable_step(ElementBlock<Element::kDim>& block, std::size_t e,
-                                    const OperatorNorm<V>& norm, V rho, V bulk,
-                                    V rate) {
+                                    const OperatorNorm<V>& norm, V rho, V bulk, V rate) {
   const Real shear = block.material->shear;
   const Real* pressure = block.state.pressure.data() + block.point(static_cast<LocalIndex>(e), 0);
   V tension = -load_as<V>(pressure);
   for (int g = 1; g < block.gauss; ++g) tension = vmax(tension, -load_as<V>(pressure + kGroup * g));
-  V dt =
-      stable_step<Element>(block.options.bulk_viscosity, norm, rho, bulk, shear, rate, tension);
+  V dt = stable_step<Element>(block.options.bulk_viscosity, norm, rho, bulk, shear, rate, tension);
   const auto* viscous = std::get_if<ViscousHourglass>(&block.options.hourglass);
   if (Element::kHourglass > 0 && block.gauss == 1 && viscous != nullptr) {
     constexpr Real corners = Element::kCorners;

@@ -7,7 +7,8 @@ void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Di
   const std::size_t first = slot_of(index) * block.elements_per_tile();
   for (int k = 0; k < block.elements_per_tile(); k += kLanes) {
     const std::size_t e = first + k;
-    const gauss::Group<Dim, Pack> group{block, step, e, block.point(static_cast<LocalIndex>(e), 0), 0, false};
+    const gauss::Group<Dim, Pack> group{block, step, e, block.point(static_cast<LocalIndex>(e), 0),
+                                        0,     false};
     gauss::GaussWork<Dim, Pack> w;
     load_modes(group, w);
     Pack E[Shape<Dim>::kActive][Dim], G[Dim][Dim];
@@ -33,7 +34,8 @@ void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Di
       w.norm = operator_norm<Dim, Pack>(E, size, hoop);
     }
     w.rho = load(block.mass.data() + e) / load(block.element_volume.data() + e);
-    const Pack bulk = block.gauss == 1 ? load(block.state.bulk.data() + e) : gauss::largest_bulk(group);
+    const Pack bulk =
+        block.gauss == 1 ? load(block.state.bulk.data() + e) : gauss::largest_bulk(group);
     store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, bulk, (1.0 / step.dt) * trace(G) / size);
   }
 }

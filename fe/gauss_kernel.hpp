@@ -1,6 +1,7 @@
 #pragma once
 /// Elements with 2^Dim Gauss points: full integration, and q1p0, where one dilatation and one
-/// pressure serve the element (mean dilatation, Nagtegaal, Parks & Rice 1974; B-bar, Hughes 1980); lanes_of<V> at a time.
+/// pressure serve the element (mean dilatation, Nagtegaal, Parks & Rice 1974; B-bar, Hughes 1980);
+/// lanes_of<V> at a time.
 #include "fe/element_step.hpp"
 #include "fe/gauss_point.hpp"
 #include "fe/shape_guard.hpp"
@@ -115,10 +116,11 @@ BRUNT_INLINE void share_dilatation(const Group<Dim, V>& group, const GaussSums<V
   const V ratio = sums.volume / reference;
   for (int g = 0; g < kGauss<Dim>; ++g) {
     const int k = group.at + kGroup * g;
-    const V own =
-        load_as<V>(tile.strain[xx] + k) + load_as<V>(tile.strain[yy] + k) + load_as<V>(tile.strain[zz] + k);
+    const V own = load_as<V>(tile.strain[xx] + k) + load_as<V>(tile.strain[yy] + k) +
+                  load_as<V>(tile.strain[zz] + k);
     const V shift = (1.0 / 3) * (mean - own);
-    for (int i = xx; i <= zz; ++i) store(tile.strain[i] + k, load_as<V>(tile.strain[i] + k) + shift);
+    for (int i = xx; i <= zz; ++i)
+      store(tile.strain[i] + k, load_as<V>(tile.strain[i] + k) + shift);
     store(tile.ratio_old + k, ratio_old);
     store(tile.ratio + k, ratio);
   }
@@ -169,14 +171,13 @@ BRUNT_INLINE V hoop_norm(const Modal<2, V>& c, const Thickness& option) {
 /// Gauss points, each as of the parallelepiped that touches there, exceed it in the mean trace.
 /// square: sum of squared_cofactors over the points
 template <int Dim, class V>
-BRUNT_INLINE OperatorNorm<V> gauss_norm(const Modal<Dim, V>& c, V square,
-                                           const Thickness& option) {
+BRUNT_INLINE OperatorNorm<V> gauss_norm(const Modal<Dim, V>& c, V square, const Thickness& option) {
   V E[Shape<Dim>::kActive][Dim];
   volume_gradient(c, E);
   const V size = measure<Dim, V>(c, E);
   OperatorNorm<V> norm = operator_norm<Dim, V>(E, size, broadcast<V>(0));
-  const V scale = vmax(broadcast<V>(1),
-                          square / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
+  const V scale =
+      vmax(broadcast<V>(1), square / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
   norm.trace *= scale;
   norm.largest *= scale;
   if constexpr (Dim == 2) {
@@ -245,7 +246,8 @@ BRUNT_INLINE V mean_pressure(const Group<Dim, V>& group, const GaussWork<Dim, V>
   V volume = broadcast<V>(0), sum = broadcast<V>(0);
   for (int g = 0; g < kGauss<Dim>; ++g) {
     volume += w.now[g].volume();
-    sum += w.now[g].volume() * load_as<V>(group.block.state.pressure.data() + group.point + kGroup * g);
+    sum += w.now[g].volume() *
+           load_as<V>(group.block.state.pressure.data() + group.point + kGroup * g);
   }
   return sum / volume;
 }
@@ -296,12 +298,8 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
   const auto group = [&](int k) {
     const LocalIndex e = first + k * kLanesOfV;
     const std::size_t point = block.point(e, 0);
-    return gauss::Group<Dim, V>{block,
-                                step,
-                                slot_of(e),
-                                point,
-                                static_cast<int>(point - tile.first),
-                                mean};
+    return gauss::Group<Dim, V>{
+        block, step, slot_of(e), point, static_cast<int>(point - tile.first), mean};
   };
   for (int k = 0; k < kElements / kLanesOfV; ++k) gauss::kinematics(group(k), tile, work[k]);
   block.material->update(tile, step.dt);
@@ -309,4 +307,4 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
 }
 
 }  // namespace brunt
-// Tested by tests/unit/fe/kinematics_test.cpp and wide_lanes_test.cpp.
+// Tested by tests/unit/fe/wide_lanes_test.cpp.

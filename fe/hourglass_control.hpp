@@ -68,7 +68,8 @@ BRUNT_INLINE void set_hourglass_forces(const OnePointConfiguration<Dim, V>& at,
 /// modes that are larger than it: gamma^2 <= 1 + sum (grad h)^2 (mode)^2 <= 1 + |B B/V^2| sum
 /// mode^2.
 template <int Dim, class V>
-BRUNT_INLINE V most_rate_stiffness(const OnePointLane<Dim, V>& lane, const OnePointWork<Dim, V>& w) {
+BRUNT_INLINE V most_rate_stiffness(const OnePointLane<Dim, V>& lane,
+                                   const OnePointWork<Dim, V>& w) {
   constexpr Real corners = Shape<Dim>::kCorners;
   V square = broadcast<V>(0);
   for (const auto& mode : w.now.mode) {
@@ -101,7 +102,7 @@ BRUNT_INLINE void resist_rates(const OnePointLane<Dim, V>& lane, Real coefficien
   V area = size * size;
   if constexpr (Dim == 2) area = size * w.now.thickness;
   const V k = vmin((2.0 * coefficient / lane.step.dt) * w.rho * w.speed * area,
-                      most_rate_stiffness(lane, w));
+                   most_rate_stiffness(lane, w));
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
     for (int i = 0; i < Dim; ++i) {
       Q[a][i] = k * q[a][i];
@@ -129,8 +130,7 @@ BRUNT_INLINE Modal<Dim, V> modes_at_start(const OnePointLane<Dim, V>& lane) {
 /// Of the displacement since time 0. Amplitudes of the positions are those of it: at time 0 they
 /// are 0, and to the last bit so.
 template <int Dim, class V>
-BRUNT_INLINE Modal<Dim, V> moved_since(const Modal<Dim, V>& reference,
-                                          const Modal<Dim, V>& c) {
+BRUNT_INLINE Modal<Dim, V> moved_since(const Modal<Dim, V>& reference, const Modal<Dim, V>& c) {
   Modal<Dim, V> moved;
   for (int m = 0; m < Shape<Dim>::kModes; ++m) {
     for (int i = 0; i < Dim; ++i) moved.m[m][i] = c.m[m][i] - reference.m[m][i];
@@ -183,8 +183,7 @@ struct BendingModes {
     }
   }
   BRUNT_INLINE AssumedStrainEnergy<Dim, V> energy(const V (&inverse)[Dim],
-                                                     const BendingModuli& moduli,
-                                                     V volume) const {
+                                                  const BendingModuli& moduli, V volume) const {
     return {h, l, inverse, moduli, volume};
   }
   /// Work [J] on these modes as displacements.

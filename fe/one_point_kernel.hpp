@@ -13,8 +13,7 @@ static_assert(sizeof(Vec<2>) == 16 && sizeof(Vec<3>) == 24 && alignof(Vec<2>) ==
 namespace one_point {
 
 template <int Dim, class V>
-BRUNT_INLINE void load_modes(const OnePointLane<Dim, V>& lane, Modal<Dim, V>& c,
-                             Modal<Dim, V>& u) {
+BRUNT_INLINE void load_modes(const OnePointLane<Dim, V>& lane, Modal<Dim, V>& c, Modal<Dim, V>& u) {
   const LocalIndex* corner = lane.block.corner.data() + lane.e * Shape<Dim>::kCorners;
   V node[Shape<Dim>::kCorners][Dim];
   gather<Dim>(corner, lane.step.x, node);
@@ -24,8 +23,7 @@ BRUNT_INLINE void load_modes(const OnePointLane<Dim, V>& lane, Modal<Dim, V>& c,
 }
 
 template <int Dim, class V>
-BRUNT_INLINE Modal<Dim, V> moved_back(const Modal<Dim, V>& c, const Modal<Dim, V>& u,
-                                         Real part) {
+BRUNT_INLINE Modal<Dim, V> moved_back(const Modal<Dim, V>& c, const Modal<Dim, V>& u, Real part) {
   Modal<Dim, V> r;
   for (int m = 0; m < Shape<Dim>::kModes; ++m) {
     for (int i = 0; i < Dim; ++i) r.m[m][i] = c.m[m][i] - part * u.m[m][i];
@@ -36,7 +34,8 @@ BRUNT_INLINE Modal<Dim, V> moved_back(const Modal<Dim, V>& c, const Modal<Dim, V
 /// Halves of the works that the forces at n do on the displacement of the step.
 template <int Dim, class V>
 BRUNT_INLINE void book_old_forces(const OnePointLane<Dim, V>& lane,
-                                  const OnePointConfiguration<Dim, V>& old, OnePointWork<Dim, V>& w) {
+                                  const OnePointConfiguration<Dim, V>& old,
+                                  OnePointWork<Dim, V>& w) {
   const ElementBlock<Dim>& block = lane.block;
   V s[6];
   load_tensor<Dim>(block.state.deviator, lane.e, s);
@@ -99,8 +98,7 @@ BRUNT_INLINE void kinematics(const OnePointLane<Dim, V>& lane, int at, MaterialT
 /// Forces of four elements on their corners, from the stress at n+1 and hourglass control.
 template <int Dim, class V>
 BRUNT_INLINE void corner_forces(const OnePointWork<Dim, V>& w, const V (&s)[6], V p,
-                                const Thickness& thickness,
-                                V (&node)[Shape<Dim>::kCorners][Dim]) {
+                                const Thickness& thickness, V (&node)[Shape<Dim>::kCorners][Dim]) {
   V sigma[Dim][Dim];
   stress_matrix(s, p, sigma);
   if constexpr (Dim == 2) {
@@ -133,7 +131,8 @@ BRUNT_INLINE void dynamics(const OnePointLane<Dim, V>& lane, OnePointWork<Dim, V
   add_half(block.stress_work, e, w.stress_work + w.now.work(s, p));
   add_half(block.viscous_work, e, w.viscous_work);
   store(block.viscous_pressure.data() + e, w.q);
-  store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, load_as<V>(block.state.bulk.data() + e), w.rate);
+  store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, load_as<V>(block.state.bulk.data() + e),
+                                w.rate);
   V node[Shape<Dim>::kCorners][Dim];
   corner_forces(w, s, p + w.q, lane.step.thickness, node);
   guard_shapes<Dim>(block, e, w.norm, w.now.mode, lane.step, node);
@@ -159,4 +158,4 @@ void advance_one_point(ElementBlock<Dim>& block, int index, const ElementStep<Di
 }
 
 }  // namespace brunt
-// Tested by tests/unit/fe/kinematics_test.cpp and wide_lanes_test.cpp.
+// Tested by tests/unit/fe/wide_lanes_test.cpp.

@@ -12,7 +12,7 @@ using HourglassModes = V[Shape<Dim>::kHourglass][Dim];
 template <int Dim, class V>
 struct OnePointConfiguration {
   V E[Shape<Dim>::kActive][Dim];  ///< [m^(Dim-1)] dV/dc / corners
-  HourglassModes<Dim, V> mode;          ///< [m] of the positions
+  HourglassModes<Dim, V> mode;    ///< [m] of the positions
   V measure;                      ///< [m^Dim] volume; area in 2D
   V thickness;                    ///< [m] depth or 2 pi r; 1 in 3D
   V G[Dim][Dim];                  ///< [m^Dim] sum u (x) B

@@ -39,9 +39,8 @@ Real guard_reach(CornerPlaces<Dim> x);
 /// With s half of the least height of the linear modes and t the most that the others change dx/dxi
 /// by, its least singular value is at least s - t.
 template <int Dim, class V>
-BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e,
-                               const OperatorNorm<V>& norm, const V (*mode)[Dim],
-                               const ElementStep<Dim>& step,
+BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e, const OperatorNorm<V>& norm,
+                               const V (*mode)[Dim], const ElementStep<Dim>& step,
                                V (&node)[Shape<Dim>::kCorners][Dim]) {
   if (block.guard_reach.empty()) return;
   constexpr Real kHeightSquare = Dim == 3 ? 0.5 : 1.0;  // times the largest eigenvalue

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fails where a source cites an equation of docs/theory that is not there, or a page that is not in the repository; where
 # a page defines an equation twice; and where a page of theory names a file that is not there;
-# and where docs/decisions.md, the index, and docs/decisions differ.
+# where docs/decisions.md, the index, and docs/decisions differ; and where a link of a page leads nowhere.
 #
 # A page defines **(S7)** once, in bold; a source cites `docs/theory/sph.md (S7), (S9)` or `(S26) to (S28)`.
 set -euo pipefail
@@ -46,6 +46,12 @@ for file in sorted(pathlib.Path("docs/decisions").glob("*.md")):
 for file in listed:
     if not pathlib.Path("docs", file).exists():
         wrong.append(f"docs/decisions.md: there is no docs/{file}")
+
+for file in sorted([pathlib.Path("README.md"), *pathlib.Path("docs").rglob("*.md"), *pathlib.Path("decks").rglob("*.md")]):
+    text = re.sub(r"```.*?```", "", file.read_text(), flags=re.S)
+    for link in re.findall(r"\]\(([^)#: ]+\.(?:md|png|svg|yaml))[)#]", text):
+        if not (file.parent / link).exists():
+            wrong.append(f"{file}: there is no {link}")
 
 print("\n".join(wrong), end="\n" if wrong else "")
 sys.exit(1 if wrong else 0)

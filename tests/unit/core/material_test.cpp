@@ -24,9 +24,9 @@ Material made_of(const StrengthLaw& strength, const EosLaw& eos) {
 
 TEST(Material, StateHasTheFieldsThatTheModelsNeed) {
   const Material elastic = made_of(NoStrength{}, LinearEos{});
-  const MaterialState plain = elastic.initial_state(33, 298, false);
-  EXPECT_EQ(plain.size(), 64U);  // two tiles of 32
-  EXPECT_EQ(plain.bulk[63], kBulk);
+  const MaterialState plain = elastic.initial_state(kTile + 1, 298, false);
+  EXPECT_EQ(plain.size(), std::size_t{2 * kTile});
+  EXPECT_EQ(plain.bulk[2 * kTile - 1], kBulk);
   EXPECT_TRUE(plain.eps_p.empty() && plain.strain_rate.empty() && plain.temperature.empty());
   EXPECT_TRUE(plain.heat.empty() && plain.energy.empty());
   EXPECT_FALSE(elastic.yields());
@@ -35,9 +35,9 @@ TEST(Material, StateHasTheFieldsThatTheModelsNeed) {
   const MaterialState full = metal.initial_state(1, 350, true);
   for (const auto* field : {&full.eps_p, &full.strain_rate, &full.temperature, &full.heat,
                             &full.energy, &full.pressure, &full.deviator[5]}) {
-    EXPECT_EQ(field->size(), 32U);
+    EXPECT_EQ(field->size(), std::size_t{kTile});
   }
-  EXPECT_EQ(full.temperature[31], 350.0);
+  EXPECT_EQ(full.temperature[kTile - 1], 350.0);
   EXPECT_TRUE(metal.initial_state(1, 350, false).heat.empty());
   EXPECT_TRUE(metal.initial_state(0, 350, true).temperature.empty());
 }

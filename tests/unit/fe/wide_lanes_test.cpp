@@ -55,9 +55,9 @@ void expect_bits_of_four(const Material& material, const Variant& variant,
                          const ElementOptions& options, Real part) {
   std::array<int, Dim> cells;
   cells.fill(Dim == 3 ? 5 : 9);
-  const auto body = make_body<Dim>(
-      box_mesh<Dim>(cells, Vec<Dim>::Constant(0.1), Vec<Dim>::Constant(0.5), 0.2), material,
-      variant, options);
+  const auto body =
+      make_body<Dim>(box_mesh<Dim>(cells, Vec<Dim>::Constant(0.1), Vec<Dim>::Constant(0.5), 0.2),
+                     material, variant, options);
   Points<Dim> points = body->points();
   ElementBlock<Dim> four = body->blocks()[0], eight = body->blocks()[0];
   std::mt19937_64 random(3);
