@@ -9,6 +9,10 @@
 
 #include "core/types.hpp"
 
+#ifdef BRUNT_WIDE
+#include <immintrin.h>
+#endif
+
 #if defined(__FMA__) || defined(__FMA4__) || (defined(__AVX512F__) && !defined(BRUNT_WIDE))
 #error "fused instructions change bits: see CMakeLists.txt and docs/decisions/122-fused-turns.md"
 #endif
@@ -66,9 +70,8 @@ BRUNT_INLINE Pack select(PackMask m, Pack a, Pack b) { return m ? a : b; }
 BRUNT_INLINE Wide select(WideMask m, Wide a, Wide b) { return m ? a : b; }
 BRUNT_INLINE bool any(bool m) { return m; }
 BRUNT_INLINE bool any(WideMask m) {
-#ifdef __AVX512DQ__
-  using Bits = long long __attribute__((vector_size(64)));
-  return __builtin_ia32_cvtq2mask512(reinterpret_cast<Bits>(m)) != 0;
+#ifdef BRUNT_WIDE
+  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m)) != 0;
 #else
   return (m[0] | m[1] | m[2] | m[3] | m[4] | m[5] | m[6] | m[7]) != 0;
 #endif
@@ -131,10 +134,8 @@ BRUNT_INLINE Pack vsqrt(Pack a) {
   return Pack{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
 BRUNT_INLINE Wide vsqrt(Wide a) {
-#ifdef __AVX512F__
-  constexpr int kAsTheModeSays = 4;
-  constexpr char kAll = -1;
-  return __builtin_ia32_sqrtpd512_mask(a, Wide{}, kAll, kAsTheModeSays);
+#ifdef BRUNT_WIDE
+  return _mm512_sqrt_pd(a);
 #else
   return joined_wide(vsqrt(low_half(a)), vsqrt(high_half(a)));
 #endif
