@@ -63,6 +63,7 @@ struct BodySums {
   /// [J] volume times principal stresses in tension, of particles with artificial stress; and minus
   /// sum x . f of its forces, the same of what these carry.
   ExactSum tension, artificial_tension;
+  ExactSum thin_mass;  ///< [kg] of particles whose neighbours lie in one plane or on one line
 
   void add(const BodySums& part) {
     mass.add(part.mass), kinetic.add(part.kinetic), internal.add(part.internal);
@@ -70,6 +71,7 @@ struct BodySums {
     stress_work.add(part.stress_work), viscosity.add(part.viscosity);
     artificial_stress.add(part.artificial_stress), integration.add(part.integration);
     tension.add(part.tension), artificial_tension.add(part.artificial_tension);
+    thin_mass.add(part.thin_mass);
     eroded.add(part.eroded), eroded_mass.add(part.eroded_mass);
     for (std::size_t c = 0; c < momentum.size(); ++c) {
       mass_position[c].add(part.mass_position[c]);

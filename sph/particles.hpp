@@ -174,6 +174,8 @@ class SphParticles final : public Solid<Dim> {
   void take_gradients(const ParticleBlock& block, LocalIndex i, const GradientSums<Dim>& sums);
   template <class P>
   void find_gradients(const ParticleBlock& block);
+  void add_directions(LocalIndex i, std::span<const LocalIndex> row, const Real* weights,
+                      Real (&near)[kSymmetric<Dim>]) const;
   template <class P>
   void find_thin_gradient(const ParticleBlock& block, LocalIndex i, ThinMoment<Dim>& thin);
   const ThinMoment<Dim>* thin_of(LocalIndex i) const;
@@ -192,6 +194,7 @@ class SphParticles final : public Solid<Dim> {
   void add_slots(const ParticleBlock& block, std::size_t first, std::size_t last,
                  Totals<Dim>& totals) const;
   void add_tension(const ParticleBlock& block, std::size_t i, BodySums<Dim>& body) const;
+  bool is_in_layer(LocalIndex i) const;
   void seed_step_limits();
   void find_spread(const ParticleBlock& block, LocalIndex i);
   void set_capacities();
@@ -222,10 +225,11 @@ class SphParticles final : public Solid<Dim> {
   std::vector<MotionRecord<Dim, SinglePairs>> single_motion_;
   std::vector<StressRecord<Dim, SinglePairs>> single_stress_;
   std::vector<ArtificialRecord<Dim, SinglePairs>> single_artificial_;
-  SingleUnit unit_;                    // of their lengths: their least spacing in the whole
-  std::vector<HeatRecord<Dim>> heat_;  // empty: heat is not conducted
-  bool held_ = false;                  // nothing of it ever moves: only its heat is computed
-  bool settled_ = false;               // rows, weights and corrections of what is held are there
+  SingleUnit unit_;                 // of their lengths: their least spacing in the whole
+  std::vector<HeatRecord> heat_;    // empty: heat is not conducted
+  std::vector<Real> completeness_;  // [1] of owned particles that conduct
+  bool held_ = false;               // nothing of it ever moves: only its heat is computed
+  bool settled_ = false;            // rows, weights and corrections of what is held are there
 
   ParticleCarrier<Dim>* carrier_ = nullptr;  // null: they ride on no nodes
   std::vector<GlobalId> node_id_;            // of each owned particle that rides

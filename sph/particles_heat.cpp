@@ -1,5 +1,6 @@
 /// Conduction among particles: temperatures live at them.
 #include <algorithm>
+#include <cmath>
 
 #include "sph/conduction.hpp"
 #include "sph/parallel.hpp"
@@ -69,7 +70,7 @@ void SphParticles<Dim>::take_temperatures() {
   }
 }
 
-/// Publishes temperature, conductivity and correction, to copies too.
+/// Publishes temperature, conductivity and 1/sqrt(lambda), to copies too.
 template <int Dim>
 void SphParticles<Dim>::refresh_heat() {
   heat_.resize(state_.size());
@@ -78,13 +79,13 @@ void SphParticles<Dim>::refresh_heat() {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const auto i = slot_of(block.set.particle[slot]);
       Real* record = heat_[i].data;
-      record[HeatRecord<Dim>::kTemperature] = points_.temperature[i];
-      record[HeatRecord<Dim>::kConductivity] = k.at(points_.temperature[i]);
-      std::copy_n(state_[i].correction, kSymmetric<Dim>, record + HeatRecord<Dim>::kCorrection);
+      record[HeatRecord::kTemperature] = points_.temperature[i];
+      record[HeatRecord::kConductivity] = k.at(points_.temperature[i]);
+      record[HeatRecord::kSupplement] = 1.0 / std::sqrt(completeness_[i]);
     });
   }
   if (ranks_->alone()) return;
-  constexpr std::size_t width = HeatRecord<Dim>::kCorrection + kSymmetric<Dim>;
+  constexpr std::size_t width = HeatRecord::kCount;
   refresh_ghosts(
       *ranks_, ghosts_, width,
       [&](std::size_t i, Real* out) { std::copy_n(heat_[i].data, width, out); },
@@ -99,8 +100,7 @@ void SphParticles<Dim>::conduct(std::vector<Real>& rate, std::vector<Real>& cond
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex point = block.set.particle[slot];
       const auto i = slot_of(point);
-      const PairHeat sums =
-          sum_heat(motion_.data(), heat_.data(), point, rows_.row(point), rows_.weights(point));
+      const PairHeat sums = sum_heat(heat_.data(), point, rows_.row(point), rows_.weights(point));
       const Real volume = depth_ * motion_[i].data[MotionRecord<Dim>::kVolume];
       rate[i] += volume * sums.rate;
       conductance[i] += volume * sums.conductance;

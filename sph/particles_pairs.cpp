@@ -1,6 +1,7 @@
 /// The two passes over pairs of particles, in double or in single precision.
 #include <algorithm>
 
+#include "sph/conduction.hpp"
 #include "sph/correction.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
@@ -85,6 +86,7 @@ template <int Dim>
 void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
                                        const GradientSums<Dim>& sums) {
   auto& state = state_[i];
+  if (points_.conducts) completeness_[i] = completeness<Dim>(sums.moment);
   if (block.set.options.correction) {
     is_thin_[i] = !invert_thick<Dim>(sums.moment, state.correction);
     if (!is_thin_[i]) correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
@@ -113,6 +115,21 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
   });
 }
 
+/// near += sum_j w_ij e e^T, e along the pair; a row is filled up with the particle itself.
+template <int Dim>
+void SphParticles<Dim>::add_directions(LocalIndex i, std::span<const LocalIndex> row,
+                                       const Real* weights, Real (&near)[kSymmetric<Dim>]) const {
+  for (std::size_t n = 0; n < row.size(); ++n) {
+    const Vec<Dim> arm = points_.x[row[n]] - points_.x[i];
+    const Real square = arm.squaredNorm();
+    if (row[n] == i || square == 0) continue;
+    const Real scale = weights[n] / square;
+    for (int a = 0; a < Dim; ++a) {
+      for (int b = a; b < Dim; ++b) near[symmetric_place<Dim>(a, b)] += scale * arm[a] * arm[b];
+    }
+  }
+}
+
 /// Axes, correction and gradient of a particle whose neighbourhood is thin.
 template <int Dim>
 template <class P>
@@ -122,7 +139,9 @@ void SphParticles<Dim>::find_thin_gradient(const ParticleBlock& block, LocalInde
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     const GradientSums<Dim> sums = sum_gradients<Dim, Kernel>(
         records.motion, i, rows_.row(i, P::kLanes), records.inverse_length, rows_.weights(i));
-    thin = thin_moment<Dim>(sums.moment);
+    Real near[kSymmetric<Dim>] = {};
+    add_directions(i, rows_.row(i, P::kLanes), rows_.weights(i), near);
+    thin = thin_moment<Dim>(sums.moment, &near);
     thin_correction<Dim>(thin, state_[i].correction);
     thin_gradient<Dim>(sums.rate, thin, state_[i].velocity_gradient);
   });
@@ -131,6 +150,7 @@ void SphParticles<Dim>::find_thin_gradient(const ParticleBlock& block, LocalInde
 template <int Dim>
 void SphParticles<Dim>::refresh_gradients() {
   is_thin_.resize(n_owned());
+  if (points_.conducts) completeness_.resize(n_owned());
   for (const auto& block : blocks_) {
     in_precision_of(block, [&]<class P>(P) { find_gradients<P>(block); });
   }

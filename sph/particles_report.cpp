@@ -96,6 +96,14 @@ void SphParticles<Dim>::add_tension(const ParticleBlock& block, std::size_t i,
   body.artificial_tension.add(-dot<Dim>(points_.x[i], state_[i].artificial_force));
 }
 
+/// True where gradients are known along some axis and not along another: in sheets and rows.
+template <int Dim>
+bool SphParticles<Dim>::is_in_layer(LocalIndex i) const {
+  constexpr Real half = 0.5;  // of a share, which fades fast about there
+  const ThinMoment<Dim>* thin = thin_of(i);
+  return thin != nullptr && thin->share.minCoeff() < half && thin->share.maxCoeff() > half;
+}
+
 template <int Dim>
 std::uint64_t SphParticles<Dim>::slot_hash(const ParticleBlock& block, std::size_t slot) const {
   const auto i = slot_of(block.set.particle[slot]);
@@ -119,6 +127,7 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
   const auto& expansion = block.state.expansion_work;
   const Label label = points_.body[slot_of(block.set.particle[first])];
   BodySums<Dim>* body = label < totals.bodies.size() ? &totals.bodies[label] : nullptr;
+  const bool solid = block.set.material->shear > 0;
   enum { internal, plastic, compressed, stress_work, viscous, artificial, expanded, kSums };
   ExactColumns<kSums> sums;
   for (std::size_t slot = first; slot < last; ++slot) {
@@ -132,6 +141,9 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
     sums.add({state.stress_work + grown - plastic_heat, plastic_heat, compression_heat,
               state.stress_work + grown, state.viscous_work, state.artificial_work, grown});
     if (body && block.set.options.artificial_stress != 0) add_tension(block, i, *body);
+    if (body && solid && is_in_layer(static_cast<LocalIndex>(i))) {
+      body->thin_mass.add(points_.mass[i]);
+    }
     if (totals.hashes) totals.state_hash += slot_hash(block, slot);
   }
   const auto give = [&](Column column, int from) {

@@ -29,23 +29,37 @@ struct ThinMoment {
   }
 };
 
-/// Axes of a moment K with eigenvalues lambda, and their shares w = min(1, (lambda/f)^8),
-/// f = max(0.15 lambda_max, 0.02).
-/// docs/theory/sph.md (S9a).
 template <int Dim>
-ThinMoment<Dim> thin_moment(const Real (&moment)[kSymmetric<Dim>]) {
+typename ThinMoment<Dim>::Matrix full_matrix(const Real (&symmetric)[kSymmetric<Dim>]) {
   typename ThinMoment<Dim>::Matrix full;
   for (int a = 0; a < Dim; ++a) {
-    for (int b = 0; b < Dim; ++b) full(a, b) = moment[symmetric_place<Dim>(a, b)];
+    for (int b = 0; b < Dim; ++b) full(a, b) = symmetric[symmetric_place<Dim>(a, b)];
   }
-  const Eigen::SelfAdjointEigenSolver<typename ThinMoment<Dim>::Matrix> solver(full);
+  return full;
+}
+
+/// Axes of a moment K with eigenvalues lambda, and their shares w = min(1, r^8, (lambda/0.02)^8),
+/// r the larger of lambda/lambda_max and nu/nu_max over 0.15; nu = e.N e of each axis, where the
+/// moment N of directions is given. Layers that are pressed together keep their nu, a sheet that
+/// bends has none.
+/// docs/theory/sph.md (S9a).
+/// near  [1/m^2] N = sum_j w_ij e e^T, e along the pair, or null
+template <int Dim>
+ThinMoment<Dim> thin_moment(const Real (&moment)[kSymmetric<Dim>],
+                            const Real (*near)[kSymmetric<Dim>] = nullptr) {
+  const Eigen::SelfAdjointEigenSolver<typename ThinMoment<Dim>::Matrix> solver(
+      full_matrix<Dim>(moment));
   ThinMoment<Dim> thin;
   thin.axes = solver.eigenvectors();
-  const Real floor = std::max(kThinShare * solver.eigenvalues()[Dim - 1], kLeastMoment);
+  Vec<Dim> ratio = solver.eigenvalues() / std::max(solver.eigenvalues()[Dim - 1], kLeastMoment);
+  if (near != nullptr) {
+    const Vec<Dim> along = (thin.axes.transpose() * full_matrix<Dim>(*near) * thin.axes).diagonal();
+    if (const Real most = along.maxCoeff(); most > 0) ratio = ratio.cwiseMax(along / most);
+  }
   for (int d = 0; d < Dim; ++d) {
     const Real value = std::max(solver.eigenvalues()[d], 0.0);
-    const Real ratio = std::min(value / floor, 1.0);
-    const Real fourth = (ratio * ratio) * (ratio * ratio);
+    const Real least = std::min({ratio[d] / kThinShare, value / kLeastMoment, 1.0});
+    const Real square = std::max(least, 0.0) * std::max(least, 0.0), fourth = square * square;
     thin.share[d] = fourth * fourth;
     thin.inverse[d] = value > 0 ? thin.share[d] / value : 0.0;
   }

@@ -222,9 +222,7 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
   for (const auto& [pair, text] : monitor.lost_contacts()) {
     summary.warnings.push_back({"contact", text});
   }
-  for (const auto& [body, text] : monitor.artificial_tension()) {
-    summary.warnings.push_back({artificial_stress_path(body), text});
-  }
+  for (const auto& warning : monitor.body_warnings()) summary.warnings.push_back(warning);
   summary.instruction_set = BRUNT_ISA;
 }
 

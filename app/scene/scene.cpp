@@ -170,7 +170,7 @@ void visit_sums(Totals<Dim>& totals, const Visit& visit) {
           &body.viscosity, &body.artificial_stress, &body.integration}) {
       visit(*sum);
     }
-    visit(body.tension), visit(body.artificial_tension);
+    visit(body.tension), visit(body.artificial_tension), visit(body.thin_mass);
     visit(body.eroded), visit(body.eroded_mass);
     for (auto& sum : body.mass_position) visit(sum);
     for (auto& sum : body.momentum) visit(sum);

@@ -1,12 +1,12 @@
 #include "app/setup/suspicious.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "app/deck/findings.hpp"
 #include "app/setup/heat.hpp"
+#include "app/watch/thin_bodies.hpp"
 
 namespace brunt {
 
@@ -147,37 +147,32 @@ void warn_of_clumping(const LoadedDeck& loaded, const std::string& name, const d
            "default, 1.7, or `lattice: hexagonal`");
 }
 
-/// Particles all of which lie in one plane, or in the plane on one line: they are a membrane.
+/// Bodies of particles that lie in one layer, flat or curved, or on one line: they are membranes.
 template <int Dim>
-void warn_of_sheets(const LoadedDeck& loaded, const Scene<Dim>& scene, Label label,
-                    const Warn& warn) {
-  const auto& [name, body] = loaded.deck.bodies[label];
+void warn_of_sheets(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn& warn) {
   constexpr std::size_t kFew = 10;  // that hardly bend anyway
-  const auto* material = loaded.deck.material_named(body.material);
-  if (body.method != deck::Method::sph || body.rigid || is_held(loaded.deck, name)) return;
-  if (material == nullptr || material->shear_modulus() == 0) return;
-  Vec<Dim> first = Vec<Dim>::Zero();
-  Eigen::Matrix<Real, Dim, Dim> second = Eigen::Matrix<Real, Dim, Dim>::Zero();
-  std::size_t n = 0;
-  std::optional<Label> piece;
+  const auto& bodies = loaded.deck.bodies;
+  Totals<Dim> totals;
+  totals.bodies.resize(bodies.size());
+  std::vector<std::size_t> count(bodies.size());
+  std::vector<Real> mass(bodies.size());
   for (const auto& solid : scene.solids) {
+    solid->add_totals(totals);
     const auto& points = solid->points();
-    for (std::size_t i = 0; i < points.x_start.size(); ++i) {
-      if (points.body[i] != label) continue;
-      if (piece.value_or(points.piece[i]) != points.piece[i]) return;
-      piece = points.piece[i];
-      ++n, first += points.x_start[i], second += points.x_start[i] * points.x_start[i].transpose();
+    for (std::size_t i = 0; i < points.body.size(); ++i) {
+      ++count[points.body[i]], mass[points.body[i]] += points.mass[i];
     }
   }
-  if (n < kFew) return;
-  first /= static_cast<Real>(n), second /= static_cast<Real>(n);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, Dim, Dim>> spread(
-      second - first * first.transpose());
-  const Real size = scene.body_size[label];  // two layers lie half a spacing to either side
-  if (spread.eigenvalues()[0] > 0.01 * size * size) return;
-  warn("bodies." + name + ".size",
-       "all particles lie in one layer, which bends and folds without resistance and may clump "
-       "where it is pulled: half the size gives two layers, and so may `lattice: hexagonal`");
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [name, body] = bodies[b];
+    if (body.method != deck::Method::sph || body.rigid || is_held(loaded.deck, name)) continue;
+    const Real thin = totals.bodies[b].thin_mass.value();
+    if (count[b] < kFew || thin <= kLargestThinShare * mass[b]) continue;
+    warn(thin_body_path(name),
+         thin_share_text(thin / mass[b]) +
+             " in one layer, which bends and folds without resistance and may clump where it is "
+             "pulled: half the size gives two layers, and so may `lattice: hexagonal`");
+  }
 }
 
 /// Contact that is to pass heat between bodies none of which conducts.
@@ -229,8 +224,8 @@ void warn_of_sizes(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn
     warn_of_size("bodies." + deck.bodies[b].name, deck.bodies[b].value, boxes[b], warn);
     warn_of_scale(loaded, boxes, b, warn);
     warn_of_clumping(loaded, deck.bodies[b].name, deck.bodies[b].value, warn);
-    warn_of_sheets(loaded, scene, static_cast<Label>(b), warn);
   }
+  warn_of_sheets(loaded, scene, warn);
   Places<Dim> places(loaded, scene, boxes, warn);
   for (const auto& [name, probe] : deck.probes) {
     places.look_at("probes." + name + ".at", probe.body, probe.at);

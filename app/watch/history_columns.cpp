@@ -101,6 +101,7 @@ void HistoryColumns<Dim>::add_bodies(const Scene<Dim>& scene, const Totals<Dim>&
     for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
       values.push_back(sum->value());
     }
+    row.thin_share.push_back(mass > 0 ? body.thin_mass.value() / mass : 0.0);
     const Real tension = body.tension.value();
     row.artificial_share.push_back(
         tension > 0 ? std::fabs(body.artificial_tension.value()) / tension : 0.0);

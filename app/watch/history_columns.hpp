@@ -27,6 +27,8 @@ class HistoryColumns {
     std::vector<LostPair> lost;          ///< pairs of bodies in which contacts did not hold
     /// By label: what artificial stress carries of the body's tension, 0 without it. [1]
     std::vector<Real> artificial_share;
+    /// By label: mass of its particles in sheets and rows over the body's. [1]
+    std::vector<Real> thin_share;
   };
   /// Collects a row; the first call sets what drift is measured against.
   /// keeps  the watch over energies remembers what is largest here: at fixed steps alone

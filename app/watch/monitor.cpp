@@ -101,6 +101,18 @@ void Monitor<Dim>::stop(Clock& clock, std::string reason) {
 }
 
 template <int Dim>
+std::vector<RunWarning> Monitor<Dim>::body_warnings() const {
+  std::vector<RunWarning> warnings;
+  for (const auto& [body, text] : artificial_tension_.all()) {
+    warnings.push_back({artificial_stress_path(body), text});
+  }
+  for (const auto& [body, text] : thin_.all()) {
+    if (!text.empty()) warnings.push_back({thin_body_path(body), text});
+  }
+  return warnings;
+}
+
+template <int Dim>
 void Monitor<Dim>::warn(const RunWarning& warning) {
   progress_.finish();
   if (warn_) warn_(warning);
@@ -119,6 +131,9 @@ typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const
   for (const auto& body :
        artificial_tension_.take(clock.real_time(), row.artificial_share, body_names_)) {
     warn({artificial_stress_path(body), artificial_tension_.all().at(body)});
+  }
+  for (const auto& body : thin_.take(clock.real_time(), row.thin_share, body_names_)) {
+    warn({thin_body_path(body), thin_.all().at(body)});
   }
   return row;
 }

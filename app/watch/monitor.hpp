@@ -19,6 +19,7 @@
 #include "app/watch/real_values.hpp"
 #include "app/watch/run_watch.hpp"
 #include "app/watch/stops.hpp"
+#include "app/watch/thin_bodies.hpp"
 #include "io/history.hpp"
 
 namespace brunt {
@@ -77,10 +78,8 @@ class Monitor final : public Observer<Dim> {
   const std::vector<RunWarning>& warned() const { return watch_.warned(); }
   /// Where the energy went that is neither physics nor dissipation, as of the last row.
   EnergyShares energy_shares() const;
-  /// Of artificial stress that carries too much, by body.
-  const std::map<std::string, std::string>& artificial_tension() const {
-    return artificial_tension_.all();
-  }
+  /// Of artificial stress that carries too much, and of bodies that became thin.
+  std::vector<RunWarning> body_warnings() const;
   const StepCheck& step_check() const { return step_check_; }
   /// How much inertia takes part, as of the last row; none where the process is not made faster.
   std::vector<InertiaShare> inertia() const;
@@ -132,6 +131,7 @@ class Monitor final : public Observer<Dim> {
   EnergyLook energies_;  // of the last row
   std::vector<CreatedEnergy> created_;
   ArtificialTensionWarnings artificial_tension_;
+  ThinBodyWarnings thin_;
   InertiaWatch inertia_;
   RealValues real_;
   StepCheck step_check_;

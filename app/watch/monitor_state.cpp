@@ -9,6 +9,7 @@ namespace brunt {
 namespace {
 constexpr const char* kWarnings = "warnings";
 constexpr const char* kArtificial = "artificial_stress";
+constexpr const char* kThin = "thin_bodies";
 constexpr const char* kFrames = "frames";
 constexpr const char* kStepMargins = "step_margins";
 
@@ -37,6 +38,22 @@ std::vector<std::string> split(std::string rest) {
     texts.push_back(rest.substr(0, end));
     rest.erase(0, end + 1);
   }
+  return texts;
+}
+
+/// A text and its key, one after another.
+std::string joined(const std::map<std::string, std::string>& texts) {
+  std::string all;
+  for (const auto& [key, text] : texts) {
+    all.append(key).push_back('\0');
+    all.append(text).push_back('\0');
+  }
+  return all;
+}
+std::map<std::string, std::string> pairs_of(const std::string& all) {
+  const auto parts = split(all);
+  std::map<std::string, std::string> texts;
+  for (std::size_t k = 0; k + 1 < parts.size(); k += 2) texts[parts[k]] = parts[k + 1];
   return texts;
 }
 }  // namespace
@@ -78,11 +95,8 @@ void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
       [&](auto& row, std::size_t k) { row(std::uint64_t{measured_[k]}); }, tables);
   auto& warnings = texts[kWarnings];
   for (const auto& warning : warnings_) warnings.append(warning).push_back('\0');
-  auto& artificial = texts[kArtificial];
-  for (const auto& [body, text] : artificial_tension_.all()) {
-    artificial.append(body).push_back('\0');
-    artificial.append(text).push_back('\0');
-  }
+  texts[kArtificial] = joined(artificial_tension_.all());
+  texts[kThin] = joined(thin_.all());
   if (deck_.time.check_step > 0) texts[kStepMargins] = step_check_.saved();
   if (frames_) texts[kFrames] = frames_->index();
 }
@@ -125,11 +139,8 @@ void Monitor<Dim>::load_state(const StateTables& tables,
   if (const auto found = texts.find(kStepMargins); found != texts.end()) {
     step_check_.restore(found->second);
   }
-  const auto artificial = split(text_of(texts, kArtificial));
-  std::map<std::string, std::string> reported;
-  for (std::size_t k = 0; k + 1 < artificial.size(); k += 2)
-    reported[artificial[k]] = artificial[k + 1];
-  artificial_tension_.restore(std::move(reported));
+  artificial_tension_.restore(pairs_of(text_of(texts, kArtificial)));
+  thin_.restore(pairs_of(text_of(texts, kThin)));
   // A row that waits for its step is due yet; the step is in the second column.
   rows_due_ = multiples(row_steps_ > 1 ? last_row_ : clock.time(), history_every_);
   row_step_ = rows_.empty() ? 0 : static_cast<std::int64_t>(rows_.back()[1]);

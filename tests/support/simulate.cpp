@@ -126,9 +126,7 @@ Simulation simulate_scene(const LoadedDeck& loaded, const RunVariation& variatio
   result.worst_drift = monitor.worst_drift();
   result.reason = monitor.reason();
   result.reported = monitor.warned();
-  for (const auto& [body, text] : monitor.artificial_tension()) {
-    result.reported.push_back({artificial_stress_path(body), text});
-  }
+  for (const auto& warning : monitor.body_warnings()) result.reported.push_back(warning);
   result.step_margins = monitor.step_check().margins();
   for (const auto& warning : monitor.step_check().warnings()) result.reported.push_back(warning);
   result.inertia = monitor.inertia();
