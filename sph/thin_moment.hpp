@@ -11,6 +11,10 @@ namespace brunt {
 /// sheets two particles thick come to 0.24 of it with the widest kernel.
 inline constexpr Real kThinShare = 0.15;
 
+/// But for those along which neighbours lie: (S9a) of over this share of the most. Two layers on a
+/// cubic lattice have 0.36 however close they are; a sheet over a radius of two spacings has 0.11.
+inline constexpr Real kThinDirections = 0.25;
+
 /// [1] So do those below this, of particles with hardly a neighbour. Cubes of two particles a side
 /// have 0.06.
 inline constexpr Real kLeastMoment = 0.02;
@@ -29,6 +33,7 @@ struct ThinMoment {
   }
 };
 
+/// All components of a symmetric tensor.
 template <int Dim>
 typename ThinMoment<Dim>::Matrix full_matrix(const Real (&symmetric)[kSymmetric<Dim>]) {
   typename ThinMoment<Dim>::Matrix full;
@@ -39,9 +44,9 @@ typename ThinMoment<Dim>::Matrix full_matrix(const Real (&symmetric)[kSymmetric<
 }
 
 /// Axes of a moment K with eigenvalues lambda, and their shares w = min(1, r^8, (lambda/0.02)^8),
-/// r the larger of lambda/lambda_max and nu/nu_max over 0.15; nu = e.N e of each axis, where the
-/// moment N of directions is given. Layers that are pressed together keep their nu, a sheet that
-/// bends has none.
+/// r the larger of lambda/(0.15 lambda_max) and nu/(0.25 nu_max); nu = e.N e of each axis, where
+/// the moment N of directions is given. Layers that are pressed together keep their nu, a sheet
+/// that bends has none.
 /// docs/theory/sph.md (S9a).
 /// near  [1/m^2] N = sum_j w_ij e e^T, e along the pair, or null
 template <int Dim>
@@ -51,15 +56,17 @@ ThinMoment<Dim> thin_moment(const Real (&moment)[kSymmetric<Dim>],
       full_matrix<Dim>(moment));
   ThinMoment<Dim> thin;
   thin.axes = solver.eigenvectors();
-  Vec<Dim> ratio = solver.eigenvalues() / std::max(solver.eigenvalues()[Dim - 1], kLeastMoment);
+  Vec<Dim> ratio =
+      solver.eigenvalues() / (kThinShare * std::max(solver.eigenvalues()[Dim - 1], kLeastMoment));
   if (near != nullptr) {
     const Vec<Dim> along = (thin.axes.transpose() * full_matrix<Dim>(*near) * thin.axes).diagonal();
-    if (const Real most = along.maxCoeff(); most > 0) ratio = ratio.cwiseMax(along / most);
+    const Real most = along.maxCoeff();
+    if (most > 0) ratio = ratio.cwiseMax(along / (kThinDirections * most));
   }
   for (int d = 0; d < Dim; ++d) {
     const Real value = std::max(solver.eigenvalues()[d], 0.0);
-    const Real least = std::min({ratio[d] / kThinShare, value / kLeastMoment, 1.0});
-    const Real square = std::max(least, 0.0) * std::max(least, 0.0), fourth = square * square;
+    const Real least = std::max(std::min({ratio[d], value / kLeastMoment, 1.0}), 0.0);
+    const Real square = least * least, fourth = square * square;
     thin.share[d] = fourth * fourth;
     thin.inverse[d] = value > 0 ? thin.share[d] / value : 0.0;
   }

@@ -146,5 +146,17 @@ TEST(ThinMoment, TheFastInverseTakesCompleteNeighbourhoodsAlone) {
   EXPECT_GT(thick, 20);
 }
 
+// Two layers at 0.3 of their distance: K tells them from a warped sheet no longer, directions do.
+TEST(ThinMoment, LayersThatArePressedTogetherCountInFull) {
+  const Real pressed[6] = {0.6, 0.6, 0.03, 0, 0, 0};
+  const Real of_layers[6] = {1, 1, 0.34, 0, 0, 0}, of_a_sheet[6] = {1, 1, 0.05, 0, 0, 0};
+  EXPECT_NEAR(thin_moment<3>(pressed).share.minCoeff(), std::pow(0.05 / 0.15, 8), 1e-12);
+  EXPECT_EQ(thin_moment<3>(pressed, &of_layers).share.minCoeff(), 1);
+  EXPECT_NEAR(thin_moment<3>(pressed, &of_a_sheet).share.minCoeff(), std::pow(0.05 / 0.15, 8),
+              1e-12);
+  const Real hardly[6] = {0.6, 0.6, 0.01, 0, 0, 0};  // no longer: B would be 100 and more
+  EXPECT_NEAR(thin_moment<3>(hardly, &of_layers).share.minCoeff(), std::pow(0.5, 8), 1e-12);
+}
+
 }  // namespace
 }  // namespace brunt
