@@ -186,14 +186,13 @@ CheckpointPart write_checkpoint_part(const fs::path& folder, const CheckpointHea
                                      std::uint64_t rank, CheckpointContent content) {
   const fs::path file = checkpoint_part(folder, header.step, rank);
   content.texts[kHeaderText] = header_of_part(header, rank);
-  std::string image;
   try {
-    image = to_hdf5(std::move(content));
+    const FileImage image = to_hdf5(std::move(content));
+    write_file_atomically(file, image.bytes());
+    return {image.bytes().size(), hash_bytes(image.bytes())};
   } catch (const ImageError& error) {
     throw MachineError("cannot write '" + file.string() + "': " + error.what());
   }
-  write_file_atomically(file, image);
-  return {image.size(), hash_bytes(image)};
 }
 
 void write_checkpoint_manifest(const fs::path& folder, const CheckpointHeader& header,

@@ -89,8 +89,13 @@ void ReplacedFile::flush() {
 }
 
 void ReplacedFile::append(std::string_view bytes) {
-  waiting_ += bytes;
-  if (waiting_.size() >= kWaiting) flush();
+  if (waiting_.size() + bytes.size() < kWaiting) {
+    waiting_ += bytes;
+    return;
+  }
+  flush();
+  write(bytes);  // as they are: a checkpoint is large, and not to be held twice
+  written_ += bytes.size();
 }
 
 void ReplacedFile::overwrite(std::size_t at, std::string_view bytes) {

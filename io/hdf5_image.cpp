@@ -83,13 +83,13 @@ class Memory {
   }
 
   /// The file: as many bytes as its superblock says.
-  std::string file() const {
+  FileImage file() {
     constexpr std::size_t kSuperblock = 48, kVersion = 8, kEnd = 28;
     need(size_ >= kSuperblock && data_[kVersion] >= 2, "HDF5 wrote no superblock of format 1.10");
     std::uint64_t end = 0;
     std::memcpy(&end, data_ + kEnd, sizeof end);
     need(end >= kSuperblock && end <= size_, "HDF5 wrote no whole file");
-    return {data_, end};
+    return {std::exchange(data_, nullptr), end};
   }
 
  private:
@@ -231,7 +231,7 @@ hsize_t members_of(hid_t group) {
 
 }  // namespace
 
-std::string to_hdf5(CheckpointContent content) {
+FileImage to_hdf5(CheckpointContent content) {
   const Quiet quiet;
   Memory memory;
   {
