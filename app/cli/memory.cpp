@@ -51,7 +51,7 @@ constexpr Real particle_bytes() {
          sizeof(SurfaceParticle) + sizeof(LocalIndex) + sizeof(std::uint16_t);
 }
 
-/// Candidates within 2 h and the skin of a quarter of h, and among them the true neighbours.
+/// Candidates within 2 h and the skin, and among them the true neighbours.
 template <int Dim>
 Real neighbour_bytes(Real smoothing) {
   const Real ball = Dim == 3 ? 4.0 / 3 * kPi : kPi;
@@ -130,7 +130,10 @@ MemoryInputs memory_inputs(const Deck& deck, const Scene<Dim>& scene, Real progr
   for (const auto& [name, body] : deck.bodies) {
     const bool full = integration_of(deck, body) != Integration::one_point;
     if (!body.rigid && body.method == deck::Method::fe && full) inputs.gauss = Shape<Dim>::kGauss;
-    inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
+    const auto& erosion = body.element.erosion;
+    const bool particles =
+        body.method == deck::Method::sph || (erosion && erosion->to == ErodeTo::sph);
+    if (particles) inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
     inputs.bricks |= std::holds_alternative<BrickWall>(body.shape.kind);
     inputs.single |= body.sph.pair_precision == PairPrecision::single_precision;
   }
@@ -159,10 +162,10 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     estimate.contact =
         contact_bytes<Dim>(scene.contact->n_facets(), scene.n_particles(), inputs.bricks);
   }
-  estimate.building = building_bytes<Dim>(scene.n_points(), scene.n_elements());
-  estimate.output =
-      std::max(frame_bytes(scene.n_points(), scene.n_elements(), Shape<Dim>::kCorners),
-               checkpoint_bytes(scene, inputs.gauss));
+  estimate.passing =
+      std::max({building_bytes<Dim>(scene.n_points(), scene.n_elements()),
+                frame_bytes(scene.n_points(), scene.n_elements(), Shape<Dim>::kCorners),
+                checkpoint_bytes(scene, inputs.gauss)});
   // Beside its values a column has a name and exact sums (decks/masonry-arch: 2,181 columns).
   constexpr Real kColumn = 4e3;
   estimate.rows = (inputs.rows * sizeof(Real) + kColumn) * static_cast<Real>(inputs.columns);

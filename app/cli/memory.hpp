@@ -4,8 +4,8 @@
 
 namespace brunt {
 
-/// What a run will need, counted from the sizes of its structures; peak_memory of a run is within a
-/// factor of 1.5 of the total (tests/cli/plan.sh).
+/// What a run will need, counted from the sizes of its structures; peak_memory of a run is within
+/// 15 % of the total (tests/cli/plan.sh).
 struct MemoryEstimate {
   Real program = 0;     ///< [byte] the program and its libraries, as measured when it starts, and
                         ///< what of them stepping and writing bring in
@@ -13,22 +13,22 @@ struct MemoryEstimate {
   Real particles = 0;   ///< [byte] with their points
   Real neighbours = 0;  ///< [byte] lists of particles, at the expected number of neighbours
   Real contact = 0;     ///< [byte] faces, nodes, lists
-  Real building = 0;    ///< [byte] meshes before they are scenes: free again, seldom given back
-  Real output = 0;      ///< [byte] a frame or a checkpoint while it is written
+  Real passing = 0;     ///< [byte] what comes and goes, the largest of: meshes before they are
+                        ///< scenes, a frame, a checkpoint
   Real rows = 0;        ///< [byte] of the history, all of them
   Real total() const {
-    return program + elements + particles + neighbours + contact + building + output + rows;
+    return program + elements + particles + neighbours + contact + passing + rows;
   }
 };
 
 /// What a deck says that counts in memory.
 struct MemoryInputs {
-  Real program = 0;      ///< [byte] resident before the scene was built
-  int gauss = 1;         ///< most material points of an element
-  Real smoothing = 1.2;  ///< largest smoothing length over spacing
-  bool bricks = false;   ///< some body is of bricks, whose faces touch from time 0 on
-  bool single = false;   ///< some particles have pair_precision: single
-  Real rows = 2000;      ///< of the history
+  Real program = 0;     ///< [byte] resident before the scene was built
+  int gauss = 1;        ///< most material points of an element
+  Real smoothing = 0;   ///< largest smoothing length over spacing, of bodies of particles
+  bool bricks = false;  ///< some body is of bricks, whose faces touch from time 0 on
+  bool single = false;  ///< some particles have pair_precision: single
+  Real rows = 2000;     ///< of the history
   std::size_t columns = 0;
 };
 

@@ -87,13 +87,11 @@ void print_physics(const LoadedDeck& loaded) {
 /// The memory that a run will need, and of it the parts that matter.
 void print_memory(const MemoryEstimate& memory) {
   std::printf("memory     about %.0f MB:", memory.total() / 1e6);
-  const std::pair<const char*, Real> parts[] = {{"program", memory.program},
-                                                {"elements", memory.elements},
-                                                {"particles", memory.particles},
-                                                {"neighbours", memory.neighbours},
-                                                {"contact", memory.contact},
-                                                {"building", memory.building},
-                                                {"output", memory.output + memory.rows}};
+  const std::pair<const char*, Real> parts[] = {
+      {"program", memory.program},     {"elements", memory.elements},
+      {"particles", memory.particles}, {"neighbours", memory.neighbours},
+      {"contact", memory.contact},     {"building or output", memory.passing},
+      {"history", memory.rows}};
   const char* separator = " ";
   for (const auto& [name, bytes] : parts) {
     if (bytes < 0.5e6) continue;
@@ -138,10 +136,10 @@ PlannedSteps plan_steps(const RunArguments& arguments, const LoadedDeck& loaded,
   return steps;
 }
 
-/// Rounded up; more digits are not known.
+/// Rounded; more digits are not known.
 Real two_digits(Real steps) {
   const Real digits = std::pow(10, std::floor(std::log10(steps)) - 1);
-  return digits * std::ceil(steps / digits);
+  return digits * std::round(steps / digits);
 }
 
 /// How many steps a run will take.
@@ -167,8 +165,11 @@ void print_steps(const Deck& deck, const PlannedSteps& steps) {
         steps.kept, two_digits(steps.most()), end.c_str(), steps.kept, speed.c_str());
     return;
   }
-  std::string sizes = rounded(steps.rehearsals.front().factor, 2);
-  if (steps.rehearsals.size() > 1) sizes += " and " + rounded(steps.rehearsals[1].factor, 2);
+  std::string sizes;
+  for (std::size_t k = 0; k < steps.rehearsals.size(); ++k) {
+    if (k > 0) sizes += k + 1 < steps.rehearsals.size() ? ", " : " and ";
+    sizes += rounded(steps.rehearsals[k].factor, 2);
+  }
   std::printf(
       "steps      about %.0f to %s: %.0f while shapes stay as they are, but what meets at %s m/s "
       "is\n           flattened: %s times as many, by rehearsals with sizes %s times as large\n",

@@ -23,6 +23,8 @@ compare() {
 
 compare "$decks/taylor-bar/taylor-bar.yaml" "parameters.size=0.2 mm"
 compare "$decks/taylor-bar-sph/taylor-bar-sph.yaml" "parameters.spacing=0.25 mm"
+# Particles of a narrow kernel beside a rigid body, which has the default's and no use for it.
+compare "$2/tests/bench/particles.yaml" "parameters.spacing=0.2 mm"
 compare "$decks/projectile-2d/projectile-2d.yaml" "parameters.size=0.5 mm"
 
 # What else a plan tells: the columns that measures may name, and whose step it is.
