@@ -21,6 +21,13 @@ std::optional<Calibration> run_whole(const LoadedDeck& loaded, Real seconds) {
     return std::nullopt;  // too coarse to be built
   }
 }
+
+bool erodes(const Deck& deck) {
+  return std::ranges::any_of(deck.bodies, [](const auto& named) {
+    const auto& [name, body] = named;
+    return !body.rigid && body.element.erosion.has_value();
+  });
+}
 }  // namespace
 
 Real expected_growth(const std::vector<Rehearsal>& rehearsals) {
@@ -32,8 +39,9 @@ Real expected_growth(const std::vector<Rehearsal>& rehearsals) {
 
 std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::string>& overrides,
                                 const LoadedDeck& loaded, Real seconds) {
-  constexpr Real kFactors[] = {3, 2};
-  constexpr Real kPart = 0.25, kLeast = 20, kMost = 60;  // [s]
+  constexpr Real kEroding = 1.5, kFactors[] = {3, 2, kEroding};
+  constexpr Real kPart = 0.25, kPartEroding = 0.4;
+  constexpr Real kLeast = 20, kMost = 60, kLeastEroding = 40, kMostEroding = 120;  // [s]
   std::vector<Rehearsal> done;
   const bool solid = loaded.deck.geometry == Geometry::three_d;
   if (seconds < kShortRun) {
@@ -45,22 +53,28 @@ std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::
   }
   const SizeLever lever = own_sizes(loaded);
   if (lever.keys.empty()) return done;
-  const Real finer = std::pow(kFactors[0] / kFactors[1], solid ? 4 : 3);  // more points and steps
   const Real begun = processor_seconds();
   Real last = 0;  // [s] what the one before took
+  Real size = kFactors[0];
   for (const Real factor : kFactors) {
+    const bool eroding = factor == kEroding;
+    if (eroding && !erodes(loaded.deck)) break;
     auto coarser = overrides;
     for (const auto& change : lever.at(loaded, factor)) coarser.push_back(change);
     const auto coarse = resized_deck(deck, coarser, loaded);
     if (!coarse) continue;
-    const Real growth = done.empty() ? flattening_of(loaded.deck).most_steps() : done[0].growth;
+    const Real growth =
+        done.empty() ? flattening_of(loaded.deck).most_steps() : expected_growth(done);
     const Real before = processor_seconds();
-    const Real left = std::clamp(kPart * growth * seconds, kLeast, kMost) - (before - begun);
-    if (last * finer > left) break;
+    const Real part = eroding ? kPartEroding : kPart;
+    const Real least = eroding ? kLeastEroding : kLeast, most = eroding ? kMostEroding : kMost;
+    const Real left = std::clamp(part * growth * seconds, least, most) - (before - begun);
+    if (last * std::pow(size / factor, solid ? 4 : 3) > left) break;  // more points and steps
     const auto run = solid ? run_whole<3>(*coarse, left) : run_whole<2>(*coarse, left);
     if (!run || !run->ended) continue;
     done.push_back({factor, run->growth()});
     last = processor_seconds() - before;
+    size = factor;
   }
   return done;
 }

@@ -40,7 +40,7 @@ std::string size_text(const std::vector<Real>& size, Real factor) {
 
 /// The key of a body's size, "" where it has none of its own.
 std::string size_key(const Named<deck::Body>& body) {
-  if (body.value.rigid || (!body.value.size && !body.value.cells)) return "";
+  if (!body.value.size && !body.value.cells) return "";
   return "bodies." + body.name + (body.value.cells ? ".cells" : ".size");
 }
 
@@ -211,7 +211,8 @@ SizeLever find_size_lever(const std::string& deck, const std::vector<std::string
   }
   SizeLever lever;
   for (const auto& body : loaded.deck.bodies) {
-    if (const std::string own = size_key(body); !own.empty()) lever.keys.push_back(own);
+    const std::string own = size_key(body);
+    if (!body.value.rigid && !own.empty()) lever.keys.push_back(own);
   }
   if (lever.keys.empty()) refuse_refinement("bodies", "no body has a size or cells to change");
   if (most == lever.keys.size()) return {{best}};
@@ -222,10 +223,9 @@ SizeLever find_size_lever(const std::string& deck, const std::vector<std::string
 SizeLever own_sizes(const LoadedDeck& loaded) {
   SizeLever lever;
   for (const auto& body : loaded.deck.bodies) {
-    if (body.value.rigid) continue;
     const std::string own = size_key(body);
-    if (own.empty()) return {};
-    lever.keys.push_back(own);
+    if (own.empty() && !body.value.rigid) return {};
+    if (!own.empty()) lever.keys.push_back(own);
   }
   return lever;
 }

@@ -36,8 +36,8 @@ struct SizeLever {
 SizeLever find_size_lever(const std::string& deck, const std::vector<std::string>& overrides,
                           const LoadedDeck& loaded, const std::string& key);
 
-/// The sizes and cells of all bodies that deform, each by its own key; no keys where one of them
-/// has neither, as those of mesh files.
+/// The sizes and cells of all bodies, each by its own key; no keys where one that deforms has
+/// neither, as those of mesh files. Rigid faces grow with the elements that they meet.
 SizeLever own_sizes(const LoadedDeck& loaded);
 
 /// The deck with overrides that change sizes, or nothing where it is then wrong or has an axis of a
