@@ -25,10 +25,13 @@ template <int Dim>
 void ContactMemory<Dim>::bury(const std::vector<GlobalId>& died) {
   died_ = died;
   if (died_.empty()) return;
-  lost_.remove([&](const LostContact<Dim>& contact) {
-    return contact.key.kind == ContactKind::face_face &&
-           std::binary_search(died_.begin(), died_.end(), contact.key.first);
-  });
+  // A restart, or another rank, takes over the memories of faces that are there.
+  const auto dead = [&](const auto& memory) {
+    return memory.key.kind == ContactKind::face_face &&
+           std::binary_search(died_.begin(), died_.end(), memory.key.first);
+  };
+  lost_.remove(dead);
+  closures_.remove(dead);
 }
 
 template <int Dim>

@@ -221,7 +221,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
   set_options(pairs, diameters, rigid, *this);
-  constant_limit = step_limit_of_particles<Dim>(pairs, section, *this, rigid);
+  set_limits_of_particles<Dim>(pairs, section, rigid, *this);
   add_faces({});
   for (const auto& face : faces) {
     if (face.deforms() && !face.held) longest_step = std::min(longest_step, face.element_step);
@@ -386,6 +386,7 @@ template <int Dim>
 StepLimit Entities<Dim>::stiffness_limit() const {
   StepLimit step_limit = constant_limit;
   step_limit.take(surface_limit);
+  step_limit.take(limit_of_rings(*this));
   return step_limit;
 }
 

@@ -97,6 +97,19 @@ inline constexpr Real kReachPerDepth = 0.68;
 /// Corners of a face lie within 1.4 warps of its mean plane along such a normal.
 inline constexpr Real kReachPerWarp = 1.4;
 
+/// Bound of a particle on its own spring at a breadth of 1 m; that of a ring grows with its radius,
+/// and its spring with it.
+struct ParticleLimit {
+  LocalIndex node = 0;
+  StepLimit of_unit_breadth;
+  /// breadth  [m]
+  StepLimit at(Real breadth) const {
+    StepLimit limit = of_unit_breadth;
+    limit.step /= std::sqrt(breadth);
+    return limit;
+  }
+};
+
 /// Everything that can touch, in the order of ids: so that an index stands for its key.
 template <int Dim>
 struct Entities {
@@ -114,11 +127,12 @@ struct Entities {
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing has friction
   /// Behind each face, as of the step's start; empty where no friction needs it.
   std::vector<SurfaceMaterial> materials;
-  std::vector<char> conducts;   ///< by surface: its points keep the temperature
-  StepLimit constant_limit;     ///< bound from the springs of particles
-  StepLimit surface_limit;      ///< the same of faces, at the last planes
-  Real deepest = 0;             ///< [m] largest depth of a face of any rank
-  Real shallowest = kInfinity;  ///< [m] smallest half thickness of the faces here
+  std::vector<char> conducts;        ///< by surface: its points keep the temperature
+  StepLimit constant_limit;          ///< bound from the springs of particles, but rings
+  std::vector<ParticleLimit> rings;  ///< in axisymmetry: particles, whose springs go with x
+  StepLimit surface_limit;           ///< the same of faces, at the last planes
+  Real deepest = 0;                  ///< [m] largest depth of a face of any rank
+  Real shallowest = kInfinity;       ///< [m] smallest half thickness of the faces here
   /// [m] smallest penetration at which faces let go, of all ranks
   Real least_limit = kInfinity;
   Real longest_step = kInfinity;  ///< [s] no step is longer: that of the elements behind all faces

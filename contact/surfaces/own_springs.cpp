@@ -11,28 +11,40 @@
 namespace brunt {
 
 template <int Dim>
-StepLimit step_limit_of_particles(const PairTable& pairs, const Section& section,
-                                  const Entities<Dim>& entities, const RigidSprings& rigid) {
-  StepLimit step_limit;
+void set_limits_of_particles(const PairTable& pairs, const Section& section,
+                             const RigidSprings& rigid, Entities<Dim>& entities) {
+  const bool rings = section.geometry == Geometry::axisymmetric;
   std::map<Label, PairOptions> options;
   for (const auto& particle : entities.particles) {
-    const auto node = slot_of(particle.node);
-    const Real mass = entities.nodes.mass[node];
+    const Real mass = entities.nodes.mass[slot_of(particle.node)];
     if (!(mass > 0) || particle.held) continue;
     auto it = options.find(particle.body);
     if (it == options.end()) {
       it = options.emplace(particle.body, pairs.strongest(particle.body)).first;
     }
-    const Real k = it->second.stiffness * particle.modulus *
-                   section.breadth(entities.nodes.x[node][0]) *
-                   (Dim == 3 ? 2 * particle.radius : 1.0);
+    const Real k = it->second.stiffness * particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
     if (!(k > 0)) continue;
     const Real recoil = rigid.recoil_beside(particle.body);
     const Real zeta = recoil_damping(it->second.damping, recoil);
     const Real step = 2 * std::sqrt(mass / (k * recoil_factor(recoil))) * lag_factor(zeta);
-    step_limit.take({step, "contact stiffness", particle.body, particle.id});
+    const ParticleLimit limit{particle.node,
+                              {step, "contact stiffness", particle.body, particle.id}};
+    if (rings) {
+      entities.rings.push_back(limit);
+    } else {
+      entities.constant_limit.take(limit.at(section.breadth(0)));
+    }
   }
-  return step_limit;
+}
+
+template <int Dim>
+StepLimit limit_of_rings(const Entities<Dim>& entities) {
+  const Section section{Geometry::axisymmetric, 0};
+  StepLimit limit;
+  for (const auto& ring : entities.rings) {
+    limit.take(ring.at(section.breadth(entities.nodes.x[slot_of(ring.node)][0])));
+  }
+  return limit;
 }
 
 namespace {
@@ -119,6 +131,7 @@ RigidSprings springs_of_rigid(const PairTable& pairs, const Section& section,
     piece.squared_frequency += k * area * compliance;
     piece.damping += damping_coefficient(face.zeta, k, face.areal_mass) * area * compliance;
   }
+  // Those of rings would be others after a restart.
   const Real others = std::min(entities.longest_step, entities.constant_limit.step);
   for (const auto& [piece, springs] : pieces) {
     const Real frequency = std::sqrt(springs.squared_frequency);
@@ -134,10 +147,12 @@ RigidSprings springs_of_rigid(const PairTable& pairs, const Section& section,
   return rigid;
 }
 
-template StepLimit step_limit_of_particles<2>(const PairTable&, const Section&, const Entities<2>&,
-                                              const RigidSprings&);
-template StepLimit step_limit_of_particles<3>(const PairTable&, const Section&, const Entities<3>&,
-                                              const RigidSprings&);
+template void set_limits_of_particles(const PairTable&, const Section&, const RigidSprings&,
+                                      Entities<2>&);
+template void set_limits_of_particles(const PairTable&, const Section&, const RigidSprings&,
+                                      Entities<3>&);
+template StepLimit limit_of_rings(const Entities<2>&);
+template StepLimit limit_of_rings(const Entities<3>&);
 template RigidSprings springs_of_rigid<2>(const PairTable&, const Section&, const Entities<2>&);
 template RigidSprings springs_of_rigid<3>(const PairTable&, const Section&, const Entities<3>&);
 

@@ -3,10 +3,13 @@
 
 namespace brunt {
 
-/// Smallest 2 sqrt(m/k) of the particles on their own springs.
+/// Sets the bound 2 sqrt(m/k) of particles on their own springs; that of rings, whose springs go
+/// with their radius, limit_of_rings finds at each step.
 template <int Dim>
-StepLimit step_limit_of_particles(const PairTable& pairs, const Section& section,
-                                  const Entities<Dim>& entities, const RigidSprings& rigid);
+void set_limits_of_particles(const PairTable& pairs, const Section& section,
+                             const RigidSprings& rigid, Entities<Dim>& entities);
+template <int Dim>
+StepLimit limit_of_rings(const Entities<Dim>& entities);
 
 /// Bounds of free rigid bodies on the springs of all their faces at once, in every direction: of
 /// K = sum k A J^T J the largest eigenvalue of M^-1 K, found when they are built, and so of
