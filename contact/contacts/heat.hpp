@@ -16,7 +16,7 @@ struct HeatSide {
 template <int Dim>
 struct HeatFlow {
   static constexpr int kNodes = 2 * Facet<Dim>::kNodes;
-  static constexpr std::uint32_t kFriction = 16;  ///< ordinals of friction begin here
+  static constexpr std::uint32_t kFriction = 32;  ///< ordinals of friction begin here
   ContactKey key;
   Label lower_body = 0, upper_body = 0;
   Real area = 0;          ///< [m^2] through which heat passes

@@ -9,7 +9,7 @@ namespace brunt {
 
 namespace {
 /// Ordinals of planes come before those of edges.
-constexpr std::uint32_t kFirstOrdinal = 4;
+constexpr std::uint32_t kFirstOrdinal = 16;
 
 /// How much of the mass behind a face gives way to a force on its corners [1/kg].
 Real inverse_mass(const Entities<3>& entities, const ContactFace<3>& face,

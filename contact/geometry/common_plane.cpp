@@ -323,28 +323,26 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   return true;
 }
 
-/// A face as one or two simple parts with the corners that each has in the face.
+/// A face as itself, or as the four triangles of one that is not simple.
 struct Parts {
   explicit Parts(const FacePlane<3>& face) : whole(face) {
     if (face.simple) return;
-    halves = split(face);
-    count = 2;
+    parts = split(face);
+    count = 4;
   }
-  const FacePlane<3>& operator[](std::size_t i) const {
-    return count == 1 ? whole : halves.part[i];
-  }
-  /// Puts the weights of part i where the corners of the whole face are.
+  const FacePlane<3>& operator[](std::size_t i) const { return count == 1 ? whole : parts[i]; }
+  /// Puts the weights of part i where the corners of the whole face are: of its centre each corner
+  /// has a quarter.
   template <class Value>
-  void spread(std::size_t i, const Value& none, std::array<Value, 4>& weight) const {
+  void spread(std::size_t i, std::array<Value, 4>& weight) const {
     if (count == 1) return;
     const std::array<Value, 4> of_part = weight;
-    weight.fill(none);
-    for (std::size_t c = 0; c < 3; ++c) {
-      weight[slot_of(halves.corners[i][c])] = of_part[c];
-    }
+    weight.fill(0.25 * of_part[2]);
+    weight[i] += of_part[0];
+    weight[(i + 1) % 4] += of_part[1];
   }
   const FacePlane<3>& whole;
-  SplitFace halves;
+  std::array<FacePlane<3>, 4> parts;
   std::size_t count = 1;
 };
 
@@ -355,14 +353,14 @@ int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Sec
   for (std::size_t i = 0; i < below.count; ++i) {
     for (std::size_t j = 0; j < above.count; ++j) {
       if (!one_plane(below[i], above[j], section, needs, plane[n])) continue;
-      plane[n].ordinal = static_cast<std::uint32_t>(2 * i + j);
-      below.spread(i, 0.0, plane[n].lower_weight);
-      above.spread(j, 0.0, plane[n].upper_weight);
-      below.spread(i, 0.0, plane[n].lower_at_middle);
-      above.spread(j, 0.0, plane[n].upper_at_middle);
+      plane[n].ordinal = static_cast<std::uint32_t>(4 * i + j);
+      below.spread(i, plane[n].lower_weight);
+      above.spread(j, plane[n].upper_weight);
+      below.spread(i, plane[n].lower_at_middle);
+      above.spread(j, plane[n].upper_at_middle);
       if (plane[n].share > 0) {
-        below.spread(i, Vec3(Vec3::Zero()), plane[n].lower_push);
-        above.spread(j, Vec3(Vec3::Zero()), plane[n].upper_push);
+        below.spread(i, plane[n].lower_push);
+        above.spread(j, plane[n].upper_push);
       }
       ++n;
     }

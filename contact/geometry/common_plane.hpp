@@ -72,7 +72,7 @@ struct CommonPlane {
   Real deepest = 0;           ///< [m] largest penetration
   Real layered = 0;           ///< [m] mean penetration, where a soft layer lies over the spring
   Real mean_slope = 1;        ///< of the pressure, over k: its mean over the area; 1: no barrier
-  std::uint32_t ordinal = 0;  ///< which parts of the faces: 2 i + j of split ones
+  std::uint32_t ordinal = 0;  ///< which parts of the faces: 4 i + j of split ones
   std::array<Real, kCorners> lower_weight{}, upper_weight{};
   /// The centre of the area under pressure with its weights, where asked for: friction acts there,
   /// since a place that followed the pressure would couple normal motion to friction, one way only.
@@ -113,9 +113,9 @@ struct PlaneNeeds {
   bool turned = false;
 };
 
-/// Up to four where both faces are split.
+/// Up to four times four where both faces are split; edges in the plane are not.
 template <int Dim>
-using Planes = std::array<CommonPlane<Dim>, 4>;
+using Planes = std::array<CommonPlane<Dim>, Dim == 3 ? 16 : 1>;
 
 /// The planes between two faces, lower first by id: one, or more where warped or concave quads are
 /// split. Returns how many of them carry pressure; `plane` holds these in fixed order.

@@ -10,8 +10,6 @@ namespace brunt {
 namespace {
 /// A corner counts as convex if its parallelogram has at least this part of the face's area.
 constexpr Real kConvexLimit = 0.02;
-/// A diagonal is the shorter one where its square is less than this part of the other's.
-constexpr Real kShorter = 0.5;
 
 void finish(FacePlane<2>& face) {
   const Vec<2> edge = face.corner[1] - face.corner[0];
@@ -101,38 +99,21 @@ SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach) {
   return box;
 }
 
-SplitFace split(const FacePlane<3>& face) {
-  const auto& x = face.corner;
-  const auto twice = [&](int a, int b, int c) {
-    const auto at = [&](int k) { return x[slot_of(k)]; };
-    return (at(b) - at(a)).cross(at(c) - at(a)).dot(face.normal);
-  };
-  const bool first_fits = twice(0, 1, 2) >= 0 && twice(0, 2, 3) >= 0;
-  const bool second_fits = twice(1, 2, 3) >= 0 && twice(1, 3, 0) >= 0;
-  // Of diagonals nearly alike, as those of a square are, always the same: under pressure its
-  // surface would jump with every rounding.
-  const bool second_shorter = (x[3] - x[1]).squaredNorm() < kShorter * (x[2] - x[0]).squaredNorm();
-  const bool first = first_fits == second_fits ? !second_shorter : first_fits;
-  SplitFace halves;
-  halves.corners = first ? std::array<std::array<int, 3>, 2>{{{0, 1, 2}, {0, 2, 3}}}
-                         : std::array<std::array<int, 3>, 2>{{{1, 2, 3}, {1, 3, 0}}};
-  for (std::size_t p = 0; p < 2; ++p) {
-    auto& part = halves.part[p];
+std::array<FacePlane<3>, 4> split(const FacePlane<3>& face) {
+  std::array<FacePlane<3>, 4> parts;
+  for (std::size_t i = 0; i < 4; ++i) {
+    auto& part = parts[i];
     part.n_corners = 3;
     part.sharpness = face.sharpness;
-    for (std::size_t c = 0; c < 3; ++c) {
-      part.corner[c] = x[slot_of(halves.corners[p][c])];
-    }
-    part.corner[3].setZero();
-    // Edges that are the face's keep their borders; the diagonal is none.
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int from = halves.corners[p][c], to = halves.corners[p][(c + 1) % 3];
-      const bool of_face = (from + 1) % 4 == to && (face.borders >> from & 1U) != 0;
-      part.borders = static_cast<std::uint8_t>(part.borders | (of_face ? 1U << c : 0U));
-    }
+    part.corner = {face.corner[i], face.corner[(i + 1) % 4], face.center, Vec3::Zero()};
+    // The edge of the face keeps its border; those to the centre are none.
+    part.borders = static_cast<std::uint8_t>(face.borders >> i & 1U);
     refresh(part);
+    if (part.normal.dot(face.normal) > 0) continue;
+    part.area = 0;
+    part.normal.setZero();
   }
-  return halves;
+  return parts;
 }
 
 template void refresh<2>(FacePlane<2>&);

@@ -35,12 +35,10 @@ void refresh(FacePlane<Dim>& face);
 template <int Dim>
 SearchBox<Dim> box_of(const FacePlane<Dim>& face, Real reach);
 
-/// A quad as two triangles, along the diagonal that leaves both with the quad's orientation, else
-/// along that of corners 1 and 3 if it is much shorter. corners[i][c] is the quad's corner.
-struct SplitFace {
-  std::array<FacePlane<3>, 2> part;
-  std::array<std::array<int, 3>, 2> corners;
-};
-SplitFace split(const FacePlane<3>& face);
+/// A quad as four triangles about its centre, as particles see it too: corners i and i + 1, then
+/// the centre, which goes with a quarter of each corner. No choice of a diagonal, which would
+/// change under pressure (docs/decisions/214-four-triangles.md). One that is turned over, where the
+/// centre of a concave quad lies outside it, has no area.
+std::array<FacePlane<3>, 4> split(const FacePlane<3>& face);
 
 }  // namespace brunt

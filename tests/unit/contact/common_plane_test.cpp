@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -231,6 +232,34 @@ TEST(CommonPlane, AtAPointThePressureIsThatOfTheMiddle) {
   const auto above = edge(Vec<2>(-half, -rise - .02), Vec<2>(half, rise - .02));
   ASSERT_EQ(common_planes<2>(below, above, kPlane, line, {.at_point = true}), 1);
   EXPECT_NEAR(line[0].volume / kPlane.depth, line[0].penetration * c, 1e-12);
+}
+
+// A plate's face whose corner is drawn out before a point, and the flank of the point beside it:
+// with two triangles along a diagonal the flank was 0.04 mm deep, and 0.55 mm once the other
+// diagonal was the shorter by enough (decks/perforation with elements of 2 mm and facets of 1 mm).
+TEST(CommonPlane, AWarpedFaceIsContinuousInItsCorners) {
+  const auto flank = face({{6.536, 1.132, -1.559},
+                           {6.536, 1.559, -1.132},
+                           {7.479, 1.248, -0.907},
+                           {7.479, 0.907, -1.248}});
+  constexpr int kSteps = 600;
+  std::vector<Real> volume;
+  for (int i = 0; i <= kSteps; ++i) {
+    const auto drawn = face({{4.061, 2.638, -2.639},
+                             {4.627, -0.270, -3.178},
+                             {9.6 + 0.001 * i, 0, 0},
+                             {4.626, 3.183, 0.274}});
+    ASSERT_FALSE(drawn.simple);
+    Planes<3> planes;
+    const int n = common_planes<3>(drawn, flank, k3d, planes);
+    volume.push_back(0);
+    for (int k = 0; k < n; ++k) volume.back() += planes[static_cast<std::size_t>(k)].volume;
+  }
+  const auto [least, most] = std::minmax_element(volume.begin(), volume.end());
+  ASSERT_GT(*most, 0.01);
+  for (std::size_t i = 1; i < volume.size(); ++i) {
+    EXPECT_LT(std::fabs(volume[i] - volume[i - 1]), 5 * (*most - *least) / kSteps) << i;
+  }
 }
 
 TEST(CommonPlane, TouchingOrAlikeFacesCarryNothing) {

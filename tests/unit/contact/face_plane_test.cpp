@@ -26,20 +26,28 @@ TEST(FacePlane, MeanPlaneOfAWarpedQuad) {
   EXPECT_FALSE(warped(0.25).simple);  // 0.25 > 0.12 * 2
 }
 
-TEST(FacePlane, SplitsAlongTheShorterDiagonalAndOnATieAtCornerZero) {
-  const auto tie = split(warped(0.25));
-  EXPECT_EQ(tie.corners[0], (std::array<int, 3>{0, 1, 2}));
-  const auto shorter = split(quad({Vec3(0, 0, .2), {2, 0, -.2}, {3, 3, .2}, {0, 2, -.2}}));
-  EXPECT_EQ(shorter.corners[0], (std::array<int, 3>{1, 2, 3}));
+// A fan of triangles has the vector area of its border, whatever lies in its middle.
+TEST(FacePlane, SplitsIntoFourTrianglesAboutItsCentre) {
+  auto face = warped(0.25);
+  face.borders = 0b0110;
+  const auto parts = split(face);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(parts[i].corner[0], face.corner[i]);
+    EXPECT_EQ(parts[i].corner[1], face.corner[(i + 1) % 4]);
+    EXPECT_EQ(parts[i].corner[2], face.center);
+    EXPECT_EQ(parts[i].borders, face.borders >> i & 1);
+    sum += parts[i].area * parts[i].normal;
+  }
+  EXPECT_LT((sum - face.area * face.normal).norm(), 1e-15);
 }
 
-TEST(FacePlane, SplitsAConcaveQuadAtItsInwardCorner) {
+TEST(FacePlane, TrianglesOfAConcaveQuadThatAreTurnedOverAreNone) {
   const auto face = quad({Vec3(0, 0, 0), {4, 0, 0}, {1, 1, 0}, {0, 4, 0}});
   EXPECT_FALSE(face.simple);
-  const auto halves = split(face);
-  EXPECT_EQ(halves.corners[0], (std::array<int, 3>{0, 1, 2}));
-  EXPECT_NEAR(halves.part[0].area + halves.part[1].area, face.area, 1e-15);
-  for (const auto& part : halves.part) EXPECT_NEAR(part.normal[2], 1, 1e-15);
+  const auto parts = split(face);
+  for (const std::size_t i : {0, 3}) EXPECT_NEAR(parts[i].normal[2], 1, 1e-15);
+  for (const std::size_t i : {1, 2}) EXPECT_EQ(parts[i].area, 0);  // beyond the inward corner
 }
 
 TEST(FacePlane, FaceWithoutAreaOrWithANaNIsNone) {
