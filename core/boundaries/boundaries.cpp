@@ -77,7 +77,9 @@ void Boundaries<Dim>::hold_temperatures(Real time, Real dt) {
 template <int Dim>
 void Boundaries<Dim>::take_reactions(Real time, Real dt) {
   change_each([&]<class A>(A& one) {
-    if constexpr (requires { &A::complete_forces; }) one.complete_forces(time, dt);
+    if constexpr (requires { &A::complete_forces; }) {
+      one.complete_forces(time, dt, all_of<PrescribedMotion>());
+    }
   });
   change_each([&]<class A>(A& one) {
     if constexpr (requires { &A::take_reactions; }) one.take_reactions(time, dt);

@@ -72,8 +72,8 @@ class Boundaries {
   void add_heat(Real time, Real dt);
   /// After all heat: hold_temperature(time, dt).
   void hold_temperatures(Real time, Real dt);
-  /// After all forces: complete_forces(time, dt) of those that follow the velocity at the end of
-  /// the step, then take_reactions(time, dt).
+  /// After all forces: complete_forces(time, dt, supports) of those that follow the velocity at the
+  /// end of the step, which supports prescribe in part, then take_reactions(time, dt).
   void take_reactions(Real time, Real dt);
   /// The smallest of stable_step() of the owned points.
   StepLimit stable_step() const;

@@ -55,6 +55,19 @@ struct MotionSupport {
     }
   }
 
+  /// visit(i, c, v) for each component c of each point i that it holds or moves at a time, with the
+  /// velocity v [m/s] that it then has.
+  template <class Visit>
+  void visit_prescribed(Real time, const Visit& visit) const {
+    if (!patch.acts(time)) return;
+    for (std::size_t k = 0; k < patch.size(); ++k) {
+      const Vec3 place = patch.place(k);
+      for (int c = 0; c < Dim; ++c) {
+        if (velocity[c]) visit(patch.point(k), c, (*velocity[c])(time, place));
+      }
+    }
+  }
+
   /// Gives points their velocities at time 0, before the first energy is taken.
   void start();
   /// After predict: overrides x and v; time is that of the end of the step. The acceleration at its

@@ -1,9 +1,12 @@
 #pragma once
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/boundaries/load_books.hpp"
+#include "core/boundaries/motion.hpp"
 #include "core/boundaries/patch.hpp"
 #include "core/schema.hpp"
 
@@ -57,21 +60,31 @@ struct ViscousBoundary {
     f("force", books.last);
   }
   /// After all other forces: those of the dashpots at the velocity that the step ends with, so that
-  /// they shorten no step.
-  void complete_forces(Real time, Real dt) {
+  /// they shorten no step. supports  of the scene: what they hold, the dashpots do not move
+  void complete_forces(Real time, Real dt, const std::vector<MotionSupport<Dim>>& supports) {
     const bool acts = patch.acts(time);
     auto& points = *patch.points;
     // [kg/s] of each chosen point
     auto viscosity = patch.integral(Square::Zero().eval(), [&](const FacetPoint<Dim>& at) {
       return acts ? impedance(at) : Square::Zero().eval();
     });
+    const auto prescribed = prescribed_velocities(time, supports);
     for (std::size_t k = 0; k < patch.size(); ++k) {
       const std::size_t i = patch.point(k);
       Square& C = viscosity[k];
       if (patch.depth == 0 && points.x[i][0] == 0) C.row(0).setZero(), C.col(0).setZero();  // axis
       // v(n+1) = v(n+1/2) + dt/2 a, with (m + dt/2 C) a = f - C v(n+1/2)
-      const Square mass = points.mass[i] * Square::Identity() + 0.5 * dt * C;
-      const Vec<Dim> a = mass.llt().solve(points.f[i] - C * points.v[i]);
+      Square mass = points.mass[i] * Square::Identity() + 0.5 * dt * C;
+      Vec<Dim> force = points.f[i] - C * points.v[i];
+      for (int c = 0; c < Dim; ++c) {
+        const Real v_end = prescribed[k][c];
+        if (std::isnan(v_end)) continue;
+        const Real a = 2 * (v_end - points.v[i][c]) / dt;
+        force -= a * mass.col(c);
+        mass.row(c).setZero(), mass.col(c).setZero();
+        mass(c, c) = 1, force[c] = a;
+      }
+      const Vec<Dim> a = mass.llt().solve(force);
       books.push(k, i, -C * (points.v[i] + 0.5 * dt * a), dt, points);
     }
   }
@@ -79,6 +92,22 @@ struct ViscousBoundary {
 
  private:
   using Square = Eigen::Matrix<Real, Dim, Dim>;
+  /// [m/s] of each chosen point at the end of the step; free components are no number.
+  std::vector<Vec<Dim>> prescribed_velocities(
+      Real time, const std::vector<MotionSupport<Dim>>& supports) const {
+    constexpr Real kFree = std::numeric_limits<Real>::quiet_NaN();
+    std::vector<Vec<Dim>> prescribed(patch.size(), Vec<Dim>::Constant(kFree));
+    const auto& chosen = patch.chosen;
+    for (const auto& support : supports) {
+      if (support.patch.points != patch.points) continue;
+      support.visit_prescribed(time, [&](std::size_t i, int c, Real v) {
+        const auto at = std::lower_bound(chosen.begin(), chosen.end(), static_cast<LocalIndex>(i));
+        if (at == chosen.end() || slot_of(*at) != i) return;
+        prescribed[slot_of(at - chosen.begin())][c] = v;
+      });
+    }
+    return prescribed;
+  }
   /// [kg/s] of a part of a face.
   Square impedance(const FacetPoint<Dim>& at) const {
     const Real area = std::sqrt(at.area.dot(at.area));

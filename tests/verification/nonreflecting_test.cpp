@@ -71,5 +71,29 @@ TEST(Nonreflecting, PlaneWavesDoNotComeBack) {
   }
 }
 
+// A column of 0.2 m x 1 m x 1 m stands under 5 MPa in the stress that carries it, at rest: its
+// support holds 1 MN, and the dashpots beside, which nothing moves, give nothing. They stand on
+// points that the support holds too: its force is none of theirs.
+TEST(Nonreflecting, ForcesThatASupportTakesMoveNoDashpot) {
+  const auto run = simulate_text(R"(title: a column at rest under its load
+geometry: plane-strain
+time: {end: 0.5 ms}
+materials:
+  rock: {density: 2700 kg/m^3, elastic: {E: 20 GPa, nu: 0}}
+bodies:
+  column:
+    {material: rock, shape: {box: {min: [0, 0], max: [0.2 m, 1 m]}}, size: 0.1 m, stress: {yy: -5 MPa}}
+boundaries:
+  open: {body: column, where: {side: max-x}, nonreflecting: true}
+  held: {body: column, where: {side: min-y}, fix: [y]}
+  load: {body: column, where: {side: max-y}, pressure: 5 MPa}
+output: {history: 0.05 ms}
+)");
+  ASSERT_EQ(run.failure, "");
+  EXPECT_NEAR(run.column("boundary.held.reaction.y").back(), 1e6, 1e-6 * 1e6);
+  EXPECT_LT(std::fabs(run.column("boundary.open.force.y").back()), 1e-6 * 1e6);
+  EXPECT_LT(run.column("energy.kinetic").back(), 1e-12);  // of 125 J
+}
+
 }  // namespace
 }  // namespace brunt::test
