@@ -172,7 +172,7 @@ Real kept_traction(const Entities<Dim>& entities, const FaceCandidate& candidate
 template <int Dim>
 void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
                   const CommonPlane<Dim>& plane, const Section& section, Real dt,
-                  FrictionHistory<Dim>& history, FirstTouch& touch,
+                  const BrokenTies<Dim>& broken, FrictionHistory<Dim>& history, FirstTouch& touch,
                   typename Records<Dim>::Part& part) {
   const auto l = slot_of(candidate.lower);
   const auto u = slot_of(candidate.upper);
@@ -200,7 +200,8 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.before = history.of_faces(key_of(record), part.past);
   step.kept = kept_traction(entities, candidate);
   if (step.before == nullptr) {
-    step.inherited = inherited(entities.tractions[l], entities.tractions[u]);
+    step.inherited =
+        broken.any ? broken.traction : inherited(entities.tractions[l], entities.tractions[u]);
   }
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   auto& friction = part.frictions.emplace_back();
@@ -251,17 +252,17 @@ FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& cand
 template <int Dim>
 Real spring_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
                const CommonPlane<Dim>& plane, const EvaluationStep& step,
-               typename Records<Dim>::Part& part) {
+               const BrokenTies<Dim>& broken, typename Records<Dim>::Part& part) {
   const Real linear = candidate.normal.stiffness;
   if (candidate.laws.holds == nullptr || !candidate.laws.holds->joint) return linear;
-  return linear * close_joint(entities, candidate, plane, step, part);
+  return linear * close_joint(entities, candidate, plane, step, broken, part);
 }
 
 /// Holds two faces of a pair that is tied or a joint, where they are; begins it at time 0. What
 /// they keep of an overlap of time 0 waits until they are held no more.
 template <int Dim>
 bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const Section& section,
-          const EvaluationStep& step, typename Records<Dim>::Part& part) {
+          const EvaluationStep& step, BrokenTies<Dim>& broken, typename Records<Dim>::Part& part) {
   if (candidate.laws.holds == nullptr) return false;
   if (step.touches.time_zero) {
     const std::size_t before = part.face_ties.size();
@@ -270,7 +271,7 @@ bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const S
     return candidate.laws.presses_at_once() && part.face_ties.size() > before;
   }
   const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
-  if (!hold_faces(entities, candidate, section, step, part)) return false;
+  if (!hold_faces(entities, candidate, section, step, broken, part)) return false;
   const auto& record = part.face_on_face.back();
   const auto key = touch_key(ContactKind::face_face, record.first, record.second);
   const FirstTouch touch = touch_before(entities, candidate, key, section, step.touches);
@@ -289,7 +290,8 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const auto l = slot_of(candidate.lower);
     const auto u = slot_of(candidate.upper);
     if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
-    if (held<Dim>(entities, candidate, section, step, part)) continue;
+    BrokenTies<Dim> broken;
+    if (held<Dim>(entities, candidate, section, step, broken, part)) continue;
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
     const ContactKey key =
@@ -325,14 +327,18 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
       part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
       part.face_on_face.back().ordinal = plane.ordinal;
       note_deep_faces(entities, candidate, plane, touch, part);
-      const Real stiffness = spring_of(entities, candidate, plane, step, part);
+      const Real stiffness = spring_of(entities, candidate, plane, step, broken, part);
       if (plane.share > 0) add_push(stiffness, plane, entities.faces[l].n_nodes, part);
       if (candidate.laws.friction == nullptr || history == nullptr) continue;
-      add_friction(entities, candidate, plane, section, step.dt, *history, touch, part);
+      add_friction(entities, candidate, plane, section, step.dt, broken, *history, touch, part);
     }
     touch.key = key;
     if (touch.matters() || touch.held) part.face_touches.push_back(touch);
     add_blades(entities, candidate, step, any_born(entities, candidate), part);
+    if (broken.any) {
+      settle_broken<Dim>(entities, broken, std::span(part.face_on_face).subspan(ends.record),
+                         step.dt, part, part.losses);
+    }
     const bool free = part.face_on_face.size() == ends.record && !touch.matters();
     if (free) note_crossing<Dim>(entities, candidate, part);
     if (candidate.laws.heat != nullptr)

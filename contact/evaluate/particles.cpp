@@ -260,7 +260,8 @@ void note_deep(const Entities<Dim>& entities, const ParticleHit<Dim>& hit, Real 
 template <int Dim>
 void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
                   const ParticleHit<Dim>& hit, const Section& section, Real dt,
-                  FrictionHistory<Dim>& history, typename Records<Dim>::Part& part) {
+                  const BrokenTies<Dim>& broken, FrictionHistory<Dim>& history,
+                  typename Records<Dim>::Part& part) {
   const auto& face = entities.faces[slot_of(hit.face)];
   auto& record = part.particle_on_face.back();
   FrictionStep<Dim> step;
@@ -277,6 +278,7 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
   set_particle_material(entities, now.particle, hit.face, record, step);
   step.before =
       history.of_particle(key_of(record), face.body, face.piece, record.normal, part.past);
+  if (broken.any && broken.body == face.body) step.inherited = broken.traction;
   record.friction = static_cast<std::int32_t>(part.frictions.size());
   auto& friction = part.frictions.emplace_back();
   find_friction(entities.nodes, record, step, friction);
@@ -286,8 +288,9 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
 
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFinder& pairs,
-                 const Section& section, const EvaluationStep& step, FrictionHistory<Dim>* history,
-                 ParticleLoad& load, typename Records<Dim>::Part& part) {
+                 const Section& section, const EvaluationStep& step, const BrokenTies<Dim>& broken,
+                 FrictionHistory<Dim>* history, ParticleLoad& load,
+                 typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   const std::size_t first_touch = part.particle_touches.size();
   const bool thin = entities.shallowest < now.particle.radius;
@@ -306,7 +309,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
                 part.particle_on_face.emplace_back());
     if (hit.inside) note_deep(entities, hit, step.longest, part);
     if (law.laws.friction != nullptr && history != nullptr) {
-      add_friction(entities, now, law, hit, section, dt, *history, part);
+      add_friction(entities, now, law, hit, section, dt, broken, *history, part);
     }
     load.zeta = std::max({load.zeta, law.zeta, law.layer_zeta});
   }
@@ -349,12 +352,18 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
       add_hit(entities, slot_of(f), now, step, part);
     }
     ParticleLoad load;
+    BrokenTies<Dim> broken;
     if (tied) {
-      load.squared_frequency = hold_particle<Dim>(
-          entities, place, pairs, section_of<Dim>(particle) * now.breadth, section, step, part);
+      load.squared_frequency =
+          hold_particle<Dim>(entities, place, pairs, section_of<Dim>(particle) * now.breadth,
+                             section, step, broken, part);
     }
     if (!part.hits.empty()) {
-      record_hits(entities, now, pairs, section, step, history, load, part);
+      record_hits(entities, now, pairs, section, step, broken, history, load, part);
+    }
+    if (broken.any) {
+      settle_broken<Dim>(entities, broken, std::span(part.particle_on_face).subspan(ends.record),
+                         step.dt, part, part.particle_losses);
     }
     if (step.touches.time_zero && rows.pairs.holds()) {
       begin_particle_ties<Dim>(entities, particle, pairs, section_of<Dim>(particle) * now.breadth,

@@ -138,6 +138,16 @@ HoldingSpring with_strength(const PairOptions& options, HoldingSpring spring) {
   return spring;
 }
 
+/// body  of the lower side;  loss  place where the energy will be booked
+template <int Dim>
+BrokenTies<Dim> broken_by(const Held<Dim>& held, Label body, std::size_t loss) {
+  return {.any = true,
+          .body = body,
+          .traction = held.sum,
+          .energy = held.stored + held.used - held.half_work,
+          .loss = loss};
+}
+
 /// Keeps what two faces, or a particle and a face, have used up.
 void note_loss(const ContactKey& key, Real energy, std::vector<JointLoss>& losses) {
   if (energy != 0) losses.push_back({key, energy});
@@ -173,7 +183,7 @@ HoldingSpring spring_between(const ContactParticle& particle, const ContactFace<
 
 template <int Dim>
 bool hold_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                const Section& section, const EvaluationStep& step,
+                const Section& section, const EvaluationStep& step, BrokenTies<Dim>& broken,
                 typename Records<Dim>::Part& part) {
   const auto l = slot_of(candidate.lower);
   const auto u = slot_of(candidate.upper);
@@ -205,11 +215,12 @@ bool hold_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
     add_place(kept.lower.data(), kept.upper.data(), kept, step.dt, held);
   }
   if (held.breaks) {
-    Real closed = 0;
-    for (const auto& tie : ties) closed = std::max(closed, tie.closed);
+    broken = broken_by(held, lower.body, part.losses.size());
+    broken.traction /= held.area;
+    for (const auto& tie : ties) broken.closed = std::max(broken.closed, tie.closed);
     part.face_ties.resize(first);
-    if (closed > 0 && held.spring.remembers()) part.closures.push_back({key, closed});
-    note_loss(key, std::max(held.stored + held.used - held.half_work, 0.0), part.losses);
+    if (broken.closed > 0 && held.spring.remembers()) part.closures.push_back({key, broken.closed});
+    part.losses.push_back({key, std::max(broken.energy, 0.0)});
     return false;
   }
   note_loss(key, held.used, part.losses);
@@ -221,8 +232,26 @@ bool hold_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
 }
 
 template <int Dim>
+void settle_broken(const Entities<Dim>& entities, const BrokenTies<Dim>& broken,
+                   std::span<const ContactRecord<Dim>> records, Real dt,
+                   const typename Records<Dim>::Part& part, std::vector<JointLoss>& losses) {
+  Real lost = broken.energy;
+  for (const auto& record : records) {
+    if (record.lower_body != broken.body) continue;
+    const auto* push = record.push < 0 ? nullptr : &part.pushes[slot_of(record.push)];
+    const WholeRecord<Dim> whole{record, nullptr, push};
+    lost -= record.stored;
+    for (std::size_t n = 0; n < slot_of(record.n_nodes); ++n) {
+      lost -= 0.5 * dt * whole.spring_on(n).dot(entities.nodes.v[slot_of(record.node[n])]);
+    }
+    if (record.friction >= 0) lost += part.frictions[slot_of(record.friction)].pairs;
+  }
+  losses[broken.loss].energy = std::max(lost, 0.0);
+}
+
+template <int Dim>
 Real hold_particle(const Entities<Dim>& entities, LocalIndex place, PairFinder& pairs, Real area,
-                   const Section& section, const EvaluationStep& step,
+                   const Section& section, const EvaluationStep& step, BrokenTies<Dim>& broken,
                    typename Records<Dim>::Part& part) {
   const auto& particle = entities.particles[slot_of(place)];
   const auto ties = step.touches.ties->range({ContactKind::particle_face, 0, particle.id, 0},
@@ -254,8 +283,9 @@ Real hold_particle(const Entities<Dim>& entities, LocalIndex place, PairFinder& 
     TiePoint kept = tie;
     add_place(kept.upper.data(), kept.lower.data(), kept, step.dt, held);
     if (held.breaks) {
-      note_loss(tie.key, std::max(held.stored + held.used - held.half_work, 0.0),
-                part.particle_losses);
+      broken = broken_by(held, face.body, part.particle_losses.size());
+      broken.traction = -broken.traction;  // the particle comes first, and is the upper side
+      part.particle_losses.push_back({tie.key, std::max(broken.energy, 0.0)});
       continue;
     }
     part.particle_ties.push_back(kept);
@@ -273,7 +303,7 @@ Real hold_particle(const Entities<Dim>& entities, LocalIndex place, PairFinder& 
 template <int Dim>
 Real close_joint(const Entities<Dim>& entities, const FaceCandidate& candidate,
                  const CommonPlane<Dim>& plane, const EvaluationStep& step,
-                 typename Records<Dim>::Part& part) {
+                 const BrokenTies<Dim>& broken, typename Records<Dim>::Part& part) {
   const auto& lower = entities.faces[slot_of(candidate.lower)];
   const auto& upper = entities.faces[slot_of(candidate.upper)];
   const HoldingSpring spring = spring_between(lower, upper, *candidate.laws.holds);
@@ -282,8 +312,8 @@ Real close_joint(const Entities<Dim>& entities, const FaceCandidate& candidate,
   const Real area = plane.ramp * plane.area, closure = plane.volume / area;
   const ContactKey key{ContactKind::face_face, plane.ordinal, lower.id, upper.id};
   const auto* known = step.touches.closures->find(key);
-  Real before = known == nullptr ? 0.0 : known->closed;
-  if (known == nullptr) {
+  Real before = known == nullptr ? broken.closed : known->closed;
+  if (known == nullptr && !broken.any) {
     // What slides on takes over how far its lower face has been closed.
     for (const auto& beside :
          step.touches.closures->range({ContactKind::face_face, 0, lower.id, 0},
@@ -301,21 +331,27 @@ Real close_joint(const Entities<Dim>& entities, const FaceCandidate& candidate,
 }
 
 template bool hold_faces<2>(const Entities<2>&, const FaceCandidate&, const Section&,
-                            const EvaluationStep&, Records<2>::Part&);
+                            const EvaluationStep&, BrokenTies<2>&, Records<2>::Part&);
+template void settle_broken<2>(const Entities<2>&, const BrokenTies<2>&,
+                               std::span<const ContactRecord<2>>, Real, const Records<2>::Part&,
+                               std::vector<JointLoss>&);
 template bool hold_faces<3>(const Entities<3>&, const FaceCandidate&, const Section&,
-                            const EvaluationStep&, Records<3>::Part&);
+                            const EvaluationStep&, BrokenTies<3>&, Records<3>::Part&);
+template void settle_broken<3>(const Entities<3>&, const BrokenTies<3>&,
+                               std::span<const ContactRecord<3>>, Real, const Records<3>::Part&,
+                               std::vector<JointLoss>&);
 template Real hold_particle<2>(const Entities<2>&, LocalIndex, PairFinder&, Real, const Section&,
-                               const EvaluationStep&, Records<2>::Part&);
+                               const EvaluationStep&, BrokenTies<2>&, Records<2>::Part&);
 template Real hold_particle<3>(const Entities<3>&, LocalIndex, PairFinder&, Real, const Section&,
-                               const EvaluationStep&, Records<3>::Part&);
+                               const EvaluationStep&, BrokenTies<3>&, Records<3>::Part&);
 template Real close_joint<2>(const Entities<2>&, const FaceCandidate&, const CommonPlane<2>&,
-                             const EvaluationStep&, Records<2>::Part&);
+                             const EvaluationStep&, const BrokenTies<2>&, Records<2>::Part&);
 template HoldingSpring spring_between<2>(const ContactFace<2>&, const ContactFace<2>&,
                                          const PairOptions&);
 template HoldingSpring spring_between<2>(const ContactParticle&, const ContactFace<2>&,
                                          const PairOptions&);
 template Real close_joint<3>(const Entities<3>&, const FaceCandidate&, const CommonPlane<3>&,
-                             const EvaluationStep&, Records<3>::Part&);
+                             const EvaluationStep&, const BrokenTies<3>&, Records<3>::Part&);
 template HoldingSpring spring_between<3>(const ContactFace<3>&, const ContactFace<3>&,
                                          const PairOptions&);
 template HoldingSpring spring_between<3>(const ContactParticle&, const ContactFace<3>&,

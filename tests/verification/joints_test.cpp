@@ -256,5 +256,48 @@ TEST(Joints, AnOpenOnePassesNothing) {
   EXPECT_LT(passed(bar), 1e-6);
 }
 
+// Direct shear under sigma = 10 MPa: the bond of a joint, or the joint of a tie, breaks at c + mu
+// sigma = 8 MPa, and what slides on carries mu sigma = 5 MPa at once: the shear of the spring that
+// broke goes on in that of friction, the closure stays, and only what neither holds is lost.
+TEST(Joints, OneThatShearsOffSlidesOnUnderItsPressure) {
+  for (const char* joint : {"joint: {normal: 500 GPa/m, shear: 100 GPa/m}",
+                            "joint: {normal: 500 GPa/m, shear: 100 GPa/m, max_closure: 0.2 mm}"}) {
+    SCOPED_TRACE(joint);
+    const auto run = simulate_text(std::string(R"deck(
+title: A joint is sheared off
+geometry: plane-strain
+time: {end: 2 ms}
+materials: {rock: {density: 2000 kg/m^3, elastic: {E: 50 GPa, nu: 0.2}}}
+bodies:
+  below: {material: rock, shape: {box: {min: [-20 mm, -10 mm], max: [60 mm, 0]}}, cells: [16, 2]}
+  above: {material: rock, shape: {box: {min: [0, 0], max: [20 mm, 10 mm]}}, cells: [5, 3]}
+boundaries:
+  hold: {body: below, where: all, fix: [x, y]}
+  drive: {body: above, where: all, velocity: ["= 0.1*min(1, t/0.2e-3)", free]}
+  load: {body: above, where: {side: max-y}, pressure: {table: [[0, 0], [0.1 ms, 10 MPa]], over: time}}
+damping: {rate: 2e4 1/s}
+contact:
+  pairs:
+    bond: {between: [above, below], friction: 0.5, cohesion: 3 MPa, tension: 2 MPa, )deck") +
+                                   joint + "}\noutput: {history: 2 us}\n");
+    ASSERT_EQ(run.failure, "");
+    const auto force = run.column("contact.bond.force.x");
+    constexpr Real kArea = 0.02;  // [m^2]
+    Real most = 0;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < force.size(); ++k) {
+      if (std::fabs(force[k]) > most) most = std::fabs(force[k]), at = k;
+    }
+    EXPECT_NEAR(most / kArea, 8e6, 0.01 * 8e6);
+    // Corners of the block, which carry more, break first; all have after 10 us.
+    Real least = most;
+    for (std::size_t k = at + 5; k < force.size(); ++k)
+      least = std::min(least, std::fabs(force[k]));
+    EXPECT_GT(least / kArea, 0.97 * 5e6);  // 1.0 to 1.3 MPa before
+    EXPECT_NEAR(std::fabs(force.back()) / kArea, 5e6, 0.005 * 5e6);
+    EXPECT_LT(std::fabs(run.last("energy.contact.pairs")), 2e-3 * run.largest_energy());
+  }
+}
+
 }  // namespace
 }  // namespace brunt::test
