@@ -3,7 +3,7 @@
 /// other. docs/theory/elements.md, section 9.
 #include <vector>
 
-#include "core/points.hpp"
+#include "core/surface.hpp"
 
 namespace brunt {
 
@@ -28,6 +28,9 @@ class ParticleCarrier {
   virtual const std::vector<ConvertedShare>& converted() const = 0;
   /// True where nodes of any rank took over something in this step.
   virtual bool any_converted() const = 0;
+  /// What contact sees of the material of each owned node that is a particle, which riders know
+  /// better; null where it does not ask.
+  virtual std::vector<SurfaceMaterial>* shown_materials() = 0;
 };
 
 }  // namespace brunt

@@ -53,6 +53,10 @@ void take_free_points(const ElementBlock<Dim>& block, const std::vector<Real>& v
       const Real radius = 0.5 * block.reference_size[e] * std::pow(share, 1.0 / Dim);
       point.radius = point.radius > 0 ? std::min(point.radius, radius) : radius;
       point.modulus = std::max(point.modulus, block.material->modulus());
+      point.material.temperature = block.temperature;
+      const Real flow_stress =
+          block.material->strength->flow_stress(block.state, block.point(e, 0), block.temperature);
+      point.material.flow_stress = std::min(point.material.flow_stress, flow_stress);
       if (!block.conducts) continue;
       point.conductivity =
           std::max(point.conductivity, block.material->conductivity.at(block.temperature));

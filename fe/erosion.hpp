@@ -39,6 +39,7 @@ struct FreePoint {
   Real radius = 0;                        ///< [m]
   Real modulus = 0;                       ///< [Pa]
   Real conductivity = 0, effusivity = 0;  ///< [W/m/K], [J/m^2/K/s^(1/2)]
+  SurfaceMaterial material;               ///< of its body at time 0: what has failed has no state
 };
 
 /// The whole mesh of a group, on every rank, without the state of its elements; which of them have

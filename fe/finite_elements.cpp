@@ -147,7 +147,11 @@ StepLimit FiniteElements<Dim>::stable_step() const {
     const bool erodes = block.options.erosion.has_value();
     for (LocalIndex e = 0; e < block.n; ++e) {
       if (block.stable_step[e] > best.step) continue;
-      if (erodes && has_failed(block, e)) continue;  // it will not live to see the step
+      if (erodes &&
+          has_failed(block, e)) {  // it will not live to see the step; what it leaves will
+        best.take(erosion_->start_step);
+        continue;
+      }
       // An inverted element has a step that is no number: it collapses the run at once.
       const Real step = block.stable_step[e] > 0 ? block.stable_step[e] : 0.0;
       best.take({step, "element", block.body[e], block.id[e]});

@@ -51,6 +51,9 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   Points<Dim>& carrying_points() override { return points_; }
   const std::vector<ConvertedShare>& converted() const override { return converted_; }
   bool any_converted() const override { return any_converted_; }
+  std::vector<SurfaceMaterial>* shown_materials() override {
+    return surface_.needs_material ? &surface_.particle_material : nullptr;
+  }
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
   std::string advice(GlobalId entity) const override;

@@ -235,6 +235,7 @@ void FiniteElements<Dim>::free_points(bool time_goes_on) {
   }
   const auto before = std::move(surface_.particles);
   surface_.particles.clear();
+  surface_.particle_material.assign(points_.owned(), {});
   for (LocalIndex i = 0; i < points_.n_owned; ++i) {
     if (gather_.offset[i + 1] > gather_.offset[i] || points_.mass[i] == 0) continue;
     if (erosion_->to.count(points_.body[i]) == 0) continue;
@@ -244,6 +245,7 @@ void FiniteElements<Dim>::free_points(bool time_goes_on) {
     const bool known = at != before.end() && at->point == i;
     surface_.particles.push_back({i, own[i].radius, own[i].modulus, own[i].conductivity,
                                   own[i].effusivity, time_goes_on && !known});
+    surface_.particle_material[i] = own[i].material;
   }
 }
 

@@ -131,14 +131,20 @@ void SphParticles<Dim>::publish_spins() {
   });
 }
 
+/// What friction sees of each particle; that of a rider stands with its node.
 template <int Dim>
 void SphParticles<Dim>::publish_materials() {
-  surface_.particle_material.resize(n_owned());
+  auto* const all = rides() ? carrier_->shown_materials() : &surface_.particle_material;
+  if (all == nullptr) return;
+  if (!rides()) all->resize(n_owned());
   for (const auto& block : blocks_) {
     const auto& state = block.state;
     const auto& strength = *block.set.material->strength;
     for_each(block.set.particle.size(), [&](std::size_t slot) {
-      auto& shown = surface_.particle_material[block.set.particle[slot]];
+      const auto i = slot_of(block.set.particle[slot]);
+      const auto at = rides() ? slot_of(node_[i]) : i;
+      if (sleeps(i) || at >= all->size()) return;
+      auto& shown = (*all)[at];
       shown.temperature =
           state.temperature.empty() ? block.set.temperature : state.temperature[slot];
       shown.flow_stress = strength.flow_stress(state, slot, block.set.temperature);
@@ -172,7 +178,7 @@ void SphParticles<Dim>::update_state(Real dt) {
       if (!rides() || !tile_sleeps(block, tile * kTile)) update_tile(block, tile * kTile, dt);
     });
   }
-  if (surface_.needs_material) publish_materials();
+  if (surface_.needs_material || rides()) publish_materials();
 }
 
 template class SphParticles<2>;

@@ -24,11 +24,22 @@ std::vector<std::string> names_of_sum(const Deck& deck, const std::string& name)
   return names;
 }
 
-/// True where all bodies of its sum never move.
+/// True where a body that never moves has stresses all the same: those of time 0, or of what heat
+/// makes it press on what holds it.
+bool has_stress_at_rest(const Deck& deck, const std::string& name) {
+  const auto& body = deck.bodies[*label_of(deck, name)].value;
+  const auto* material = deck.material_named(body.material);
+  const bool expands =
+      material != nullptr && material->thermal && material->thermal->expansion != 0;
+  return body.stress.has_value() || expands;
+}
+
+/// True where all bodies of its sum never move, and have no mechanics for that.
 bool is_held_with_its_sum(const Deck& deck, const std::string& name) {
   const auto names = names_of_sum(deck, name);
-  return std::all_of(names.begin(), names.end(),
-                     [&](const std::string& one) { return is_held(deck, one); });
+  return std::all_of(names.begin(), names.end(), [&](const std::string& one) {
+    return is_held(deck, one) && !has_stress_at_rest(deck, one);
+  });
 }
 
 /// A rigid body whose motion says its temperature.

@@ -36,6 +36,7 @@ void MotionSupport<Dim>::start() {
 template <int Dim>
 void MotionSupport<Dim>::impose(Real time, Real dt) {
   if (!patch.acts(time)) return;
+  const bool begins = !patch.acts(time - dt);
   auto& points = *patch.points;
   for (std::size_t k = 0; k < patch.size(); ++k) {
     const std::size_t i = patch.point(k);
@@ -48,7 +49,9 @@ void MotionSupport<Dim>::impose(Real time, Real dt) {
       const Real v_half = (*velocity[c])(time - 0.5 * dt, place);
       const Real needed = 2 * (v_half - v_start) / dt;
       reaction[k][c] += points.mass[i] * (needed - old);
-      points.integration[i] += dt * dt / 8 * points.mass[i] * (needed * needed - old * old);
+      // What begins to hold a point that moves takes its kinetic energy at once.
+      const Real taken = dt * dt / 8 * points.mass[i] * (needed * needed - old * old);
+      (begins ? work[k] : points.integration[i]) += begins ? -taken : taken;
       points.a[i][c] = needed;
       change[c] = dt * (v_half - points.v[i][c]);
       points.v[i][c] = v_half;

@@ -220,5 +220,31 @@ every:
   EXPECT_LT(carried("beyond"), 0.5 * (kPeak + passed));
 }
 
+// All elements of a square that spins become particles in the first step, and so nothing else
+// bounds it: a step as long as those of the elements. Energy is K = 1/2 omega^2 rho d int r^2 dA =
+// 1/2 (3000/s)^2 2700 kg/m^3 1 m (10 mm)^4/6 = 20.25 J, and what squares have in their corners less
+// than points: 2 %.
+TEST(Conversion, ABodyThatGoesAtOnceKeepsItsStep) {
+  const auto run = simulate_text(R"(title: a square becomes particles at once
+geometry: plane-strain
+time: {end: 10 us}
+materials:
+  m: {density: 2700 kg/m^3, elastic: {E: 70 GPa, nu: 0.3}}
+bodies:
+  a:
+    material: m
+    shape: {box: {min: [0, 0], max: [10 mm, 10 mm]}}
+    cells: [10, 10]
+    erode: {when: [step: 0.5 us], to: sph}
+    velocity: ["= -3000*(y - 0.005)", "= 3000*(x - 0.005)"]
+output: {history: 0.1 us}
+)");
+  ASSERT_EQ(run.failure, "");
+  const Real at_first = run.first("energy.kinetic");
+  EXPECT_NEAR(at_first, 20.25, 0.025 * 20.25);
+  EXPECT_NEAR(run.last("energy.kinetic"), at_first, 1e-4 * at_first);
+  for (const Real dt : run.column("dt")) EXPECT_LT(dt, 0.15e-6);
+}
+
 }  // namespace
 }  // namespace brunt::test

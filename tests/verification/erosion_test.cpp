@@ -273,5 +273,40 @@ output: {every: 1 s, history: 0.1 us}
   }
 }
 
+// Friction over temperature, 0 from 290 K on, and all is at 298 K: what is left of elements rubs as
+// little as they did. One over the flow stress, which is that of the material: no infinite one.
+TEST(Erosion, DebrisHasTheTemperatureAndTheFlowStressOfItsBody) {
+  for (const char* to : {"points", "sph"}) {
+    for (const char* friction :
+         {"{table: [[200 K, 1], [290 K, 0]], over: temperature}", "\"= 0.3*yield/(p + yield)\""}) {
+      SCOPED_TRACE(std::string(to) + " " + friction);
+      const auto run = simulate_text(std::string(R"(title: debris slides
+geometry: plane-strain
+time: {end: 10 us, max_created: 1}
+materials:
+  m: {density: 2700 kg/m^3, elastic: {E: 70 GPa, nu: 0.3}, strength: {j2: {yield: 100 MPa}}}
+bodies:
+  a:
+    material: m
+    shape: {box: {min: [0, 0.1 mm], max: [4 mm, 4.1 mm]}}
+    size: 1 mm
+    velocity: [50 m/s, -200 m/s]
+    erode: {when: [strain: 0.1, inverted], to: )") +
+                                     to + R"(}
+  b: {material: m, shape: {box: {min: [-4 mm, -4 mm], max: [10 mm, 0]}}, size: 1 mm}
+output: {history: 0.5 us}
+contact: {default: {friction: )" + friction +
+                                     "}}\n");
+      ASSERT_EQ(run.failure, "");
+      ASSERT_GT(run.last("body.a.eroded"), 0);
+      if (friction[0] == '{') {
+        EXPECT_EQ(run.last("energy.contact.friction"), 0);
+      } else {
+        EXPECT_GT(run.last("energy.contact.friction"), 0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brunt::test

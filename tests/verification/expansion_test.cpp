@@ -146,5 +146,30 @@ TEST(Expansion, SaysTheSameInTwoPartsAndOnMoreThreads) {
   EXPECT_EQ(heated(bar, {.threads = 2}).hashes, whole.hashes);
 }
 
+// Held as a whole in the plane and heated by 20 K, a body presses with -E a dT (1 + nu) / ((1 + nu)
+// (1 - 2 nu)) = -E a dT / (1 - 2 nu); a stress of time 0 adds to it.
+TEST(Expansion, WhatIsFixedAsAWholePressesOnWhatHoldsIt) {
+  const auto run = simulate_text(R"(title: a block that is fixed is heated
+geometry: plane-strain
+heat: conduct
+time: {end: 20 us, max_step: 20 ns}
+materials:
+  m:
+    {density: 2700 kg/m^3, elastic: {E: 70 GPa, nu: 0.3}, thermal: {cp: 900, k: 200, expansion: 2e-5 1/K}}
+bodies:
+  a: {material: m, shape: {box: {min: [0, 0], max: [10 mm, 10 mm]}}, size: 1 mm, stress: {xx: -10 MPa}}
+boundaries:
+  hot: {body: a, where: all, temperature: {table: [[0, 298 K], [10 us, 318 K]], over: time}}
+  held: {body: a, where: all, fix: [x, y]}
+sections: {s: {body: a, plane: {axis: x, at: 4.5 mm}}}
+output: {history: 1 us}
+)");
+  ASSERT_EQ(run.failure, "");
+  constexpr Real kArea = 0.01;  // [m^2]
+  const Real exact = -(70e9 * 2e-5 * 20 / (1 - 2 * 0.3) + 10e6) * kArea;
+  // Expansion counts by volume, (1 + a dT)^3: 2 a dT = 8e-4 more.
+  EXPECT_NEAR(run.last("section.s.force.x"), exact, 1e-3 * std::fabs(exact));
+}
+
 }  // namespace
 }  // namespace brunt::test
