@@ -72,7 +72,7 @@ Real contact_bytes(std::size_t facets, std::size_t particles, bool bricks) {
                     sizeof(Vec<Dim>) + 2 * sizeof(SearchBox<Dim>);
   // Records, pushes, friction and memory of contacts, where every face has some: what a wall of
   // 52,880 faces takes beside its lists.
-  constexpr Real kTouching = 4e3;
+  constexpr Real kTouching = 2.8e3;
   return static_cast<Real>(facets) *
              (2 * (face + node) + kLists * sizeof(FaceCandidate) + (bricks ? kTouching : 0.0)) +
          static_cast<Real>(particles) * 2 * (sizeof(ContactParticle) + node);
@@ -156,7 +156,8 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     estimate.elements += elements * element_bytes<Dim>(inputs.gauss);
     estimate.particles += particles * particle_bytes<Dim>();
     if (inputs.single) estimate.particles += particles * single_bytes<Dim>();
-    estimate.neighbours += particles * neighbour_bytes<Dim>(inputs.smoothing);
+    (solid->rides() ? estimate.converted : estimate.neighbours) +=
+        particles * neighbour_bytes<Dim>(inputs.smoothing);
   }
   if (scene.contact) {
     estimate.contact =

@@ -12,6 +12,8 @@ struct MemoryEstimate {
   Real elements = 0;    ///< [byte] with their nodes
   Real particles = 0;   ///< [byte] with their points
   Real neighbours = 0;  ///< [byte] lists of particles, at the expected number of neighbours
+  Real converted = 0;   ///< [byte] the same where elements may become particles, if all do; not in
+                        ///< the total: how many will, no formula foretells
   Real contact = 0;     ///< [byte] faces, nodes, lists
   Real passing = 0;     ///< [byte] what comes and goes, the largest of: meshes before they are
                         ///< scenes, a frame, a checkpoint

@@ -98,6 +98,10 @@ void print_memory(const MemoryEstimate& memory) {
     std::printf("%s%s %.0f", separator, name, bytes / 1e6);
     separator = ", ";
   }
+  if (memory.converted > 0.5e6) {
+    std::printf("; up to %.0f more\n           as elements become particles",
+                memory.converted / 1e6);
+  }
   std::printf("\n");
 }
 
