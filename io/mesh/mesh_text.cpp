@@ -40,6 +40,12 @@ std::string all_bytes_of(const std::string& path) {
 MeshText::MeshText(std::string path) : path_(std::move(path)), bytes_(all_bytes_of(path_)) {
   at_ = bytes_.data();
   end_ = at_ + bytes_.size();
+  // Editors of some systems mark texts by their first bytes; the mark is no part of the text.
+  const std::string_view start = std::string_view(bytes_).substr(0, 3);
+  if (start == "\xEF\xBB\xBF") at_ += 3;
+  if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) {
+    wrong("is text of 16 bits a letter (UTF-16): save it as UTF-8 or ASCII");
+  }
 }
 
 void MeshText::wrong(const std::string& what) const {

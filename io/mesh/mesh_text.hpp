@@ -11,7 +11,8 @@ namespace brunt {
 /// as it should be throws std::runtime_error with file:line.
 class MeshText {
  public:
-  /// Reads the file. Throws std::runtime_error where it is none, or too large.
+  /// Reads the file, but for the mark of UTF-8 at its head. Throws std::runtime_error where it is
+  /// none, too large, or UTF-16.
   explicit MeshText(std::string path);
 
   const std::string& path() const { return path_; }

@@ -81,6 +81,23 @@ TEST(Gmsh, ReadsOrRefusesEveryMutation) {
   }
 }
 
+// Editors put the mark of UTF-8 before the first letter.
+TEST(MeshReaders, PassOverTheMarkOfUtf8) {
+  const BlockMesh block(2);
+  const auto path = [](const char* name, const std::string& text) {
+    return write_file(name, "\xEF\xBB\xBF" + text);
+  };
+  test::expect_block(read_gmsh(path("b.msh", test::gmsh2_text(block, false))), block);
+  test::expect_block(read_gmsh(path("c.msh", test::gmsh4_text(block, true))), block);
+  test::expect_block(mesh_reader("a.inp")->read(path("b.inp", test::abaqus_text(block))), block);
+  test::expect_block(mesh_reader("a.k")->read(path("b.k", test::dyna_text(block))), block);
+  // Without a first line that could be passed over.
+  const std::string inp = test::abaqus_text(block);
+  const std::string from_nodes = inp.substr(inp.find("*Node"));
+  test::expect_block(mesh_reader("a.inp")->read(path("d.inp", from_nodes)), block);
+  expect_refused(&read_gmsh, "e.msh", "\xFF\xFE$", {"UTF-16", "save it as UTF-8"});
+}
+
 TEST(MeshReaders, AreChosenByTheEndOfTheName) {
   ASSERT_NE(mesh_reader("folder.x/PART.MSH"), nullptr);
   EXPECT_EQ(mesh_reader("folder.x/PART.MSH")->extension, ".msh");
