@@ -121,6 +121,8 @@ void take_file(const LoadedDeck& loaded, const Named<deck::Body>& named, bool co
   const int max_cells = loaded.deck.max_cells;
   const std::string path = file_of(loaded, named);
   const bool is_mesh = deck::has_mesh_file(body), is_surface = body.rigid && !conducts;
+  // A part says what it takes; of the whole file it is said what is not taken.
+  if (is_mesh && body.part.empty()) geometry.notes = files.read(path).notes;
   if (is_mesh && !is_surface && body.method == deck::Method::fe) {
     take_mesh_elements<Dim>(body, files.read(path), max_cells, geometry, piece);
     return;

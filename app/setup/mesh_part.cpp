@@ -66,6 +66,8 @@ std::string instead_of(CellKind kind, int dim) {
     case pyramid5:
     case wedge6:
       return "mesh it with hexahedra alone, or with tetrahedra alone";
+    case other:
+      return "take a `part` without them, or leave them out of the file";
   }
   return "";
 }
@@ -80,6 +82,14 @@ std::vector<int> elements_among(const deck::Body& body, const MeshFile& mesh,
                                 const std::vector<int>& cells, int dim) {
   std::vector<int> chosen;
   const auto kind = [&](int cell) { return mesh.kind[slot_of(cell)]; };
+  const auto refuse = [&](int cell) {
+    refuse_mesh(part_name(body) + " has " + info(kind(cell)).name + ", as " +
+                mesh.cell_name(slot_of(cell)) + ": " + instead_of(kind(cell), dim));
+  };
+  // They may be solids: to leave them out would leave a hole.
+  for (const int cell : cells) {
+    if (kind(cell) == CellKind::other) refuse(cell);
+  }
   for (const int cell : cells) {
     if (info(kind(cell)).dim == dim) chosen.push_back(cell);
   }
@@ -92,10 +102,7 @@ std::vector<int> elements_among(const deck::Body& body, const MeshFile& mesh,
     refuse_mesh(part_name(body) + " has " + info(found).name + ": " + instead_of(found, dim));
   }
   for (const int cell : chosen) {
-    if (!is_element(kind(cell), dim)) {
-      refuse_mesh(part_name(body) + " has " + info(kind(cell)).name + ", as " +
-                  mesh.cell_name(slot_of(cell)) + ": " + instead_of(kind(cell), dim));
-    }
+    if (!is_element(kind(cell), dim)) refuse(cell);
     if (kind(cell) != kind(chosen.front())) {
       refuse_mesh(part_name(body) + " has " + info(kind(chosen.front())).name + " and " +
                   info(kind(cell)).name + ", as " + mesh.cell_name(slot_of(cell)) +

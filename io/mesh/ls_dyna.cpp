@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "io/mesh/card.hpp"
+#include "io/mesh/ls_dyna_keyword.hpp"
 
 namespace brunt {
 
 namespace {
-constexpr std::size_t kReal = 16, kWide = 10;  // columns of a coordinate, and of most numbers
-
 /// A set as it is written: ids, and ranges of them.
 struct DynaSet {
   enum class Of { nodes, solids, shells, parts };
@@ -39,12 +39,12 @@ class DynaReader {
     while (text_.left() > 0 && !ended_) {
       const std::string_view line = text_.next_line();
       if (line.empty() || line[0] == '$' || trimmed(line).empty()) {
-        // Blank lines count where a title stands, and nowhere else.
-        if (line.empty() && wants_title()) read_data(line);
+        // Blank lines count where a title stands, or numbers that are 0, and nowhere else.
+        if (line.empty() && (wants_title() || lines_to_skip_ > 0)) read_data(line);
         continue;
       }
       if (line[0] == '*') {
-        open(upper(trimmed(line)));
+        open(line);
       } else {
         read_data(line);
       }
@@ -59,43 +59,45 @@ class DynaReader {
   }
 
  private:
-  enum class Data { none, node, solid, shell, beam, part, set, segment };
+  enum class Data { none, comment, node, solid, shell, beam, part, set, segment };
 
-  void open(std::string keyword) {
+  void open(std::string_view line) {
     finish_element();
-    data_ = Data::none, row_ = 0;
+    data_ = Data::none, row_ = 0, lines_to_skip_ = 0;
+    const DynaKeyword opened = dyna_keyword(line, columns_of_file_);
+    const std::string& keyword = opened.name;
+    columns_ = opened.columns;
     if (keyword.starts_with("*END")) ended_ = keyword == "*END";
-    if (keyword.starts_with("*KEYWORD") && keyword.find("LONG=Y") != std::string::npos) {
-      text_.wrong("the long format is not read: write the standard one");
+    if (keyword.starts_with("*KEYWORD")) columns_of_file_ = columns_of_file(line);
+    if (const char* instead = instead_of_dyna(keyword)) {
+      text_.wrong(keyword + " is not read: " + instead);
     }
-    for (const char* more : {"*INCLUDE", "*NODE_TRANSFORM", "*NODE_MERGE", "*PARAMETER_DUPLICATION",
-                             "*DEFINE_TRANSFORMATION", "*ELEMENT_GENERALIZED"}) {
-      if (!keyword.starts_with(more)) continue;
-      text_.wrong(keyword + " is not read: write the nodes and elements themselves, in one file");
-    }
-    const bool is_wide = keyword.back() == '%';
-    if (keyword.back() == '+') {
-      text_.wrong("the long format is not read: write the standard one");
-    }
-    while (!keyword.empty() && std::string_view("%- ").find(keyword.back()) != std::string::npos) {
-      keyword.pop_back();
-    }
-    id_ = is_wide ? kWide : 8;
-    if (keyword == "*NODE") data_ = Data::node;
-    if (keyword == "*ELEMENT_SOLID") data_ = Data::solid;
-    if (keyword == "*ELEMENT_SHELL") data_ = Data::shell;
-    if (keyword == "*ELEMENT_BEAM") data_ = Data::beam;
-    if (keyword == "*PART") data_ = Data::part;
-    if (data_ == Data::none && keyword.starts_with("*ELEMENT_")) {
-      for (const char* kind : {"*ELEMENT_SOLID_", "*ELEMENT_SHELL_", "*ELEMENT_TSHELL"}) {
-        if (keyword.starts_with(kind)) text_.wrong(keyword + " is not known");
+    if (keyword == "*NODE") {
+      data_ = Data::node;
+    } else if (keyword == "*ELEMENT_SOLID") {
+      data_ = Data::solid;
+    } else if (keyword.starts_with("*ELEMENT_SHELL")) {
+      data_ = Data::shell;
+      find_shell_lines(keyword, shell_lines_);
+    } else if (keyword == "*ELEMENT_BEAM") {
+      data_ = Data::beam;
+    } else if (keyword.starts_with("*ELEMENT_")) {
+      if (passed_over_.insert(keyword).second) {
+        mesh_.notes.push_back(keyword + " (" + mesh_.place(text_.line()) +
+                              ") is passed over: it has no solids");
       }
+    } else if (keyword == "*COMMENT") {
+      data_ = Data::comment;
+    } else if (keyword == "*PART") {
+      data_ = Data::part;
+    } else if (keyword.starts_with("*SET_")) {
+      open_set(keyword.substr(5));
     }
-    if (keyword.starts_with("*SET_")) open_set(keyword.substr(5));
   }
 
   /// rest  NODE_LIST_TITLE, SOLID_GENERATE, SEGMENT, ...
   void open_set(std::string rest) {
+    const std::string written = rest;
     const auto take_end = [&](std::string_view end) {
       if (rest.size() < end.size() || rest.substr(rest.size() - end.size()) != end) return false;
       rest.resize(rest.size() - end.size());
@@ -111,7 +113,13 @@ class DynaReader {
                                                   {"PART", Of::parts},
                                                   {"SEGMENT", Of::nodes}};
     const auto of = kOf.find(rest);
-    if (of == kOf.end()) return;  // of beams, discrete elements, boxes, ...
+    if (of == kOf.end()) {
+      // Sets of beams, boxes, ... are sets of nothing that a body has.
+      const bool is_known = kOf.count(rest.substr(0, rest.find('_'))) > 0;
+      if (is_known)
+        mesh_.unread_sets.push_back("*SET_" + written + " (" + mesh_.place(text_.line()) + ")");
+      return;
+    }
     data_ = rest == "SEGMENT" ? Data::segment : Data::set;
     kind_of_set_ = rest;
     row_ = titled ? 0 : 1;
@@ -123,9 +131,24 @@ class DynaReader {
     return row_ == 0 && (data_ == Data::part || data_ == Data::set || data_ == Data::segment);
   }
 
+  /// Keywords that are not at the head of their line would be passed over with all that they hold.
+  void require_no_keyword(std::string_view line) const {
+    if (line.front() != ' ' && line.front() != '\t') return;
+    const std::string word = upper(trimmed(line));
+    if (word.starts_with("*NODE") || word.starts_with("*ELEMENT_")) {
+      text_.wrong("a keyword stands in the first column: delete the blanks before " + word);
+    }
+  }
+
   void read_data(std::string_view line) {
+    if (lines_to_skip_ > 0) {
+      --lines_to_skip_;
+      return;
+    }
     switch (data_) {
       case Data::none:
+        return require_no_keyword(line);
+      case Data::comment:
         return;
       case Data::node:
         return read_node(line);
@@ -145,9 +168,9 @@ class DynaReader {
 
   void read_node(std::string_view line) {
     Card card(text_, line);
-    const std::int64_t id = card.integer(id_, "the number of a node");
+    const std::int64_t id = card.integer(columns_.id, "the number of a node");
     Vec3 x;
-    for (int c = 0; c < 3; ++c) x[c] = card.real(kReal, "a coordinate");
+    for (int c = 0; c < 3; ++c) x[c] = card.real(columns_.real, "a coordinate");
     mesh_.add_node(id, x, text_.line());
   }
 
@@ -161,16 +184,17 @@ class DynaReader {
   void read_solid(std::string_view line) {
     Card card(text_, line);
     if (element_.empty()) {
-      element_.push_back(card.integer(id_, "the number of an element"));
-      element_.push_back(card.integer(id_, "the part of an element"));
+      element_.push_back(card.integer(columns_.id, "the number of an element"));
+      element_.push_back(card.integer(columns_.id, "the part of an element"));
       element_line_ = text_.line();
       if (card.at_end()) return;
     }
     std::array<std::int64_t, 8> n{};
-    for (std::int64_t& each : n) each = card.maybe_integer(id_, "a node of a solid").value_or(0);
+    for (std::int64_t& each : n)
+      each = card.maybe_integer(columns_.id, "a node of a solid").value_or(0);
     if (n[4] == 0) n[4] = n[5] = n[6] = n[7] = n[3];
     // Nodes 9 and 10 are those of a tetrahedron of second order.
-    const bool higher = card.maybe_integer(id_, "a node of a solid").value_or(0) != 0;
+    const bool higher = card.maybe_integer(columns_.id, "a node of a solid").value_or(0) != 0;
     const CellKind kind = higher ? CellKind::higher3 : solid_kind(n);
     if (kind == CellKind::wedge6) n = {n[0], n[1], n[4], n[3], n[2], n[6], 0, 0};
     const auto corners = slot_of(info(kind).corners);
@@ -179,24 +203,26 @@ class DynaReader {
 
   void read_shell(std::string_view line) {
     Card card(text_, line);
-    element_ = {card.integer(id_, "the number of an element"),
-                card.integer(id_, "the part of an element")};
+    element_ = {card.integer(columns_.id, "the number of an element"),
+                card.integer(columns_.id, "the part of an element")};
     element_line_ = text_.line();
     std::array<std::int64_t, 4> n{};
-    for (std::int64_t& each : n) each = card.maybe_integer(id_, "a node of a shell").value_or(0);
-    const bool higher = card.maybe_integer(id_, "a node of a shell").value_or(0) != 0;
+    for (std::int64_t& each : n)
+      each = card.maybe_integer(columns_.id, "a node of a shell").value_or(0);
+    const bool higher = card.maybe_integer(columns_.id, "a node of a shell").value_or(0) != 0;
     const bool triangle = n[3] == 0 || n[3] == n[2];
     const CellKind kind = higher ? CellKind::higher2 : triangle ? CellKind::tri3 : CellKind::quad4;
     add_element(kind, {n.data(), slot_of(info(kind).corners)});
+    lines_to_skip_ = shell_lines_.always + (higher ? shell_lines_.higher : 0);
   }
 
   void read_beam(std::string_view line) {
     Card card(text_, line);
-    element_ = {card.integer(id_, "the number of an element"),
-                card.integer(id_, "the part of an element")};
+    element_ = {card.integer(columns_.id, "the number of an element"),
+                card.integer(columns_.id, "the part of an element")};
     element_line_ = text_.line();
-    const std::array<std::int64_t, 2> n = {card.integer(id_, "a node of a beam"),
-                                           card.integer(id_, "a node of a beam")};
+    const std::array<std::int64_t, 2> n = {card.integer(columns_.id, "a node of a beam"),
+                                           card.integer(columns_.id, "a node of a beam")};
     add_element(CellKind::line2, n);
   }
 
@@ -213,7 +239,7 @@ class DynaReader {
       return;
     }
     Card card(text_, line);
-    title_of_[card.integer(kWide, "the number of a part")] = title_;
+    title_of_[card.integer(columns_.wide, "the number of a part")] = title_;
     row_ = 0;
   }
 
@@ -228,7 +254,7 @@ class DynaReader {
     }
     Card card(text_, line);
     if (row_ == 1) {
-      const std::int64_t id = card.integer(kWide, "the number of a set");
+      const std::int64_t id = card.integer(columns_.wide, "the number of a set");
       if (set.name.empty()) {
         set.name = "set_" + kind_of_set_ + " " + std::to_string(id);
         for (char& c : set.name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -238,9 +264,9 @@ class DynaReader {
     }
     const int most = data_ == Data::segment ? 4 : 8;
     for (int i = 0; i < most && !card.at_end(); i += has_ranges_ ? 2 : 1) {
-      const std::int64_t id = card.maybe_integer(kWide, "an entry of a set").value_or(0);
+      const std::int64_t id = card.maybe_integer(columns_.wide, "an entry of a set").value_or(0);
       if (has_ranges_) {
-        const std::int64_t to = card.maybe_integer(kWide, "the end of a range").value_or(0);
+        const std::int64_t to = card.maybe_integer(columns_.wide, "the end of a range").value_or(0);
         if (id != 0) set.ranges.push_back({id, to});
       } else if (id != 0) {
         set.ids.push_back(id);
@@ -319,7 +345,11 @@ class DynaReader {
   MeshFile mesh_;
   Data data_ = Data::none;
   bool ended_ = false, has_ranges_ = false;
-  std::size_t id_ = 8;                 // columns of a number of nodes and elements
+  DynaColumns columns_of_file_;
+  DynaColumns columns_;                // of the keyword that is read
+  ShellLines shell_lines_;             // of the shells that are read
+  int lines_to_skip_ = 0;              // that go on with the element read last
+  std::set<std::string> passed_over_;  // keywords of elements without solids
   int row_ = 0;                        // of what a keyword holds, its title counted
   std::string kind_of_set_;            // NODE, SOLID, ...
   std::string title_;                  // of the part whose number comes next

@@ -10,7 +10,7 @@
 namespace brunt {
 
 namespace {
-constexpr std::array<CellKindInfo, 11> kCellKinds = {{{"points", 0, 1},
+constexpr std::array<CellKindInfo, 12> kCellKinds = {{{"points", 0, 1},
                                                       {"lines (beams)", 1, 2},
                                                       {"lines of higher order", 1, 0},
                                                       {"triangles", 2, 3},
@@ -20,13 +20,12 @@ constexpr std::array<CellKindInfo, 11> kCellKinds = {{{"points", 0, 1},
                                                       {"pyramids", 3, 5},
                                                       {"wedges", 3, 6},
                                                       {"hexahedra", 3, 8},
-                                                      {"solids of higher order", 3, 0}}};
+                                                      {"solids of higher order", 3, 0},
+                                                      {"elements of no known kind", 3, 0}}};
 
-std::string named(const char* what, std::int64_t id, const std::string& path, int line) {
-  std::string text = std::string(what) + " " + std::to_string(id);
-  if (line == 0) return text;
-  return text + " (" + std::filesystem::path(path).filename().string() + ":" +
-         std::to_string(line) + ")";
+std::string named(const char* what, std::int64_t id, const MeshFile& mesh, int line) {
+  const std::string text = std::string(what) + " " + std::to_string(id);
+  return line == 0 ? text : text + " (" + mesh.place(line) + ")";
 }
 }  // namespace
 
@@ -63,12 +62,23 @@ const MeshSet* MeshFile::find(const std::string& name) const {
   return nullptr;
 }
 
+std::string MeshFile::place(int line) const {
+  return std::filesystem::path(path).filename().string() + ":" + std::to_string(line);
+}
+
 std::string MeshFile::cell_name(std::size_t cell) const {
-  return named("element", cell_id[cell], path, cell_line.empty() ? 0 : cell_line[cell]);
+  std::string name =
+      named("element", cell_id[cell], *this, cell_line.empty() ? 0 : cell_line[cell]);
+  if (kind[cell] != CellKind::other) return name;
+  std::string type;
+  for (const auto& [from, of] : other_types) {
+    if (from <= cell) type = of;
+  }
+  return name + " of TYPE=" + type;
 }
 
 std::string MeshFile::node_name(std::size_t node) const {
-  return named("node", node_id[node], path, node_line.empty() ? 0 : node_line[node]);
+  return named("node", node_id[node], *this, node_line.empty() ? 0 : node_line[node]);
 }
 
 void MeshFile::resolve_corners() {
@@ -150,7 +160,11 @@ std::string set_list(const MeshFile& mesh) {
   if (mesh.sets.size() > kMost) {
     text += " and " + std::to_string(mesh.sets.size() - kMost) + " more";
   }
-  return text.empty() ? "none" : text;
+  if (text.empty()) text = "none";
+  for (std::size_t s = 0; s < std::min(kMost, mesh.unread_sets.size()); ++s) {
+    text += (s == 0 ? "; not read: " : ", ") + mesh.unread_sets[s];
+  }
+  return text;
 }
 
 }  // namespace brunt

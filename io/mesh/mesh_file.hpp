@@ -10,7 +10,8 @@
 namespace brunt {
 
 /// What a cell of a mesh file is. Corners are numbered as in Quad4, Hex8 and Tet4; of the `higher`
-/// kinds (of more nodes than corners, by dimension) none are kept.
+/// kinds (of more nodes than corners, by dimension) none are kept, nor of `other`: elements of a
+/// type that no kind stands for, which no body takes.
 enum class CellKind : std::uint8_t {
   point1,
   line2,
@@ -22,7 +23,8 @@ enum class CellKind : std::uint8_t {
   pyramid5,
   wedge6,
   hex8,
-  higher3
+  higher3,
+  other
 };
 struct CellKindInfo {
   const char* name;  ///< in messages, plural
@@ -53,6 +55,10 @@ struct MeshFile {
   std::vector<int> corner;            ///< nodes
 
   std::vector<MeshSet> sets;
+  /// The file's names of types that are `other`, by the first cell of each, ascending.
+  std::vector<std::pair<std::size_t, std::string>> other_types;
+  std::vector<std::string> notes;        ///< of elements that were passed over
+  std::vector<std::string> unread_sets;  ///< keywords of sets that are not among `sets`, with lines
 
   std::size_t n_cells() const { return kind.size(); }
   std::span<const int> corners(std::size_t cell) const {
@@ -65,9 +71,12 @@ struct MeshFile {
   /// The set of a name; a new one where there is none.
   MeshSet& set(const std::string& name);
   const MeshSet* find(const std::string& name) const;
-  /// "element 7 (part.msh:120)", "node 5".
+  /// "element 7 (part.msh:120)", "node 5"; of `other`: "element 7 (part.inp:12) of TYPE=COH3D8".
   std::string cell_name(std::size_t cell) const;
   std::string node_name(std::size_t node) const;
+
+  /// "part.msh:120", of a line of the file.
+  std::string place(int line) const;
 
   /// Turns ids of corners into indices, when all nodes and cells are there. Throws
   /// std::runtime_error where two nodes have one id, a cell has a node that the file has not, or a
@@ -97,7 +106,7 @@ class IdTable {
 };
 
 /// The named sets of a file with what they hold, for messages: "'wall' (80 hexahedra), 'foot' (9
-/// nodes)"; at most a dozen.
+/// nodes)"; at most a dozen. Those that were not read follow by their keywords.
 std::string set_list(const MeshFile& mesh);
 
 }  // namespace brunt
