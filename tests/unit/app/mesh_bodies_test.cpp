@@ -97,6 +97,22 @@ TEST(MeshBodies, RefuseWhatNoElementIsMadeOf) {
   expect_refused(body_of(block_file(1), "blok"), {"'blok'", "did you mean 'block'", "'foot' (1"});
 }
 
+// A type that no kind stands for may be a solid: it is refused, unless a part leaves it out.
+TEST(MeshBodies, RefuseElementsOfNoKnownKind) {
+  const std::string text =
+      with(test::abaqus_text(BlockMesh(1)), "*Material",
+           "*Element, type=COH3D8, elset=glue\n9, 7, 17, 27, 37, 7, 17, 27, 37\n"
+           "*Element, type=MASS, elset=points\n10, 7\n*Material");
+  const std::string path = write_file("glue.inp", text);
+  expect_refused(body_of(path), {"glue.inp has elements of no known kind, as element 9 (",
+                                 "of TYPE=COH3D8", "take a `part` without them"});
+  expect_refused<2>(body_of(path), {"elements of no known kind"});
+  expect_refused(body_of(path, "glue"), {"'glue' of ", "elements of no known kind"});
+  expect_refused(body_of(path, "points"), {"points: beams and points are not in this version"});
+  std::vector<Label> piece;
+  EXPECT_EQ(taken(body_of(path, "block"), piece).elements.size(), 1u);
+}
+
 TEST(MeshBodies, NameWhatIsWrongWithElements) {
   expect_refused(written(file_of(kFirst + "2 5 2 1 1 2 9 10 3 6 11 7 7\n", 2)),
                  {"degenerate", "element 2 (", "small.msh:23"});
