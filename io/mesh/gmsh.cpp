@@ -48,7 +48,11 @@ class GmshReader {
   explicit GmshReader(const std::string& path) : text_(path) { mesh_.path = path; }
 
   MeshFile read() {
-    if (!text_.skip_to_line("$MeshFormat")) text_.wrong("there is no $MeshFormat: no file of Gmsh");
+    if (!text_.skip_to_line("$MeshFormat")) {
+      text_.wrong(
+          "there is no $MeshFormat: no file of Gmsh, or one of format 1 (Gmsh: "
+          "Mesh.MshFileVersion = 4.1)");
+    }
     read_format();
     while (!text_.at_end()) {
       const std::string_view section = text_.word();
@@ -89,6 +93,10 @@ class GmshReader {
   }
 
   void read_section(const std::string& name) {
+    // Elements of a partition belong to entities of its own, which physical groups do not name.
+    if (name == "PartitionedEntities") {
+      text_.wrong("the mesh is cut into partitions: write it whole (Gmsh: Mesh, Unpartition)");
+    }
     if (name == "PhysicalNames") read_names();
     if (name == "Entities" && is_new_) read_entities();
     if (name == "Nodes") is_new_ ? read_nodes() : read_old_nodes();

@@ -140,7 +140,10 @@ class VtuGrid {
     const std::string name = "cell " + std::to_string(c);
     const int type = type_value >= 0 && type_value < 256 ? static_cast<int>(type_value) : -1;
     const auto kind = vtu_kind(type);
-    if (!kind) wrong(name + " is of VTK's type " + std::to_string(type) + ", which is not known");
+    if (!kind) {
+      wrong(name + " is of VTK's type " + std::to_string(type) +
+            ", which is not known: write hexahedra or tetrahedra");
+    }
     const auto corners = slot_of(info(*kind).corners);
     if (corners > 0 && points.size() != corners) {
       wrong(name + " has " + std::to_string(points.size()) + " corners, and its type " +

@@ -66,6 +66,9 @@ TEST(Gmsh, NamesWhatIsWrongWithFileAndLine) {
   expect_refused(&read_gmsh, "i.msh", with(old, "\n8\n", "\n99999999999\n"), {"bytes are left"});
   expect_refused(&read_gmsh, "j.msh", with(old, "\n77 1", "\n77 1e999"), {"node 77", "no number"});
   expect_refused(&read_gmsh, "k.msh", text.substr(0, text.size() / 2), {"k.msh:"});
+  expect_refused(&read_gmsh, "m.msh", with(text, "$Nodes", "$PartitionedEntities\n1\n$Nodes"),
+                 {"m.msh:", "partitions", "Unpartition"});
+  expect_refused(&read_gmsh, "n.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n", {"format 1", "4.1"});
   expect_refused(&read_gmsh, "there_is_none/l.msh", "", {"there is no such file"});
 }
 
