@@ -34,8 +34,9 @@ class AbaqusReader {
     mesh_.resolve_corners();
     sets_.resolve(mesh_);
     for (const auto& [type, what] : without_solids_) {
-      mesh_.notes.push_back(std::to_string(what.count) + " elements of TYPE=" + type + " (" +
-                            mesh_.place(what.line) + ") are passed over: they have no solids");
+      mesh_.notes.push_back("elements of TYPE=" + type + " (" + mesh_.place(what.line) + "), " +
+                            std::to_string(what.count) +
+                            " in all, are passed over: they have no solids");
     }
     return std::move(mesh_);
   }

@@ -34,10 +34,15 @@ const AbaqusSet& find(const MeshFile& mesh, const Members& members, const Abaqus
   std::vector<std::string> names;
   for (const auto& [key, set] : members.sets) names.push_back(set.name);
   const std::string near = nearest_word(use.set.text, names);
+  std::string instead = "write that set too, or take its name out";
+  if (members.elements && members.elements->sets.count(use.set.key) > 0) {
+    instead = "its nodes are had by *NSET, NSET=" + user + ", ELSET=" + use.set.text;
+  } else if (!near.empty()) {
+    instead = "did you mean '" + near + "'? Else " + instead;
+  }
   refuse(mesh, use.line,
          "'" + user + "' takes '" + use.set.text + "', and there is no " + members.keyword +
-             " of that name in the file" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
-             " Write that set too, or take its name out");
+             " of that name in the file: " + instead);
 }
 
 void add_corners(const MeshFile& mesh, int cell, std::vector<int>& nodes) {

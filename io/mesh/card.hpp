@@ -26,8 +26,9 @@ inline std::string upper(std::string_view text) {
 class Card {
  public:
   /// text  for its messages
-  Card(const MeshText& text, std::string_view line)
-      : text_(text), rest_(line), commas_(line.find(',') != std::string_view::npos) {}
+  /// hint  behind them
+  Card(const MeshText& text, std::string_view line, const char* hint = "")
+      : text_(text), rest_(line), commas_(line.find(',') != std::string_view::npos), hint_(hint) {}
 
   /// True where nothing but blanks is left.
   bool at_end() const { return trimmed(rest_).empty(); }
@@ -73,12 +74,13 @@ class Card {
  private:
   [[noreturn]] void refuse(std::string_view taken, const char* what) const {
     text_.wrong(std::string("expects ") + what + ", got '" + std::string(taken.substr(0, 40)) +
-                "'");
+                "'" + hint_);
   }
 
   const MeshText& text_;
   std::string_view rest_;
   bool commas_;
+  const char* hint_;
 };
 
 }  // namespace brunt

@@ -167,7 +167,7 @@ class DynaReader {
   }
 
   void read_node(std::string_view line) {
-    Card card(text_, line);
+    Card card(text_, line, columns_.hint);
     const std::int64_t id = card.integer(columns_.id, "the number of a node");
     Vec3 x;
     for (int c = 0; c < 3; ++c) x[c] = card.real(columns_.real, "a coordinate");
@@ -182,7 +182,7 @@ class DynaReader {
 
   /// A solid stands in one line, or its number and part in one and its nodes in the next.
   void read_solid(std::string_view line) {
-    Card card(text_, line);
+    Card card(text_, line, columns_.hint);
     if (element_.empty()) {
       element_.push_back(card.integer(columns_.id, "the number of an element"));
       element_.push_back(card.integer(columns_.id, "the part of an element"));
@@ -202,7 +202,7 @@ class DynaReader {
   }
 
   void read_shell(std::string_view line) {
-    Card card(text_, line);
+    Card card(text_, line, columns_.hint);
     element_ = {card.integer(columns_.id, "the number of an element"),
                 card.integer(columns_.id, "the part of an element")};
     element_line_ = text_.line();
@@ -217,7 +217,7 @@ class DynaReader {
   }
 
   void read_beam(std::string_view line) {
-    Card card(text_, line);
+    Card card(text_, line, columns_.hint);
     element_ = {card.integer(columns_.id, "the number of an element"),
                 card.integer(columns_.id, "the part of an element")};
     element_line_ = text_.line();
@@ -238,7 +238,7 @@ class DynaReader {
       title_ = trimmed(line);
       return;
     }
-    Card card(text_, line);
+    Card card(text_, line, columns_.hint);
     title_of_[card.integer(columns_.wide, "the number of a part")] = title_;
     row_ = 0;
   }
@@ -252,7 +252,7 @@ class DynaReader {
       ++row_;
       return;
     }
-    Card card(text_, line);
+    Card card(text_, line, columns_.hint);
     if (row_ == 1) {
       const std::int64_t id = card.integer(columns_.wide, "the number of a set");
       if (set.name.empty()) {

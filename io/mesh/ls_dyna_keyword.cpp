@@ -7,7 +7,9 @@
 namespace brunt {
 
 namespace {
-constexpr DynaColumns kStandard{8, 16, 10}, kI10{10, 16, 10}, kLong{20, 20, 20};
+constexpr DynaColumns kStandard{8, 16, 10, ""},
+    kI10{10, 16, 10, ": the format I10 (I10=Y or %) has numbers of 10 columns"},
+    kLong{20, 20, 20, ": the long format (LONG=Y or +) has numbers of 20 columns"};
 
 /// The columns that a letter behind a keyword asks for; null: it is no such letter.
 const DynaColumns* columns_by(char letter) {

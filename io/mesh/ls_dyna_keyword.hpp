@@ -9,6 +9,7 @@ namespace brunt {
 /// Columns of the numbers of a card: nodes and elements, coordinates, all others.
 struct DynaColumns {
   std::size_t id = 8, real = 16, wide = 10;
+  const char* hint = "";  ///< behind messages that a number is none: which columns are read
 };
 
 /// "*NODE %", "*ELEMENT_SOLID (ten nodes format)": its name and its columns.

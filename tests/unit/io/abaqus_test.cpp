@@ -119,13 +119,20 @@ TEST(Abaqus, TakesNamesInQuotes) {
 TEST(Abaqus, RefusesSetsThatAreNowhere) {
   const auto read = &read_abaqus;
   expect_refused(read, "a.inp", cube("*ELSET, ELSET=both\n1, MISSING\n"),
-                 {"a.inp:13: 'both' takes 'MISSING', and there is no *ELSET", "Write that set"});
+                 {"a.inp:13: 'both' takes 'MISSING', and there is no *ELSET",
+                  "name in the file: write that set"});
   expect_refused(read, "b.inp", cube("*NSET, NSET=plates\n1\n*NSET, NSET=n\n2\nplate, 3\n"),
                  {"b.inp:16: 'n' takes 'plate'", "no *NSET", "did you mean 'plates'?"});
   expect_refused(read, "c.inp", cube("*NSET, NSET=n, ELSET=F\n"), {"c.inp:12", "'F'", "no *ELSET"});
   expect_refused(read, "d.inp", cube("*SURFACE, NAME=s\nF, S1\n"),
                  {"d.inp:13", "'F'", "no *ELSET"});
   expect_refused(read, "e.inp", cube("*SURFACE, NAME=s, TYPE=NODE\nF\n"), {"e.inp:13", "no *NSET"});
+}
+
+// A set of nodes takes nodes of elements by a parameter, not among its members.
+TEST(Abaqus, SaysHowASetOfNodesTakesElements) {
+  expect_refused(&read_abaqus, "g.inp", cube("*NSET, NSET=G\nE\n"),
+                 {"g.inp:13: 'G' takes 'E'", "no *NSET", "*NSET, NSET=G, ELSET=E"});
 }
 
 TEST(Abaqus, ReadsSidesOfSurfacesOrRefusesThem) {
@@ -228,10 +235,12 @@ TEST(Abaqus, ReadsElementsWithoutSolids) {
       "*ELEMENT, TYPE=COH3D8, ELSET=glue\n8, 1, 2, 3, 4, 5,\n6, 7, 8\n9, 1, 2, 3, 4, 5, 6, 7, 8\n");
   EXPECT_EQ(set_list(mesh),
             "'E' (1 hexahedra), 'glue' (2 elements of no known kind), 'm' (3 points)");
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"2 elements of TYPE=CONN3D2 (" + mesh.place(18) +
-                                                      ") are passed over: they have no solids",
-                                                  "4 elements of TYPE=MASS (" + mesh.place(12) +
-                                                      ") are passed over: they have no solids"}));
+  const auto note = [&](const char* type, int line, const char* count) {
+    return std::string("elements of TYPE=") + type + " (" + mesh.place(line) + "), " + count +
+           " in all, are passed over: they have no solids";
+  };
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{note("CONN3D2", 18, "2"), note("MASS", 12, "4")}));
   EXPECT_EQ(mesh.cell_name(8), "element 9 (" + mesh.place(26) + ") of TYPE=COH3D8");
 }
 
@@ -242,10 +251,20 @@ TEST(Abaqus, SetsThatHoldEachOtherEnd) {
 }
 
 TEST(Abaqus, ReadsOrRefusesEveryMutation) {
-  test::mutate("m.inp", test::abaqus_text(BlockMesh(2)), [](const std::string& path) {
-    const MeshFile mesh = read_abaqus(path);
-    for (const int node : mesh.corner) ASSERT_LT(static_cast<std::size_t>(node), mesh.nodes.size());
-  });
+  const std::string more =
+      "*ELEMENT, TYPE=COH3D8, ELSET=glue\n8, 1, 2, 3, 4, 5,\n6, 7, 8\n*ELEMENT, TYPE=MASS\n9, 1\n"
+      "*NODE, SYSTEM=C\n10, 1, 2, 3\n*ELSET, ELSET=\"a, b\"\n1\n*END PART\n*ASSEMBLY\n"
+      "*INSTANCE, NAME=P-1\n*END INSTANCE\n*NSET, NSET=e\n7, P-1.8\n*ELSET, ELSET=e\nP-1.E, \"a\n"
+      "*NSET, NSET=n, ELSET=P-1.E\n*SURFACE, NAME=e\nP-1.E, S1\ne, S2\n1, S3\n";
+  for (const std::string& text : {test::abaqus_text(BlockMesh(2)), "*PART\n" + cube(more)}) {
+    test::mutate("m.inp", text, [](const std::string& path) {
+      const MeshFile mesh = read_abaqus(path);
+      for (const int node : mesh.corner) {
+        ASSERT_LT(static_cast<std::size_t>(node), mesh.nodes.size());
+      }
+      for (std::size_t cell = 0; cell < mesh.n_cells(); ++cell) mesh.cell_name(cell);
+    });
+  }
 }
 
 }  // namespace

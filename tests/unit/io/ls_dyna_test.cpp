@@ -188,6 +188,14 @@ TEST(LsDyna, NamesWhatIsWrongWithFileAndLine) {
   expect_refused(read, "i.k", cut + "*PART\nsteel\n1\n", {"element 2 has no line of nodes"});
 }
 
+TEST(LsDyna, SaysWhichColumnsItReads) {
+  const std::string text = test::dyna_text(BlockMesh(1));
+  expect_refused(&read_ls_dyna, "long.k", with(text, "*KEYWORD", "*KEYWORD LONG=Y"),
+                 {"long.k:6: expects the number of a part", "the long format (LONG=Y or +) has"});
+  expect_refused(&read_ls_dyna, "i10.k", with(text, "*KEYWORD", "*KEYWORD I10=Y"),
+                 {"the format I10 (I10=Y or %) has numbers of 10 columns"});
+}
+
 // Each makes, moves or changes nodes or elements.
 TEST(LsDyna, RefusesKeywordsOfGeometryByTheirNames) {
   const std::string text = test::dyna_text(BlockMesh(1));
@@ -209,10 +217,19 @@ TEST(LsDyna, RefusesKeywordsOfGeometryByTheirNames) {
 }
 
 TEST(LsDyna, ReadsOrRefusesEveryMutation) {
-  test::mutate("m.k", test::dyna_text(BlockMesh(2)), [](const std::string& path) {
-    const MeshFile mesh = read_ls_dyna(path);
-    for (const int node : mesh.corner) ASSERT_LT(static_cast<std::size_t>(node), mesh.nodes.size());
-  });
+  const std::string more = kNodes +
+                           "*ELEMENT_SOLID (ten nodes format)\n1,1\n1,2,3,4,5,6,7,8,0,0\n"
+                           "*ELEMENT_SHELL_THICKNESS_OFFSET\n2,1,1,2,3,4,5,6,7,8\n\n\n\n"
+                           "*ELEMENT_MASS\n1,2,0.5\n*SET_NODE_ADD\n3\n1\n*ELEMENT_BEAM +\n" +
+                           columns(20, {"5", "3", "1", "2"});
+  for (const std::string& text : {test::dyna_text(BlockMesh(2)), more}) {
+    test::mutate("m.k", text, [](const std::string& path) {
+      const MeshFile mesh = read_ls_dyna(path);
+      for (const int node : mesh.corner) {
+        ASSERT_LT(static_cast<std::size_t>(node), mesh.nodes.size());
+      }
+    });
+  }
 }
 
 }  // namespace
