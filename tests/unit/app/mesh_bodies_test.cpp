@@ -1,6 +1,10 @@
 // Bodies from mesh files: what is taken, and what is refused with the element's name and a way out.
 #include "app/setup/mesh_bodies.hpp"
 
+#include <algorithm>
+
+#include "app/deck/loader.hpp"
+#include "app/setup/scene_builder.hpp"
 #include "io/mesh/catalog.hpp"
 #include "tests/support/mesh_files.hpp"
 
@@ -111,6 +115,23 @@ TEST(MeshBodies, RefuseElementsOfNoKnownKind) {
   expect_refused(body_of(path, "points"), {"points: beams and points are not in this version"});
   std::vector<Label> piece;
   EXPECT_EQ(taken(body_of(path, "block"), piece).elements.size(), 1u);
+}
+
+// A part says what it takes; of the whole file it is said what is not taken.
+TEST(MeshBodies, SayWhatOfTheWholeFileIsPassedOver) {
+  const std::string path = write_file("mass.inp", with(test::abaqus_text(BlockMesh(1)), "*Material",
+                                                       "*Element, type=MASS\n10, 7\n*Material"));
+  for (const std::string part : {"", ", part: block"}) {
+    const auto scene = build_scene<3>(load_deck_text(
+        "time: {end: 1 us}\nmaterials: {s: {density: 7850, elastic: {E: 200 GPa, nu: 0.3}}}\n"
+        "bodies: {a: {material: s, scale: 1 mm, file: " +
+            path + part + "}}\n",
+        "deck"));
+    const auto told = std::count_if(scene->notes.begin(), scene->notes.end(), [](const auto& note) {
+      return note.find("a: elements of TYPE=MASS (") == 0;
+    });
+    EXPECT_EQ(told, part.empty() ? 1 : 0);
+  }
 }
 
 TEST(MeshBodies, NameWhatIsWrongWithElements) {
