@@ -224,6 +224,20 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
   return nullptr;
 }
 
+/// True where two faces come from behind: they are left alone until they have opened.
+template <int Dim>
+bool leave_alone(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                 const Planes<Dim>& planes, int n, const Section& section, Real dt,
+                 FirstTouch& touch, typename Records<Dim>::Part& part) {
+  const auto* plane = from_behind(entities, candidate, planes, n, section, dt);
+  if (plane == nullptr) return false;
+  touch.overlap = deepest_of<Dim>(planes, n);
+  // An overlap that came in over borders is held by the faces beside it.
+  if (plane->fade > 0.5)
+    note_lost(entities, candidate, *plane, kFromBehind, plane->penetration, part);
+  return true;
+}
+
 template <int Dim>
 bool any_born(const Entities<Dim>& entities, const FaceCandidate& candidate) {
   if (!entities.any_born) return false;
@@ -302,14 +316,9 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
                 : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
     const bool held = touch.held;
     touch.held = false;
-    if (!touch.matters() && !held) {
-      if (const auto* plane = from_behind(entities, candidate, planes, n, section, step.dt)) {
-        touch.overlap = deepest_of<Dim>(planes, n);
-        // An overlap that came in over borders is held by the faces beside it.
-        if (plane->fade > 0.5)
-          note_lost(entities, candidate, *plane, kFromBehind, plane->penetration, part);
-        n = 0;  // of all planes, or a repeated evaluation would find others than this one
-      }
+    const bool new_here = !touch.matters() && !held;
+    if (new_here && leave_alone(entities, candidate, planes, n, section, step.dt, touch, part)) {
+      n = 0;  // of all planes, or a repeated evaluation would find others than this one
     }
     if (n == 0 && !step.touches.time_zero) {
       limit_by_turning<Dim>(entities, candidate, section, touch.overlap, step, part.step_limit);

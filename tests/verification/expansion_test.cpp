@@ -155,9 +155,15 @@ heat: conduct
 time: {end: 20 us, max_step: 20 ns}
 materials:
   m:
-    {density: 2700 kg/m^3, elastic: {E: 70 GPa, nu: 0.3}, thermal: {cp: 900, k: 200, expansion: 2e-5 1/K}}
+    density: 2700 kg/m^3
+    elastic: {E: 70 GPa, nu: 0.3}
+    thermal: {cp: 900, k: 200, expansion: 2e-5 1/K}
 bodies:
-  a: {material: m, shape: {box: {min: [0, 0], max: [10 mm, 10 mm]}}, size: 1 mm, stress: {xx: -10 MPa}}
+  a:
+    material: m
+    shape: {box: {min: [0, 0], max: [10 mm, 10 mm]}}
+    size: 1 mm
+    stress: {xx: -10 MPa}
 boundaries:
   hot: {body: a, where: all, temperature: {table: [[0, 298 K], [10 us, 318 K]], over: time}}
   held: {body: a, where: all, fix: [x, y]}

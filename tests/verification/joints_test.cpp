@@ -274,7 +274,10 @@ bodies:
 boundaries:
   hold: {body: below, where: all, fix: [x, y]}
   drive: {body: above, where: all, velocity: ["= 0.1*min(1, t/0.2e-3)", free]}
-  load: {body: above, where: {side: max-y}, pressure: {table: [[0, 0], [0.1 ms, 10 MPa]], over: time}}
+  load:
+    body: above
+    where: {side: max-y}
+    pressure: {table: [[0, 0], [0.1 ms, 10 MPa]], over: time}
 damping: {rate: 2e4 1/s}
 contact:
   pairs:

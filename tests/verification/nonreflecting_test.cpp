@@ -82,7 +82,10 @@ materials:
   rock: {density: 2700 kg/m^3, elastic: {E: 20 GPa, nu: 0}}
 bodies:
   column:
-    {material: rock, shape: {box: {min: [0, 0], max: [0.2 m, 1 m]}}, size: 0.1 m, stress: {yy: -5 MPa}}
+    material: rock
+    shape: {box: {min: [0, 0], max: [0.2 m, 1 m]}}
+    size: 0.1 m
+    stress: {yy: -5 MPa}
 boundaries:
   open: {body: column, where: {side: max-x}, nonreflecting: true}
   held: {body: column, where: {side: min-y}, fix: [y]}
