@@ -23,6 +23,9 @@ class LinearEquation final : public EquationOfState {
   void isentropic_heating(const MaterialTile& tile, Real, Real* logarithm) const override {
     std::fill_n(logarithm, tile.count, 0.0);  // it has no energy, and no gamma
   }
+  void held_ratio(Real, const Real* ratio, const Real*, int count, Real* held) const override {
+    std::copy_n(ratio, count, held);
+  }
   Real bulk_modulus() const override { return bulk_; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/materials/compression_heat.hpp"
 #include "core/materials/damage.hpp"
 #include "core/materials/tile_rows.hpp"
 #include "core/simd_math.hpp"
@@ -137,6 +138,8 @@ void Material::update(MaterialTile& tile, Real dt) const {
 }
 
 void Material::update_unexpanded(MaterialTile& tile, Real dt) const {
+  BeforeHeating before_heating;
+  if (!tile.state->compression_heat.empty()) keep_before_heating(tile, before_heating);
   if (damage == nullptr) {
     find_stress(tile, dt, nullptr);
   } else {
@@ -145,7 +148,7 @@ void Material::update_unexpanded(MaterialTile& tile, Real dt) const {
     find_stress(tile, dt, &before);
     damage->end(tile, before);
   }
-  if (!tile.state->compression_heat.empty()) add_compression_heat(tile);
+  if (!tile.state->compression_heat.empty()) add_compression_heat(tile, before_heating);
 }
 
 void Material::find_stress(MaterialTile& tile, Real dt, const BeforeDamage* before) const {
@@ -214,34 +217,6 @@ void Material::find_stress_after_pressure(MaterialTile& tile, Real dt,
   }
   if (tensile_cutoff < kInfinity) cut_off(tile, tensile_cutoff);
   given.show(tile);
-}
-
-void Material::add_compression_heat(MaterialTile& tile) const {
-  MaterialState& state = *tile.state;
-  alignas(32) Real logarithm[kTile];
-  eos->isentropic_heating(tile, tensile_cutoff, logarithm);
-  const bool varies = specific_heat.varies();
-  const Real capacity = varies ? 1.0 : density * specific_heat.at(0);  // [J/m^3/K reference]
-  for (int i = 0; i < tile.count; i += kLanes) {
-    const std::size_t at = tile.first + slot_of(i);
-    const Pack T = load(state.temperature.data() + at), viscous = load(tile.viscous_work + i);
-    const Pack half = vexp(0.5 * load(logarithm + i));
-    Pack heated = (half * T + (1.0 / capacity) * viscous) * half;
-    Pack heat = capacity * (heated - T);
-    for (std::size_t lane = 0; varies && lane < kLanes; ++lane) {
-      Real middle = half[lane] * T[lane];
-      if (viscous[lane] != 0) {
-        middle =
-            specific_heat.temperature(specific_heat.enthalpy(middle) + viscous[lane] / density);
-      }
-      heated[lane] = middle * half[lane];
-      heat[lane] =
-          density * (specific_heat.enthalpy(heated[lane]) - specific_heat.enthalpy(T[lane]));
-    }
-    Real* sum = state.compression_heat.data() + at;
-    store(sum, load(sum) + heat);
-    if (tile.adiabatic) store(state.temperature.data() + at, heated);
-  }
 }
 
 }  // namespace brunt

@@ -113,9 +113,14 @@ class EquationOfState {
   /// with an energy, after the cut-off. cutoff [Pa] of the tension: what opens there expands
   /// nothing.
   virtual void isentropic_heating(const MaterialTile&, Real cutoff, Real* logarithm) const = 0;
+  /// Writes V/V0 at which points bear a tension [Pa] at their energy [J/m^3 reference], where they
+  /// would pull by more, and else their own; asked only of laws with an energy.
+  virtual void held_ratio(Real tension, const Real* ratio, const Real* energy, int count,
+                          Real* held) const = 0;
 };
 
 struct BeforeDamage;
+struct BeforeHeating;
 
 /// How a material fails: around what an intact one does with a tile.
 class Damage {
@@ -183,7 +188,14 @@ struct Material {
   /// of the compression instead of in its middle, aluminium at 2000 m/s was 5 % too cold. Plastic
   /// heat the strength has added before.
   ///   McQueen et al., in Kinslow (ed.), High-Velocity Impact Phenomena, 1970, ch. VII
-  void add_compression_heat(MaterialTile& tile) const;
+  void add_compression_heat(MaterialTile& tile, const BeforeHeating& before) const;
+  void keep_before_heating(const MaterialTile& tile, BeforeHeating& before) const;
+  /// ln(T_new/T_old) at constant entropy of the volumes that bear pressure: what has opened expands
+  /// nothing. docs/theory/materials.md (M48)
+  void find_isentropic_heating(MaterialTile& tile, const BeforeHeating& before,
+                               Real* logarithm) const;
+  /// ratio  V/V0 of points, and then of what of them bears pressure; lost  their damage
+  void find_bearing_ratio(const Real* energy, const Real* lost, int count, Real* ratio) const;
 };
 
 }  // namespace brunt

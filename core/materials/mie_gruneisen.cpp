@@ -1,5 +1,9 @@
 #include "core/materials/mie_gruneisen.hpp"
 
+#include <utility>
+
+#include "core/materials/compression_heat.hpp"
+
 namespace brunt {
 
 namespace {
@@ -48,6 +52,17 @@ void MieGruneisenEquation::isentropic_heating(const MaterialTile& tile, Real cut
       now = select(opens, vmin(now, loosest), now);
     }
     store(logarithm + i, law_.gamma0 * (before - now));
+  }
+}
+
+void MieGruneisenEquation::held_ratio(Real tension, const Real* ratio, const Real* energy,
+                                      int count, Real* held) const {
+  for (int i = 0; i < count; i += kLanes) {
+    const Pack thermal = law_.gamma0 * load(energy + i);
+    store(held + i, held_ratio_of(load(ratio + i), tension, [&](Pack at) {
+            const ColdPressure<Pack> cold = cold_pressure(at);
+            return std::pair{cold.pressure + thermal, cold.slope};
+          }));
   }
 }
 

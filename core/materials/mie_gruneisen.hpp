@@ -48,6 +48,8 @@ class MieGruneisenEquation final : public EquationOfState {
   /// gamma0 (eta_new - eta_old), eta held as in p_cold, and at the cut-off where V/V0 has reached
   /// what p = -cutoff has at this energy.
   void isentropic_heating(const MaterialTile& tile, Real cutoff, Real* logarithm) const override;
+  void held_ratio(Real tension, const Real* ratio, const Real* energy, int count,
+                  Real* held) const override;
 
   /// Pressure at V/V0 and E = 0.
   template <class V>

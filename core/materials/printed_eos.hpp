@@ -2,7 +2,9 @@
 /// Equations of state that are no more than their printed formula: pressure, energy, stiffness and
 /// heating follow from it, slopes by dual numbers. docs/theory/materials.md (M25) to (M28)
 #include <concepts>
+#include <utility>
 
+#include "core/materials/compression_heat.hpp"
 #include "core/materials/dual.hpp"
 #include "core/materials/material.hpp"
 
@@ -85,6 +87,17 @@ class PrintedEquation final : public EquationOfState {
       const Pack heating = gamma * vlog(old / now);
       const auto opens = load(tile.state->pressure.data() + at) <= broadcast<Pack>(-cutoff);
       store(logarithm + i, select(opens, Pack{}, heating));
+    }
+  }
+
+  void held_ratio(Real tension, const Real* ratio, const Real* energy, int count,
+                  Real* held) const override {
+    for (int i = 0; i < count; i += kLanes) {
+      const Pack e = load(energy + i);
+      store(held + i, held_ratio_of(load(ratio + i), tension, [&](Pack at) {
+              const auto p = slopes(at, e);
+              return std::pair{p.value, -p.slope[0]};
+            }));
     }
   }
 
