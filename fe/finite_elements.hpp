@@ -78,6 +78,15 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
  private:
   void start_volumes();
   void update_volumes();
+  void sum_volumes(const std::vector<Vec<Dim>>& x);
+  /// Of nodes before elements about them go: how many corners, volumes free of stress, ratios.
+  struct VolumesBefore {
+    std::vector<std::int64_t> offset;
+    std::vector<Real> start, ratio;
+  };
+  void keep_ratios(const VolumesBefore& before, const std::vector<Vec<Dim>>& x);
+  void save_volumes(std::vector<StateTable>& tables) const;
+  void load_volumes(const StateTables& tables);
   void make_blocks(const std::vector<ElementSet<Dim>>& sets);
   void refresh_steps();
   void set_capacities();

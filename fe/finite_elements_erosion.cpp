@@ -81,7 +81,9 @@ void FiniteElements<Dim>::erode(Real dt) {
   find_last_work(x_before, dt, mine);
   merge_by_id(of_every_rank(mine, ranks_), erosion_->eroded);
   convert(going, x_before);
+  const VolumesBefore volumes{gather_.offset, start_volume_, node_ratio_};
   rebuild(true);
+  keep_ratios(volumes, x_before);
   free_points(true);
 }
 

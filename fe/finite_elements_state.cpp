@@ -29,7 +29,9 @@ void FiniteElements<Dim>::save_state(std::vector<StateTable>& tables) const {
         table_of(block), owned.size(), [&](std::size_t k) { return block.id[owned[k]]; },
         [&](auto& row, std::size_t k) { visit_element(block, owned[k], saved_in(row)); }, tables);
   }
-  if (erosion_) save_eroded(tables);
+  if (!erosion_) return;
+  save_eroded(tables);
+  save_volumes(tables);
 }
 
 /// The padding repeats the last element, so it takes that one's row.
@@ -37,7 +39,10 @@ template <int Dim>
 void FiniteElements<Dim>::load_state(const StateTables& tables) {
   stepped_ = true;
   load_points(points_, tables);
-  if (erosion_) load_eroded(tables);
+  if (erosion_) {
+    load_eroded(tables);
+    load_volumes(tables);
+  }
   for (auto& block : blocks_) {
     block.wake();
     load_rows(

@@ -10,6 +10,9 @@
 //   A spring of contact goes with its face: what it held, less what it gave to motion in the half
 //   of
 // the step before, has eroded, and `contact.pairs` stays at 0.
+//   Tetrahedra that fail at a wall: bulk viscosity takes energy and gives none, whatever goes, so
+// that its column never falls, and next to nothing is made. What is created is 0.06 % of the motion
+// (that of hexahedra 0.03 %); 0.2 % is the gate.
 //   A face that comes to the surface inside another body pushes nothing out (test 19 of the design
 //   of contact).
 #include <gtest/gtest.h>
@@ -121,6 +124,57 @@ TEST(Erosion, SaysTheSameInTwoPartsAndRearrangedAtEachStep) {
     EXPECT_EQ(simulate_text(deck, {}, {.split_at = at}).hashes, whole.hashes) << at;
   }
   EXPECT_EQ(simulate_text(deck, {}, {.rearrange_every_step = true}).hashes, whole.hashes);
+}
+
+constexpr const char* kTetsAtAWall = R"(
+title: A tilted block of tetrahedra fails at a wall
+geometry: 3d
+time: {end: 12 us}
+materials:
+  m:
+    density: 2700 kg/m^3
+    elastic: {E: 70 GPa, nu: 0.3}
+    strength: {j2: {yield: 100 MPa, hardening: 100 MPa}}
+    damage: {cockcroft_latham: 20 MPa}
+bodies:
+  a:
+    material: m
+    shape:
+      box: {min: [-2 mm, -2 mm, 0], max: [2 mm, 2 mm, 4 mm]}
+      rotate: {axis: [1, 2, 0.5], angle: 33 deg, about: [0, 0, 2 mm]}
+      translate: [0, 0, 1.6 mm]
+    size: 1 mm
+    velocity: [20 m/s, 0, -300 m/s]
+    element: {type: tet4}
+    erode: {when: [damage, inverted], to: points}
+  w: {rigid: true, shape: {plane: {origin: [0, 0, -0.1 mm], normal: z, extent: 30 mm}}}
+contact: {default: {friction: 0.2}}
+output: {every: 1 s, history: 0.5 us}
+)";
+
+TEST(Erosion, ViscosityOfTetrahedraGivesNoEnergyWhateverGoes) {
+  const auto run = simulate_text(kTetsAtAWall);
+  ASSERT_EQ(run.failure, "");
+  EXPECT_GT(run.last("body.a.eroded"), 100);
+  const Real start = run.first("energy.kinetic");
+  Real before = 0;
+  for (const Real taken : run.column("energy.viscosity")) {
+    EXPECT_GE(taken, before);
+    before = taken;
+  }
+  EXPECT_GT(before, 1e-3 * start);
+  for (const Real created : run.column("energy.created")) EXPECT_LT(created, 2e-3 * start);
+}
+
+TEST(Erosion, OfTetrahedraSaysTheSameInTwoPartsAndRearrangedAtEachStep) {
+  const std::vector<std::string> shorter = {"time.end='5 us'"};
+  const auto whole = simulate_text(kTetsAtAWall, shorter);
+  EXPECT_GT(whole.last("body.a.eroded"), 5);
+  for (const std::int64_t at : {5, 60, 90}) {
+    EXPECT_EQ(simulate_text(kTetsAtAWall, shorter, {.split_at = at}).hashes, whole.hashes) << at;
+  }
+  EXPECT_EQ(simulate_text(kTetsAtAWall, shorter, {.rearrange_every_step = true}).hashes,
+            whole.hashes);
 }
 
 std::string ball_through_plate(const std::string& erode) {
