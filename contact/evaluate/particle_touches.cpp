@@ -21,6 +21,40 @@ FirstTouch& touch_of(GlobalId particle, GlobalId surface, std::size_t first,
 }
 }  // namespace
 
+std::size_t first_touch_of(GlobalId particle, const std::vector<FirstTouch>& touches) {
+  std::size_t first = touches.size();
+  const auto own = [&](const ContactKey& key) {
+    return key.kind == ContactKind::particle_face && key.first == particle;
+  };
+  while (first > 0 && own(touches[first - 1].key)) --first;
+  return first;
+}
+
+template <int Dim>
+void keep_touch(const ContactParticle& particle, const ContactFace<Dim>& face,
+                const TouchStep& step, typename Records<Dim>::Part& part) {
+  const auto key = touch_key(particle.id, face.body, face.piece);
+  const auto* before = step.before->find(key);
+  if (before == nullptr) return;
+  auto& touches = part.particle_touches;
+  touch_of(particle.id, key.second, first_touch_of(particle.id, touches), touches) = *before;
+}
+
+template <int Dim>
+void begin_where_held(const ContactParticle& particle, Label body, const Vec<Dim>& force,
+                      Real stiffness, std::size_t first, typename Records<Dim>::Part& part) {
+  for (auto& hit : part.hits) {
+    if (!hit.kept || hit.body != body) continue;
+    const Real held = std::max(force.dot(hit.direction), 0.0) / stiffness;
+    const Real deeper = hit.overlap - held;
+    if (!(deeper > 0)) continue;
+    touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches).overlap +=
+        deeper;
+    hit.overlap = held;
+    hit.pushes = held > 0;
+  }
+}
+
 template <int Dim>
 void recall_entries(const Entities<Dim>& entities, const ContactParticle& particle,
                     const TouchStep& step, std::vector<ParticleHit<Dim>>& hits) {
@@ -96,7 +130,7 @@ void track_overlaps(const Entities<Dim>& entities, const ContactParticle& partic
   const bool any_first = std::any_of(part.hits.begin(), part.hits.end(), meets);
   if (!any_first && step.before->empty()) return;
   auto& touches = part.particle_touches;
-  const std::size_t first = touches.size();
+  const std::size_t first = first_touch_of(particle.id, touches);
   for (const auto& hit : part.hits) {
     if (!hit.kept) continue;
     const Real overlap = overlap_ignored(entities, particle, pairs, step, hit);
@@ -122,8 +156,16 @@ void track_overlaps(const Entities<Dim>& entities, const ContactParticle& partic
   }
 }
 
+template void keep_touch<2>(const ContactParticle&, const ContactFace<2>&, const TouchStep&,
+                            Records<2>::Part&);
+template void begin_where_held<2>(const ContactParticle&, Label, const Vec<2>&, Real, std::size_t,
+                                  Records<2>::Part&);
 template void recall_entries<2>(const Entities<2>&, const ContactParticle&, const TouchStep&,
                                 std::vector<ParticleHit<2>>&);
+template void keep_touch<3>(const ContactParticle&, const ContactFace<3>&, const TouchStep&,
+                            Records<3>::Part&);
+template void begin_where_held<3>(const ContactParticle&, Label, const Vec<3>&, Real, std::size_t,
+                                  Records<3>::Part&);
 template void recall_entries<3>(const Entities<3>&, const ContactParticle&, const TouchStep&,
                                 std::vector<ParticleHit<3>>&);
 template void remember_entries<2>(const Entities<2>&, const ContactParticle&, std::size_t,

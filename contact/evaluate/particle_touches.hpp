@@ -4,6 +4,22 @@
 
 namespace brunt {
 
+/// Where the touches of a particle begin, which are the last of them so far.
+std::size_t first_touch_of(GlobalId particle, const std::vector<FirstTouch>& touches);
+
+/// What a particle that is held by a face keeps of its surface waits until it is held no more.
+template <int Dim>
+void keep_touch(const ContactParticle& particle, const ContactFace<Dim>& face,
+                const TouchStep& step, typename Records<Dim>::Part& part);
+
+/// Where a particle was held by a body until now, its overlaps begin with the force that held it:
+/// what is deeper was closed against another spring, and is felt once it has opened. force  [N] on
+/// the particle;  stiffness  [N/m] of its contacts with that body first  its own among
+/// part.particle_touches begin here
+template <int Dim>
+void begin_where_held(const ContactParticle& particle, Label body, const Vec<Dim>& force,
+                      Real stiffness, std::size_t first, typename Records<Dim>::Part& part);
+
 /// Says of the hits of a surface on which side of a thin plate the particle came in: faces that
 /// look away from the one that held it are on the other. Where an evaluation is repeated, what it
 /// kept is that face.

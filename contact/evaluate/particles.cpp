@@ -292,11 +292,15 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
                  FrictionHistory<Dim>* history, ParticleLoad& load,
                  typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
-  const std::size_t first_touch = part.particle_touches.size();
+  const std::size_t first_touch = first_touch_of(now.particle.id, part.particle_touches);
   const bool thin = entities.shallowest < now.particle.radius;
   if (thin) recall_entries(entities, now.particle, step.touches, part.hits);
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   track_overlaps<Dim>(entities, now.particle, pairs, step.touches, part);
+  if (broken.any) {
+    const Real stiffness = broken.stiffness * now.breadth;
+    begin_where_held<Dim>(now.particle, broken.body, broken.traction, stiffness, first_touch, part);
+  }
   if (thin) remember_entries<Dim>(entities, now.particle, first_touch, part);
   if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/evaluate/particle_law.hpp"
+#include "contact/evaluate/particle_touches.hpp"
 #include "contact/geometry/face_couple.hpp"
 #include "contact/law/springs.hpp"
 
@@ -285,10 +286,12 @@ Real hold_particle(const Entities<Dim>& entities, LocalIndex place, PairFinder& 
     if (held.breaks) {
       broken = broken_by(held, face.body, part.particle_losses.size());
       broken.traction = -broken.traction;  // the particle comes first, and is the upper side
+      broken.stiffness = law_of(particle, face, options, RestingLayer()).stiffness;
       part.particle_losses.push_back({tie.key, std::max(broken.energy, 0.0)});
       continue;
     }
     part.particle_ties.push_back(kept);
+    keep_touch(particle, face, step.touches, part);
     note_loss(tie.key, held.used, part.particle_losses);
     balance(false, section.geometry != Geometry::axisymmetric && !face.rigid(), held);
     fill(held, -1, record, part);

@@ -18,7 +18,8 @@ struct BrokenTies {
   bool any = false;
   Label body = 0;
   Vec<Dim> traction = Vec<Dim>::Zero();  ///< on the upper side [Pa]; on a particle [N]
-  Real closed = 0;                       ///< [m] largest closure
+  Real closed = 0;                       ///< [m] of two faces: largest closure
+  Real stiffness = 0;                    ///< [N/m] per breadth, of what touches a particle then
   Real energy = 0;                       ///< [J] that they held
   std::size_t loss = 0;                  ///< place of theirs among the losses of the part
 };

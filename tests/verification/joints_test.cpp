@@ -302,5 +302,53 @@ contact:
   }
 }
 
+// The same of particles that are tied to faces by a joint 65 times softer than their contact,
+// pressed together by a distance that stays: the contact that takes over begins with the force that
+// held them.
+TEST(Joints, ParticlesThatShearOffSlideOnUnderTheirPressure) {
+  const auto run = simulate_text(R"deck(
+title: A block of particles is sheared off
+geometry: plane-strain
+time: {end: 1 ms}
+materials: {rock: {density: 2000 kg/m^3, elastic: {E: 50 GPa, nu: 0.2}}}
+bodies:
+  below: {material: rock, shape: {box: {min: [-20 mm, -10 mm], max: [60 mm, 0]}}, cells: [16, 2]}
+  above:
+    method: sph
+    material: rock
+    shape: {box: {min: [0, 0], max: [20 mm, 10 mm]}}
+    size: 2.5 mm
+boundaries:
+  hold: {body: below, where: all, fix: [x, y]}
+  drive: {body: above, where: all, velocity: ["= 0.1*min(1, t/0.2e-3)", free]}
+  press: {body: above, where: {side: max-y}, velocity: [free, "= t < 0.1e-3 ? -0.22 : 0"]}
+damping: {rate: 2e4 1/s}
+contact:
+  pairs:
+    bond:
+      between: [above, below]
+      friction: 0.5
+      tied: true
+      cohesion: 3 MPa
+      tension: 2 MPa
+      joint: {normal: 500 GPa/m, shear: 100 GPa/m}
+output: {history: 2 us}
+)deck");
+  ASSERT_EQ(run.failure, "");
+  const auto shear = run.column("contact.bond.force.x"), push = run.column("contact.bond.force.y");
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < shear.size(); ++k) {
+    if (std::fabs(shear[k]) > std::fabs(shear[at])) at = k;
+  }
+  const Real cohesion = 3e6 * 0.02;  // [N]
+  EXPECT_NEAR(std::fabs(shear[at]), cohesion + 0.5 * std::fabs(push[at]), 0.01 * cohesion);
+  const Real slides = 0.5 * std::fabs(push.back());
+  EXPECT_NEAR(std::fabs(push.back()), std::fabs(push[at]), 0.02 * std::fabs(push[at]));
+  for (std::size_t k = at + 5; k < shear.size(); ++k) {
+    EXPECT_NEAR(std::fabs(shear[k]), slides, 0.01 * slides);
+  }
+  EXPECT_LT(std::fabs(run.last("energy.contact.pairs")), 1e-3 * run.largest_energy());
+}
+
 }  // namespace
 }  // namespace brunt::test
