@@ -33,7 +33,8 @@ bool erodes(const Deck& deck) {
 Real expected_growth(const std::vector<Rehearsal>& rehearsals) {
   if (rehearsals.empty()) return 1;
   const Real finest = rehearsals.back().growth;
-  if (rehearsals.size() < 2) return finest;
+  constexpr Real kNear = 2;  // sizes: a finer one is as it is
+  if (rehearsals.size() < 2 || rehearsals.back().factor < kNear) return finest;
   return finest + 0.5 * std::max(0.0, finest - rehearsals[rehearsals.size() - 2].growth);
 }
 

@@ -14,9 +14,9 @@ struct Rehearsal {
 };
 
 /// The growth of steps that rehearsals lead to expect at the deck's own sizes: that of the finest,
-/// and half of what it has over the one before. Element faces that are struck flatten the more,
-/// the thinner they are: 8.8, 12.6 and 17.3 times the steps with elements 2.7, 2 and 1 times as
-/// large in taylor-bar-axisymmetric.
+/// and half of what it has over the one before, unless it is less than 2 times as coarse. Element
+/// faces that are struck flatten the more, the thinner they are: 8.8, 12.6 and 17.3 times the steps
+/// with elements 2.7, 2 and 1 times as large in taylor-bar-axisymmetric.
 Real expected_growth(const std::vector<Rehearsal>& rehearsals);
 
 /// [s] of processor time up to which a run is tried whole.

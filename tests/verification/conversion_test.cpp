@@ -225,7 +225,7 @@ every:
 // 1/2 (3000/s)^2 2700 kg/m^3 1 m (10 mm)^4/6 = 20.25 J, and what squares have in their corners less
 // than points: 2 %.
 TEST(Conversion, ABodyThatGoesAtOnceKeepsItsStep) {
-  const auto run = simulate_text(R"(title: a square becomes particles at once
+  const auto run = simulate_text(R"deck(title: a square becomes particles at once
 geometry: plane-strain
 time: {end: 10 us}
 materials:
@@ -238,7 +238,7 @@ bodies:
     erode: {when: [step: 0.5 us], to: sph}
     velocity: ["= -3000*(y - 0.005)", "= 3000*(x - 0.005)"]
 output: {history: 0.1 us}
-)");
+)deck");
   ASSERT_EQ(run.failure, "");
   const Real at_first = run.first("energy.kinetic");
   EXPECT_NEAR(at_first, 20.25, 0.025 * 20.25);

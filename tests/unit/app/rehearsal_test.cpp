@@ -12,7 +12,8 @@ TEST(Rehearsals, ExpectTheGrowthOfTheFinestAndHalfOfItsLead) {
   EXPECT_EQ(expected_growth({}), 1);
   EXPECT_EQ(expected_growth({{3, 8}}), 8);
   EXPECT_EQ(expected_growth({{3, 8}, {2, 12}}), 14);
-  EXPECT_EQ(expected_growth({{3, 12}, {2, 8}}), 8);  // no trend to go on with
+  EXPECT_EQ(expected_growth({{3, 12}, {2, 8}}), 8);           // no trend to go on with
+  EXPECT_EQ(expected_growth({{3, 2}, {2, 4}, {1.5, 6}}), 6);  // where elements erode
 }
 
 // A bar of eight elements across that strikes a wall: with four, and with three, the foot flattens
