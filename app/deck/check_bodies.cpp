@@ -218,9 +218,11 @@ void check_erosion(const Deck& deck, const std::string& path, const Body& body,
   if (!erosion || material == nullptr) return;
   if (!findings.sound("materials." + body.material)) return;
   if (erosion->when.damage && std::holds_alternative<NoDamage>(material->damage)) {
+    const bool own = own_constants(material->strength).has_value();
     findings.wrong(path + ".erode.when.damage",
                    "'" + body.material +
-                       "' has no `damage`: add a law of failure to it, or write "
+                       (own ? "' has a strength whose cracks close again, and no `damage`: write "
+                            : "' has no `damage`: add a law of failure to it, or write ") +
                        "strain or step instead");
   }
   if (erosion->when.strain && std::holds_alternative<NoStrength>(material->strength)) {
