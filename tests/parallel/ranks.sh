@@ -65,7 +65,7 @@ cases=(
   "decks/erosion 8_us"
   "decks/conversion 7_us"
   "decks/failing 17_us"
-  "decks/debris 6_us"
+  "decks/debris 3_us time.end=6_us"
   "decks/eroded-joint 12.6_us"
   "decks/lost 0.14_ms"
   "decks/fails 5_us"
