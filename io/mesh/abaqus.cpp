@@ -248,7 +248,7 @@ class AbaqusReader {
   /// The label of a set that is written here. An assembly may have one of a name that its part has
   /// too: "assembly Top", whose key no label can have.
   AbaqusLabel own(std::string_view written) const {
-    const AbaqusLabel label = abaqus_label(written);
+    AbaqusLabel label = abaqus_label(written);
     if (of_part_.count(label.key) == 0) return label;
     return {"assembly " + label.text, "assembly " + label.key};
   }
@@ -260,7 +260,7 @@ class AbaqusReader {
     const bool is_of_instance = !instance_.empty() && point != std::string_view::npos &&
                                 abaqus_label(written.substr(0, point)).key == instance_;
     if (is_of_instance) return abaqus_label(written.substr(point + 1));
-    const AbaqusLabel label = abaqus_label(written);
+    AbaqusLabel label = abaqus_label(written);
     if (of_part_.count(label.key) == 0) return label;
     const AbaqusLabel of_assembly = own(written);
     return sets_.keys().count(of_assembly.key) > 0 ? of_assembly : label;
