@@ -26,7 +26,7 @@ NOT_SEEN = {
         element-options-on-particles particle-options-on-elements plane-that-deforms process-speed-of-impacts
         measure-temperature-of-a-cold-body measures-wrong only-rigid bonded-elements
         fluid-with-strength fluid-hourglass-stiffness material-without-elastic
-        mesh-beside-size damage two-closures
+        mesh-beside-size damage two-closures erode-concrete-by-damage
         stress-above-yield stress-of-a-fluid stress-of-a-gas stress-of-bodies-without""",
     "the geometry decides": """
         too-much-added-mass axis-out-of-plane axisymmetric-across-the-axis axisymmetric-cylinder-off-the-axis
