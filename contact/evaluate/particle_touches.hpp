@@ -12,10 +12,9 @@ template <int Dim>
 void keep_touch(const ContactParticle& particle, const ContactFace<Dim>& face,
                 const TouchStep& step, typename Records<Dim>::Part& part);
 
-/// Where a particle was held by a body until now, its overlaps begin with the force that held it:
-/// what is deeper was closed against another spring, and is felt once it has opened. force  [N] on
-/// the particle;  stiffness  [N/m] of its contacts with that body first  its own among
-/// part.particle_touches begin here
+/// Where a particle was held by a body until now with `force` [N], its overlaps begin with that
+/// force on a contact of `stiffness` [N/m]: what is deeper was closed against another spring, and
+/// is felt once it has opened. Its own among part.particle_touches begin at `first`.
 template <int Dim>
 void begin_where_held(const ContactParticle& particle, Label body, const Vec<Dim>& force,
                       Real stiffness, std::size_t first, typename Records<Dim>::Part& part);

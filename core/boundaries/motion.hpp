@@ -55,15 +55,19 @@ struct MotionSupport {
     }
   }
 
-  /// visit(i, c, v) for each component c of each point i that it holds or moves at a time, with the
-  /// velocity v [m/s] that it then has.
+  /// visit(k, c, v) for each component c of the points among[k] that it holds or moves at a time,
+  /// with the velocity v [m/s] that they then have. among  ascends
   template <class Visit>
-  void visit_prescribed(Real time, const Visit& visit) const {
+  void visit_prescribed(Real time, const std::vector<LocalIndex>& among, const Visit& visit) const {
     if (!patch.acts(time)) return;
+    std::size_t at = 0;
     for (std::size_t k = 0; k < patch.size(); ++k) {
+      while (at < among.size() && among[at] < patch.chosen[k]) ++at;
+      if (at == among.size()) return;
+      if (among[at] != patch.chosen[k]) continue;
       const Vec3 place = patch.place(k);
       for (int c = 0; c < Dim; ++c) {
-        if (velocity[c]) visit(patch.point(k), c, (*velocity[c])(time, place));
+        if (velocity[c]) visit(at, c, (*velocity[c])(time, place));
       }
     }
   }

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -97,14 +96,10 @@ struct ViscousBoundary {
       Real time, const std::vector<MotionSupport<Dim>>& supports) const {
     constexpr Real kFree = std::numeric_limits<Real>::quiet_NaN();
     std::vector<Vec<Dim>> prescribed(patch.size(), Vec<Dim>::Constant(kFree));
-    const auto& chosen = patch.chosen;
     for (const auto& support : supports) {
       if (support.patch.points != patch.points) continue;
-      support.visit_prescribed(time, [&](std::size_t i, int c, Real v) {
-        const auto at = std::lower_bound(chosen.begin(), chosen.end(), static_cast<LocalIndex>(i));
-        if (at == chosen.end() || slot_of(*at) != i) return;
-        prescribed[slot_of(at - chosen.begin())][c] = v;
-      });
+      support.visit_prescribed(time, patch.chosen,
+                               [&](std::size_t k, int c, Real v) { prescribed[k][c] = v; });
     }
     return prescribed;
   }
