@@ -154,7 +154,9 @@ TEST(Joints, TwoPassAsCharacteristicsSay) {
   }
 }
 
-// Eight, which a joint with hidden damping fails.
+// Eight, which a joint with hidden damping fails, apart by multiples of 0.05 wavelengths. At 40
+// elements a wavelength, where a wave lags by 1 - (w h/c)^2/24 of its phase: eight joints that
+// resonate show it 2 to 4 % at 20 elements, 0.8 % at 40, 0.2 % at 80.
 TEST(JointsLong, EightPassAsCharacteristicsSay) {
   struct Case {
     Real ratio;
@@ -169,7 +171,7 @@ TEST(JointsLong, EightPassAsCharacteristicsSay) {
                                                {1, 2, .9746},
                                                {1, 4, .9275},
                                                {1, 10, .5326}}) {
-    JointedBar bar{.joints = 8, .apart = apart, .before = 160, .waves = 6};
+    JointedBar bar{.cells = 40, .joints = 8, .apart = 2 * apart, .before = 320, .waves = 6};
     bar.contact = tied_joint(ratio, bar);
     EXPECT_NEAR(passed(bar), expected, 0.01 * expected) << ratio << " " << apart;
   }
