@@ -83,10 +83,11 @@ void ExactSum::add(std::span<const Real> values) {
 }
 
 void ExactSum::combine(const ExactSum& other, std::int64_t sign) {
+  poisoned_ = poisoned_ || other.poisoned_;
+  if (other.pending_ == 0) return;  // nothing was added to it
   if (pending_ + other.pending_ >= kMostPending) carry();
   for (std::size_t i = 0; i < digit_.size(); ++i) digit_[i] += sign * other.digit_[i];
   pending_ += other.pending_ + 1;
-  poisoned_ = poisoned_ || other.poisoned_;
 }
 
 void ExactSum::carry() {
@@ -100,6 +101,7 @@ void ExactSum::carry() {
 
 Real ExactSum::value() const {
   if (poisoned_) return std::numeric_limits<Real>::quiet_NaN();
+  if (pending_ == 0) return 0.0;
   ExactSum sum = *this;
   sum.carry();
   const bool negative = sum.digit_.back() < 0;

@@ -27,6 +27,14 @@ class ListWatch {
   std::span<const Vec<Dim>> x() const { return x_; }
   std::span<const Real> reach() const { return reach_; }
   Real skin() const { return skin_; }  ///< [m]
+  /// Zones of the list, and particles of each. Pairs within reach are of one or of two that touch.
+  std::size_t n_zones() const { return zones_.size(); }
+  std::span<const LocalIndex> members(std::size_t zone) const {
+    const auto begin = slot_of(member_begin_[zone]), end = slot_of(member_begin_[zone + 1]);
+    return {member_.data() + begin, end - begin};
+  }
+  /// Pairs of zones, each once, a zone with itself too.
+  std::span<const std::array<LocalIndex, 2>> touching() const { return touching_; }
 
  private:
   struct Zone {
@@ -51,7 +59,7 @@ class ListWatch {
   Real width_ = 0;           // [m] of a zone
   std::vector<Zone> zones_;  // ascending
   std::vector<LocalIndex> member_, member_begin_;
-  std::vector<std::array<LocalIndex, 2>> touching_;  // pairs of zones, a zone with itself too
+  std::vector<std::array<LocalIndex, 2>> touching_;
 };
 
 }  // namespace brunt

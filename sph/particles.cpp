@@ -170,12 +170,15 @@ void SphParticles<Dim>::update_state(Real dt) {
   });
   refresh_motion();
   move_with_neighbours(dt);
+  if (!rides()) still_.look(watch_, points_);
   refresh_gradients();
   if (surface_.needs_spin) publish_spins();
   for (auto& block : blocks_) {
     const std::size_t n_tiles = block.state.size() / kTile;
     for_each(n_tiles, [&](std::size_t tile) {
-      if (!rides() || !tile_sleeps(block, tile * kTile)) update_tile(block, tile * kTile, dt);
+      const std::size_t first = tile * kTile;
+      if (rides() ? tile_sleeps(block, first) : tile_is_left_out(block, first)) return;
+      update_tile(block, first, dt);
     });
   }
   if (surface_.needs_material || rides()) publish_materials();

@@ -15,6 +15,7 @@
 #include "sph/pair_sums.hpp"
 #include "sph/records.hpp"
 #include "sph/spread.hpp"
+#include "sph/still_zones.hpp"
 #include "sph/thin_moment.hpp"
 
 namespace brunt {
@@ -138,6 +139,8 @@ class SphParticles final : public Solid<Dim> {
   std::span<const Real> smoothing_lengths() const { return smoothing_length_; }  ///< [m] h
   Real skin() const { return watch_.skin(); }  ///< [m] of the lists
   std::int64_t n_searches() const { return n_searches_; }
+  /// Own particles of which the last step computed nothing, since they and all near them lie still.
+  std::size_t n_left_out() const { return still_.count(); }
 
  private:
   struct TileStress;
@@ -145,6 +148,8 @@ class SphParticles final : public Solid<Dim> {
   void add_fields(const ParticleBlock& block, std::size_t slot, Fields& fields) const;
   bool sleeps(std::size_t i) const { return state_[i].start_volume == 0; }
   bool tile_sleeps(const ParticleBlock& block, std::size_t first) const;
+  bool is_left_out(const ParticleBlock& block, LocalIndex i) const;
+  bool tile_is_left_out(const ParticleBlock& block, std::size_t first) const;
   Real weighed_mass(std::size_t i) const;
   bool take_over();
   void take_share(std::size_t i, const ConvertedShare& share);
@@ -169,6 +174,7 @@ class SphParticles final : public Solid<Dim> {
   void set_single_motion(std::size_t i);
   void refresh_single_stress();
   void refresh_gradients();
+  void list_thin();
   template <class P>
   ForceRecords<Dim, P> pair_records() const;
   void take_gradients(const ParticleBlock& block, LocalIndex i, const GradientSums<Dim>& sums);
@@ -242,6 +248,7 @@ class SphParticles final : public Solid<Dim> {
 
   NeighbourRows<Dim> rows_;
   ListWatch<Dim> watch_;
+  StillZones<Dim> still_;
   Real skin_ratio_ = 0.35;  // [1] of the largest smoothing length; flat optimum
   SearchMode search_ = SearchMode::grid;
   std::int64_t n_searches_ = 0;

@@ -73,7 +73,23 @@ void SphParticles<Dim>::rearrange() {
       neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_));
   if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);
   watch_.start(points_, sum_, smoothing_length_, skin);
+  still_.start(watch_, n_owned());
   ++n_searches_;
+}
+
+/// What conducts is computed always: its temperatures move the stress of what lies still.
+template <int Dim>
+bool SphParticles<Dim>::is_left_out(const ParticleBlock& block, LocalIndex i) const {
+  return still_.leaves_out(i) && !block.set.conducts;
+}
+
+template <int Dim>
+bool SphParticles<Dim>::tile_is_left_out(const ParticleBlock& block, std::size_t first) const {
+  if (still_.count() == 0) return false;
+  const auto& particle = block.set.particle;
+  const auto begin = particle.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto n = static_cast<std::ptrdiff_t>(std::min(particle.size() - first, std::size_t{kTile}));
+  return std::all_of(begin, begin + n, [&](LocalIndex i) { return is_left_out(block, i); });
 }
 
 /// Of the bound of thin bodies: shear beside it, rows that are no boxes and disorder take up to 5%.
@@ -137,6 +153,10 @@ template void SphParticles<2>::label_sums();
 template void SphParticles<3>::label_sums();
 template void SphParticles<2>::rearrange();
 template void SphParticles<3>::rearrange();
+template bool SphParticles<2>::is_left_out(const ParticleBlock&, LocalIndex) const;
+template bool SphParticles<3>::is_left_out(const ParticleBlock&, LocalIndex) const;
+template bool SphParticles<2>::tile_is_left_out(const ParticleBlock&, std::size_t) const;
+template bool SphParticles<3>::tile_is_left_out(const ParticleBlock&, std::size_t) const;
 template void SphParticles<2>::find_spread(const ParticleBlock&, LocalIndex);
 template void SphParticles<3>::find_spread(const ParticleBlock&, LocalIndex);
 template StepLimit SphParticles<2>::stable_step() const;

@@ -1,5 +1,6 @@
 /// The two passes over pairs of particles, in double or in single precision.
 #include <algorithm>
+#include <utility>
 
 #include "sph/conduction.hpp"
 #include "sph/correction.hpp"
@@ -107,6 +108,7 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
+      if (is_left_out(block, i)) return;
       rows_.refresh(records.motion, i);
       take_gradients(block, i,
                      sum_gradients<Dim, Kernel>(records.motion, i, rows_.row(i, P::kLanes),
@@ -147,6 +149,20 @@ void SphParticles<Dim>::find_thin_gradient(const ParticleBlock& block, LocalInde
   });
 }
 
+/// Those whose neighbourhood is thin now; what is known of them stays.
+template <int Dim>
+void SphParticles<Dim>::list_thin() {
+  const std::vector<ThinParticle<Dim>> before = std::exchange(thin_, {});
+  auto known = before.begin();
+  for (std::size_t i = 0; i < is_thin_.size(); ++i) {
+    if (!is_thin_[i]) continue;
+    const auto particle = static_cast<LocalIndex>(i);
+    while (known != before.end() && known->particle < particle) ++known;
+    const bool same = known != before.end() && known->particle == particle;
+    thin_.push_back(same ? *known : ThinParticle<Dim>{particle, {}});
+  }
+}
+
 template <int Dim>
 void SphParticles<Dim>::refresh_gradients() {
   is_thin_.resize(n_owned());
@@ -154,13 +170,11 @@ void SphParticles<Dim>::refresh_gradients() {
   for (const auto& block : blocks_) {
     in_precision_of(block, [&]<class P>(P) { find_gradients<P>(block); });
   }
-  thin_.clear();
-  for (std::size_t i = 0; i < is_thin_.size(); ++i) {
-    if (is_thin_[i]) thin_.push_back({static_cast<LocalIndex>(i), {}});
-  }
+  list_thin();
   for_each(thin_.size(), [&](std::size_t k) {
     ThinParticle<Dim>& thin = thin_[k];
     const ParticleBlock& block = blocks_[block_of_[thin.particle]];
+    if (is_left_out(block, thin.particle)) return;
     in_precision_of(block,
                     [&]<class P>(P) { find_thin_gradient<P>(block, thin.particle, thin.moment); });
   });
@@ -186,6 +200,7 @@ void SphParticles<Dim>::sum_block_forces(const ParticleBlock& block,
                                 1.0 / Kernel::value(1.0 / options.smoothing)};
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
+        if (is_left_out(block, i)) return;
         take(i,
              sum_forces<Dim, Kernel>(records, i, rows_.row(i, P::kLanes), rows_.weights(i), pair));
       });
@@ -231,6 +246,7 @@ void SphParticles<Dim>::take_forces(const ParticleBlock& block, LocalIndex i,
 template <int Dim>
 void SphParticles<Dim>::add_internal_forces(Real dt) {
   if (held_) return;
+  if (!rides()) still_.look_again(watch_);
   if (any_single()) refresh_single_stress();
   for (const auto& block : blocks_) {
     sum_block_forces(
@@ -246,6 +262,8 @@ template Real SphParticles<2>::least_single_spacing() const;
 template Real SphParticles<3>::least_single_spacing() const;
 template void SphParticles<2>::set_single_motion(std::size_t);
 template void SphParticles<3>::set_single_motion(std::size_t);
+template void SphParticles<2>::list_thin();
+template void SphParticles<3>::list_thin();
 template void SphParticles<2>::refresh_gradients();
 template void SphParticles<3>::refresh_gradients();
 template const ThinMoment<2>* SphParticles<2>::thin_of(LocalIndex) const;

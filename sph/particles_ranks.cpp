@@ -178,6 +178,9 @@ void SphParticles<Dim>::refresh_state() {
       },
       [&](std::size_t i, const Real* in) {
         std::copy_n(in, n_stress, stress_[i].data);
+        if (is_stressed(stress_[i]) || state_[i].volume != in[n_stress + n_artificial]) {
+          still_.stir(i);
+        }
         std::copy_n(in + n_stress, n_artificial, artificial_[i].data);
         state_[i].volume = in[n_stress + n_artificial];
         smoothing_length_[i] = in[n_stress + n_artificial + 1];

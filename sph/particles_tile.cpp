@@ -39,6 +39,11 @@ BRUNT_INLINE void load_stress(const MaterialState& state, std::size_t at, Pack (
   }
 }
 
+bool is_stressed(const MaterialState& state, std::size_t at) {
+  return state.pressure[at] != 0 || std::any_of(state.deviator.begin(), state.deviator.end(),
+                                                [&](const auto& s) { return s[at] != 0; });
+}
+
 /// The same of one point.
 template <int Dim>
 Eigen::Matrix<Real, Dim, Dim> stress_of(const MaterialState& state, std::size_t at) {
@@ -227,6 +232,7 @@ template <int Dim>
 void SphParticles<Dim>::publish(ParticleBlock& block, std::size_t first, const TileStress& tile) {
   using Record = StressRecord<Dim>;
   const bool artificial = block.set.options.artificial_stress != 0;
+  const bool any_still = !still_.all_stirred();
   const std::size_t n = std::min(block.set.particle.size() - first, std::size_t{kTile});
   for (std::size_t slot = 0; slot < n; ++slot) {
     const auto i = slot_of(block.set.particle[first + slot]);
@@ -239,6 +245,10 @@ void SphParticles<Dim>::publish(ParticleBlock& block, std::size_t first, const T
     for (int c = 0; c < Dim * Dim; ++c) stress[c] = tile.corrected[c][slot];
     stress[Record::kSoundSpeed] = tile.sound_speed[slot];
     set_size(i);
+    if (any_still && !still_.is_stirred(i) &&
+        (tile.growth[slot] != 1 || is_stressed(block.state, first + slot))) {
+      still_.stir(i);
+    }
     if (!artificial) continue;
     bool tension = false;
     for (int c = 0; c < kSymmetric<Dim>; ++c) {

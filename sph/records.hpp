@@ -45,6 +45,12 @@ struct alignas(32) StressRecord {
   typename P::Number data[kSize] = {};
 };
 
+/// True where neighbours read any stress.
+template <int Dim>
+bool is_stressed(const StressRecord<Dim>& record) {
+  return std::any_of(record.data, record.data + Dim * Dim, [](Real part) { return part != 0; });
+}
+
 /// Artificial stress [Pa], symmetric.
 template <int Dim, class P = DoublePairs>
 struct alignas(32) ArtificialRecord {

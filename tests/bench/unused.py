@@ -28,6 +28,7 @@ output: {{every: 1 ms, history: 1 ms}}
 """
 BALL = "  ball: {material: steel, rigid: true, shape: {sphere: {center: [0.5 m, 0, 0], radius: 5 mm}}, size: 2 mm}"
 BLOCK = "  rests: {material: steel, shape: {box: {min: [0.4 m, 0, 0], max: [0.404 m, 4 mm, 4 mm]}}, size: 2 mm}"
+GRAINS = BLOCK.replace("{material", "{method: sph, material")
 FEATURES = {
     "gravity 0": {"top": "gravity: [0, 0, 0]"},
     "thermal data that nothing heats": {"thermal": ", thermal: {cp: 475 J/kg/K, k: 45 W/m/K}", "top": "heat: off"},
@@ -36,6 +37,8 @@ FEATURES = {
     "a far free ball": {"bodies": BALL},
     "a far block at rest, 8 elements": {"bodies": BLOCK},
     "a far block at rest, 512 elements": {"bodies": BLOCK.replace("size: 2 mm", "size: 0.5 mm")},
+    "a far block at rest, 64 particles": {"bodies": GRAINS.replace("size: 2 mm", "size: 1 mm")},
+    "a far block at rest, 512 particles": {"bodies": GRAINS.replace("size: 2 mm", "size: 0.5 mm")},
 }
 
 

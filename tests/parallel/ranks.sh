@@ -60,6 +60,7 @@ cases=(
   "decks/fast 30_us"
   "decks/tets 2_us"
   "decks/stressed 3_us"
+  "decks/still 2_us"
   "decks/flight 0.2_ms"
   "decks/thin 4_us"
   "decks/erosion 8_us"
