@@ -10,6 +10,9 @@ namespace brunt {
 namespace {
 constexpr Real kLeastOrder = 0.5, kMostOrder = 2.5, kFormalOrder = 2;
 constexpr Real kSafe = 1.25, kUnsafe = 3;
+/// Order that three sizes can vouch for: coarse ones show a higher one where shocks or contact have
+/// the first, or less, to the end.
+constexpr Real kHeldOrder = 1;
 
 Real spread_of(const std::vector<SizedValue>& values) {
   const auto [low, high] = std::minmax_element(
@@ -89,8 +92,7 @@ Convergence of_three(const std::vector<SizedValue>& values, Real order) {
   if (order >= kLeastOrder && order <= kMostOrder) {
     result.asymptotic = true;
     result.limit = finest.value + (finest.value - next.value) / (std::pow(ratio, order) - 1);
-    const Real held = std::min(order, kFormalOrder);
-    result.bound = index_of(finest, next, difference, held, kSafe);
+    result.bound = index_of(finest, next, difference, std::min(order, kHeldOrder), kSafe);
     result.words = order_text(order);
     return result;
   }

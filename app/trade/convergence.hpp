@@ -33,7 +33,9 @@ std::optional<Real> observed_order(const SizedValue& finest, const SizedValue& m
 /// (Roache 1994, J. Fluids Eng. 116, 405; several sizes by least squares as Eca & Hoekstra 2014,
 /// J. Comput. Phys. 262, 104):
 ///   bound = F |f_2 - f_1| / (r^p - 1), r = h_2/h_1
-///   F = 1.25 where three sizes or more give an order of 0.5 to 2.5; p is held at 2 above that
+///   F = 1.25 where three sizes give an order of 0.5 to 2.5, with p held at 1: coarse sizes show
+///   more than what has shocks or contact keeps; where four sizes or more follow one order to 2.5,
+///   F = 1.25 times the distance to its limit
 ///   F = 3 elsewhere; two sizes give no order, and p = 2 is assumed
 /// A value that oscillates, or whose differences grow, is bounded by three times its spread.
 /// values  two or more, of different sizes in any order

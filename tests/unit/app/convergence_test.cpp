@@ -37,8 +37,8 @@ TEST(Convergence, ExtrapolatesAndBoundsWhatConverges) {
   ASSERT_TRUE(found.limit && found.order);
   EXPECT_NEAR(*found.order, 1.5, 1e-9);
   EXPECT_NEAR(*found.limit, 7, 1e-9);
-  // A grid convergence index of factor 1.25: a quarter more than the true error, 0.3.
-  EXPECT_NEAR(found.bound, 1.25 * 0.3, 1e-9);
+  // A grid convergence index of factor 1.25 at first order: 1.25 (2^1.5 - 1) of the true error.
+  EXPECT_NEAR(found.bound, 1.25 * 0.3 * (std::pow(2, 1.5) - 1), 1e-9);
 }
 
 TEST(Convergence, ManySizesAreFittedTogether) {
