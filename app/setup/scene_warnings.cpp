@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 
 #include "app/deck/findings.hpp"
 #include "app/scene/place.hpp"
 #include "app/setup/scene_checks.hpp"
 #include "app/setup/suspicious.hpp"
+#include "io/number.hpp"
 
 namespace brunt {
 
@@ -35,10 +35,10 @@ void warn_of_contact(const LoadedDeck& loaded, const Scene<Dim>& scene, const Wa
            "bodies are tied by `bonded`)");
     }
     if (pair.stiffest > 0) {
-      char slope[32];
-      std::snprintf(slope, sizeof slope, "%.3g Pa/m", pair.stiffest);
-      warn(pair.name, "its joint goes on along a line from a slope of " + std::string(slope) +
-                          ", four times the elements on both sides: smaller elements allow more");
+      warn(pair.name, "its joint goes on along a line from a slope of " +
+                          rounded(pair.stiffest, 3) + " Pa/m, " + rounded(pair.times_elements, 3) +
+                          " times the elements on both sides: smaller elements, or a larger "
+                          "`stiffness` of the pair, allow more");
     }
   }
   for (const auto& pair : scene.contact->one_sided_pairs()) {

@@ -116,7 +116,10 @@ std::vector<HeldPair> ContactManager<Dim>::held_pairs() const {
     const ClosureLaw law = joint.closure();
     const Real steepest = law.any() ? law.slope(joint.normal, kSoon * law.most())
                                     : std::max(joint.normal, joint.across());
-    if (steepest > spring.stiffest) it->second.stiffest = spring.stiffest;
+    if (steepest > spring.stiffest) {
+      it->second.stiffest = spring.stiffest;
+      it->second.times_elements = options->stiffest();
+    }
   }
   std::vector<HeldPair> found;
   found.reserve(by_pair.size());

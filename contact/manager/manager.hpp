@@ -58,6 +58,7 @@ struct HeldPair {
   /// [Pa/m] the slope from which a joint goes on along a line, where its curve or its own stiffness
   /// would soon be steeper; 0: it would not.
   Real stiffest = 0;
+  Real times_elements = 0;  ///< [1] that slope over the elements of both sides in series
 };
 
 /// How much work the contact lists were; it says nothing about the answer.
