@@ -66,7 +66,7 @@ BRUNT_INLINE void add_rates(const MotionRecord<Dim, P>* motion, const typename P
   }
 }
 
-/// Keeps the weights of a pack of pairs for the second pass [1/m^2].
+/// Keeps the weights of a pack of pairs [1/m^2].
 BRUNT_INLINE void keep_weights(Pack weight, Real, Real* out) { store(out, weight); }
 /// unit  [1/m^2] of the weights
 BRUNT_INLINE void keep_weights(SinglePack weight, Real unit, Real* out) {
@@ -78,13 +78,13 @@ BRUNT_INLINE void take_weights(const Real* kept, Real inverse_unit, SinglePack& 
   weight = joined(inverse_unit * load(kept), inverse_unit * load(kept + kLanes));
 }
 
-/// Adds the moments of a stretch, and keeps its weights for the second pass.
+/// Adds the moments of a stretch, and keeps its weights for the second pass where there is room.
 template <int Dim, class P>
 BRUNT_INLINE void add_moments(std::size_t n, const PairPack<Dim, P>* pairs, Real unit,
                               typename P::Pack (&moment)[kSymmetric<Dim>], Real* weights) {
   using Pack = typename P::Pack;
   for (std::size_t k = 0; k < n; k += P::kLanes, ++pairs) {
-    keep_weights(pairs->weight, unit, weights + k);
+    if (weights != nullptr) keep_weights(pairs->weight, unit, weights + k);
     for (int b = 0; b < Dim; ++b) {
       const Pack gradient = pairs->weight * pairs->arm[b];
       for (int a = 0; a <= b; ++a) {
@@ -97,7 +97,7 @@ BRUNT_INLINE void add_moments(std::size_t n, const PairPack<Dim, P>* pairs, Real
 
 /// The first pass over the row of a particle.
 /// inverse_length  [1/m] of the unit of length; 1 in double precision
-/// weights  [1/m^2] V_j grad_i W = weight (x_j - x_i) of each pair of the row, out
+/// weights  [1/m^2] V_j grad_i W = weight (x_j - x_i) of each pair of the row, out; or null
 template <int Dim, class Kernel, class P>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim, P>* motion, LocalIndex i,
                                              std::span<const LocalIndex> row, Real inverse_length,
@@ -119,7 +119,8 @@ BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim, P>* motion,
       pairs.weight = kernel_weight<Dim, Kernel>(pairs);
     }
     add_rates<Dim, P>(motion, own, j, n, stretch.pairs, rate);
-    add_moments<Dim, P>(n, stretch.pairs, unit, moment, weights + first);
+    add_moments<Dim, P>(n, stretch.pairs, unit, moment,
+                        weights == nullptr ? nullptr : weights + first);
   }
   GradientSums<Dim> sums;
   for (int k = 0; k < kSymmetric<Dim>; ++k) sums.moment[k] = sum_lanes(moment[k]);
@@ -266,8 +267,8 @@ struct TensePacks {
 
 /// Viscosity of a stretch, and beside it what the other sums need: its pairs and which of them are
 /// in tension.
-/// weights  [1/m^2] of the first pass
-template <int Dim, class P>
+/// weights  [1/m^2] of the first pass; in space they are formed again, to the same bits in double
+template <int Dim, class Kernel, class P>
 BRUNT_INLINE void add_viscosity(const ForceRecords<Dim, P>& records, LocalIndex i,
                                 const LocalIndex* j, const Real* weights, std::size_t n,
                                 const SphPairOptions& options, PairPack<Dim, P>* pairs,
@@ -284,8 +285,12 @@ BRUNT_INLINE void add_viscosity(const ForceRecords<Dim, P>& records, LocalIndex 
   for (std::size_t p = 0; p < n / P::kLanes; ++p, j += P::kLanes) {
     Pack part[4];
     set_arms(records.motion, records.motion[i].data, j, pairs[p]);
-    set_velocities(records.motion, records.motion[i].data, j, pairs[p]);
-    take_weights(weights + P::kLanes * p, inverse_unit, pairs[p].weight);
+    const Pack volume = set_velocities(records.motion, records.motion[i].data, j, pairs[p]);
+    if constexpr (Dim == 2) {
+      take_weights(weights + P::kLanes * p, inverse_unit, pairs[p].weight);
+    } else {
+      pairs[p].weight = volume * kernel_weight<Dim, Kernel>(pairs[p]);
+    }
     load_four<P>(records.stress, j, g, part);
     if constexpr (Dim == 3) pairs[p].last_stress = part[0];
     sums.add(pairs[p], own_sound_speed, own_density, part[Record::kSoundSpeed - g],
@@ -317,7 +322,7 @@ BRUNT_INLINE void add_artificial(const ArtificialRecord<Dim, P>* records, LocalI
 /// Forces on i per volume of i: sum V_j (T_i + T_j) grad_i W and its viscous and artificial kin,
 /// T = sigma B. The artificial part is skipped where it is zero for all pairs of a pack.
 /// docs/theory/sph.md (S12).
-/// weights  [1/m^2] that the first pass gave to the row
+/// weights  [1/m^2] that the first pass gave to the row, in the plane
 template <int Dim, class Kernel, class P>
 BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim, P>& records, LocalIndex i,
                                        std::span<const LocalIndex> row, const Real* weights,
@@ -332,7 +337,8 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim, P>& records, Loca
   for (std::size_t first = 0; first < row.size(); first += length) {
     const std::size_t n = std::min(length, row.size() - first);
     const LocalIndex* j = row.data() + first;
-    add_viscosity(records, i, j, weights + first, n, options, stretch.pairs, tense, viscous);
+    add_viscosity<Dim, Kernel>(records, i, j, Dim == 2 ? weights + first : nullptr, n, options,
+                               stretch.pairs, tense, viscous);
     StressPart<Dim, P> sums = stress;
     for (std::size_t p = 0; p < n / P::kLanes; ++p) {
       sums.add(records.stress, j + p * P::kLanes, stretch.pairs[p]);

@@ -70,7 +70,8 @@ void SphParticles<Dim>::rearrange() {
   if (!ranks_->alone()) renew_ghosts(skin);
   label_sums();
   rows_.assign(
-      neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_));
+      neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_),
+      points_.conducts);
   if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);
   watch_.start(points_, sum_, smoothing_length_, skin);
   still_.start(watch_, n_owned());
@@ -106,8 +107,10 @@ void SphParticles<Dim>::find_spread(const ParticleBlock& block, LocalIndex i) {
   auto& state = state_[i];
   state.spread = {};
   if (!(frobenius_square<Dim>(state.correction) > kSteepCorrection)) return;
-  state.spread = inverse_spread<Dim>(motion_.data(), i, rows_.row(i), rows_.weights(i),
-                                     shear_share(*block.set.material, state), thin_of(i));
+  state.spread = with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+    return inverse_spread<Dim, Kernel>(motion_.data(), i, rows_.row(i),
+                                       shear_share(*block.set.material, state), thin_of(i));
+  });
 }
 
 /// Half of a h/c_eff with c_eff = c + |v_ij| + 1.2 (alpha c + beta max |mu_ij|), a from the

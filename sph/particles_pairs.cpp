@@ -109,9 +109,8 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       if (is_left_out(block, i)) return;
-      rows_.refresh(records.motion, i);
       take_gradients(block, i,
-                     sum_gradients<Dim, Kernel>(records.motion, i, rows_.row(i, P::kLanes),
+                     sum_gradients<Dim, Kernel>(records.motion, i, rows_.refresh(records.motion, i),
                                                 records.inverse_length, rows_.weights(i)));
     });
   });
@@ -138,11 +137,13 @@ template <class P>
 void SphParticles<Dim>::find_thin_gradient(const ParticleBlock& block, LocalIndex i,
                                            ThinMoment<Dim>& thin) {
   const auto records = pair_records<P>();
+  const std::span<const LocalIndex> row = rows_.row(i, P::kLanes);
+  std::vector<Real> weights(row.size());
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
-    const GradientSums<Dim> sums = sum_gradients<Dim, Kernel>(
-        records.motion, i, rows_.row(i, P::kLanes), records.inverse_length, rows_.weights(i));
+    const GradientSums<Dim> sums =
+        sum_gradients<Dim, Kernel>(records.motion, i, row, records.inverse_length, weights.data());
     Real near[kSymmetric<Dim>] = {};
-    add_directions(i, rows_.row(i, P::kLanes), rows_.weights(i), near);
+    add_directions(i, row, weights.data(), near);
     thin = thin_moment<Dim>(sums.moment, &near);
     thin_correction<Dim>(thin, state_[i].correction);
     thin_gradient<Dim>(sums.rate, thin, state_[i].velocity_gradient);

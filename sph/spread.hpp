@@ -55,12 +55,12 @@ InverseSpread inverse_of(const Eigen::Matrix<Real, Dim, Dim>& spread, const Exce
 /// falls towards faces. Of two layers that is dp^2/2, twice as much as C: dp^6/16 c^2 less is as
 /// much, and more layers feel little of it. The longer step holds.
 /// docs/theory/sph.md (S24), (S25).
-/// row, weights  neighbours and those of their gradients, 0 beyond the kernel
+/// row  neighbours; those whose gradient has no weight do not count
 /// shear_share  [1] 2 mu/(rho c^2)
 /// thin  its axes where it is thin; else null
-template <int Dim>
+template <int Dim, class Kernel>
 InverseSpread inverse_spread(const MotionRecord<Dim>* motion, LocalIndex i,
-                             std::span<const LocalIndex> row, const Real* weights, Real shear_share,
+                             std::span<const LocalIndex> row, Real shear_share,
                              const ThinMoment<Dim>* thin) {
   using Matrix = Eigen::Matrix<Real, Dim, Dim>;
   constexpr int volume = MotionRecord<Dim>::kVolume;
@@ -68,8 +68,13 @@ InverseSpread inverse_spread(const MotionRecord<Dim>* motion, LocalIndex i,
   Real total = own[volume];
   Vec<Dim> first = Vec<Dim>::Zero();
   Matrix second = Matrix::Zero();
+  PairPack<Dim> pairs;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    if (weights[k] == 0) continue;
+    if (k % kLanes == 0) {
+      set_arms(motion, own, row.data() + k, pairs);
+      pairs.weight = kernel_weight<Dim, Kernel>(pairs);
+    }
+    if (pairs.weight[k % kLanes] == 0) continue;
     const Real* other = motion[row[k]].data;
     Vec<Dim> arm;
     for (int d = 0; d < Dim; ++d) arm[d] = other[d] - own[d];

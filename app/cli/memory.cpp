@@ -51,15 +51,18 @@ constexpr Real particle_bytes() {
          sizeof(SurfaceParticle) + sizeof(LocalIndex) + sizeof(std::uint16_t);
 }
 
-/// Candidates within 2 h and the skin, and among them the true neighbours.
+/// Candidates within 2 h and the skin, and among them the true neighbours: their row and weights in
+/// the plane, a bit of each candidate in space.
 template <int Dim>
-Real neighbour_bytes(Real smoothing) {
+Real neighbour_bytes(Real smoothing, bool conducts) {
   const Real ball = Dim == 3 ? 4.0 / 3 * kPi : kPi;
   const auto within = [&](Real reach) { return ball * std::pow(reach * smoothing, Dim); };
   constexpr Real kSkin = 0.35;
   const Real rows = 2 * sizeof(std::int64_t) + sizeof(int);
-  // Candidates, true neighbours with their weights, and the candidates again while they are sought.
-  return rows + (sizeof(LocalIndex) * 3 + sizeof(Real)) * within(2 + kSkin);
+  // The candidates are there twice while they are sought anew.
+  const Real true_ones =
+      Dim == 2 ? sizeof(LocalIndex) + sizeof(Real) : 1.0 / 8 + (conducts ? sizeof(Real) : 0.0);
+  return rows + (2 * sizeof(LocalIndex) + true_ones) * within(2 + kSkin);
 }
 
 /// Faces and their nodes, twice while a new table takes over from the old one.
@@ -157,7 +160,7 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     estimate.particles += particles * particle_bytes<Dim>();
     if (inputs.single) estimate.particles += particles * single_bytes<Dim>();
     (solid->rides() ? estimate.converted : estimate.neighbours) +=
-        particles * neighbour_bytes<Dim>(inputs.smoothing);
+        particles * neighbour_bytes<Dim>(inputs.smoothing, solid->points().conducts);
   }
   if (scene.contact) {
     estimate.contact =
