@@ -30,25 +30,40 @@ class Sample final : public Observer<Dim> {
   }
   void answer(const StepHead& head, Scene<Dim>& scene, Clock& clock) override {
     monitor_.answer(head, scene, clock);
+    note_stop(clock);
   }
   void step_done(Scene<Dim>& scene, Clock& clock) override {
     monitor_.step_done(scene, clock);
+    note_stop(clock);
     last_ = processor_seconds();
     steps_ = clock.step();
+    if (clock.time() <= limits_.first_part) {
+      of_first_part_ = (last_ - first_) / static_cast<Real>(steps_);
+    }
     if (last_ - first_ > limits_.seconds || steps_ >= limits_.steps) clock.stop();
   }
   std::optional<Calibration> result(const Clock& clock) const {
     if (steps_ == 0) return std::nullopt;
     const Real each = (last_ - first_) / static_cast<Real>(steps_);
-    return Calibration{
-        steps_, each, first_, clock.planned_step(), clock.time(), clock.time() >= clock.end()};
+    return Calibration{.steps = steps_,
+                       .seconds_per_step = each,
+                       .start = first_,
+                       .planned_step = clock.planned_step(),
+                       .reached = clock.time(),
+                       .ended = clock.time() >= clock.end(),
+                       .stopped = stopped_,
+                       .dearer = of_first_part_ > 0 ? each / of_first_part_ : 1};
   }
 
  private:
+  /// The clock stands before its end, and it was not this sample that had seen enough.
+  void note_stop(const Clock& clock) { stopped_ = clock.finished() && clock.time() < clock.end(); }
   Monitor<Dim>& monitor_;
   SampleLimits limits_;
   Real first_ = 0, last_ = 0;  // [s]
+  Real of_first_part_ = 0;     // [s] a step
   std::int64_t steps_ = 0;
+  bool stopped_ = false;
 };
 }  // namespace
 
@@ -78,6 +93,7 @@ std::optional<Calibration> calibrate(const LoadedDeck& loaded, Scene<Dim>& scene
                 deck.time.min_step, deck.time.process_speed);
     run_time_loop<Dim>(scene, clock, sample);
     found = sample.result(clock);
+    if (found) found->points = static_cast<Real>(scene.n_points());
   } catch (const std::exception&) {
     found.reset();  // a plan says nothing of what breaks; the run will
   }

@@ -14,6 +14,12 @@ struct Calibration {
   Real planned_step = 0;      ///< [s] the first step that a material bounds; 0: none did
   Real reached = 0;           ///< [s] the time of the scene that the steps reached
   bool ended = false;         ///< the scene came to its end
+  bool stopped = false;       ///< it stopped before, as `stop` says
+  /// Seconds of a step of the whole sample over one of its first part, SampleLimits::first_part.
+  Real dearer = 1;
+  Real points = 0;  ///< of the scene
+
+  bool whole() const { return ended || stopped; }
 
   /// How many times the steps that the first of them promised were needed; 1 where none did.
   Real growth() const {
@@ -25,6 +31,7 @@ struct Calibration {
 struct SampleLimits {
   Real seconds = 0.7;          ///< processor time that a plan takes for it
   std::int64_t steps = 20000;  ///< more add nothing
+  Real first_part = 0;         ///< [s] time of the scene up to which its first steps go
 };
 
 /// Steps the scene for a while, on one thread and with output into a folder that is removed again.

@@ -115,7 +115,9 @@ struct PlannedSteps {
 
   bool flattens() const { return flattening.most_steps() >= kHardly; }
   bool whole() const { return !rehearsals.empty() && rehearsals.front().factor == 1; }
-  Real expected() const { return kept * expected_growth(rehearsals); }
+  /// Where nothing flattens, coarse rehearsals say what steps cost and where `stop` ends, no more.
+  Real growth() const { return flattens() || whole() ? expected_growth(rehearsals) : 1; }
+  Real expected() const { return kept * growth() * expected_share(rehearsals); }
   /// Without a rehearsal: if they flatten as far as the energy allows.
   Real most() const {
     return flattens() && rehearsals.empty() ? kept * flattening.most_steps() : expected();
@@ -128,15 +130,14 @@ PlannedSteps plan_steps(const RunArguments& arguments, const LoadedDeck& loaded,
                         const std::optional<Calibration>& measured) {
   PlannedSteps steps{kept, {}, flattening_of(loaded.deck)};
   if (!measured) return steps;
-  if (measured->ended) {
-    steps.rehearsals = {{1, static_cast<Real>(measured->steps) / kept}};
+  if (measured->whole()) {
+    const Real share = measured->reached / loaded.deck.time.end;
+    steps.rehearsals = {{1, static_cast<Real>(measured->steps) / (kept * share), 1, share}};
     return steps;
   }
   if (!arguments.rehearse) return steps;
-  const Real seconds = measured->seconds_per_step * kept;
-  if (steps.flattens() || (steps.flattening.speed > 0 && seconds < kShortRun)) {
-    steps.rehearsals = rehearse(arguments.deck, arguments.overrides, loaded, seconds);
-  }
+  steps.rehearsals = rehearse(arguments.deck, arguments.overrides, loaded, *measured,
+                              measured->seconds_per_step * kept);
   return steps;
 }
 
@@ -148,8 +149,13 @@ Real two_digits(Real steps) {
 
 /// How many steps a run will take.
 void print_steps(const Deck& deck, const PlannedSteps& steps) {
-  std::string end = deck::time_text(deck.time.real(deck.time.end));
-  if (!deck.stop.when.empty() || deck.stop.at_rest || deck.stop.beyond) end += ", or until `stop`";
+  const Real share = expected_share(steps.rehearsals);
+  std::string end = deck::time_text(deck.time.real(share * deck.time.end));
+  if (share < 1) {
+    end += ", where `stop` ends " + std::string(steps.whole() ? "it" : "a coarser run");
+  } else if (!deck.stop.when.empty() || deck.stop.at_rest || deck.stop.beyond) {
+    end += ", or until `stop`";
+  }
   const std::string speed = deck::short_text(steps.flattening.speed);
   if (steps.whole()) {
     std::printf("steps      %.0f to %s, by a run of the deck itself\n", std::ceil(steps.expected()),
@@ -238,13 +244,18 @@ void print_time(const PlannedSteps& steps, const std::optional<Calibration>& mea
     std::printf("time       not known: the first steps do not run\n");
     return;
   }
-  const auto seconds = [&](Real n) { return measured->start + n * measured->seconds_per_step; };
+  const Real dearer = expected_cost(steps.rehearsals);
+  const auto seconds = [&](Real n) {
+    return measured->start + n * dearer * measured->seconds_per_step;
+  };
   const Real least = steps.rehearsals.empty() ? steps.kept : steps.expected();
   std::string range = duration_text(seconds(least));
   if (steps.most() > kHardly * least) range += " to " + duration_text(seconds(steps.most()));
-  std::printf("time       about %s of one thread: %s a step, measured over the first %lld\n",
+  std::printf("time       about %s of one thread: %s a step, measured over the first %lld",
               range.c_str(), deck::time_text(measured->seconds_per_step).c_str(),
               static_cast<long long>(measured->steps));
+  const bool changes = std::fabs(dearer - 1) >= kHardly - 1;
+  std::printf(changes ? "; %s of that in the mean of a run\n" : "\n", rounded(dearer, 2).c_str());
 }
 
 /// The whole scene of a deck, with what it has to be warned of.

@@ -12,14 +12,21 @@ namespace brunt {
 
 namespace {
 template <int Dim>
-std::optional<Calibration> run_whole(const LoadedDeck& loaded, Real seconds) {
+std::optional<Calibration> run_whole(const LoadedDeck& loaded, Real seconds, Real first_part) {
   try {
     const auto scene = build_scene<Dim>(loaded);
     constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
-    return calibrate(loaded, *scene, SampleLimits{seconds, kNoLimit});
+    return calibrate(loaded, *scene, SampleLimits{seconds, kNoLimit, first_part});
   } catch (const std::exception&) {
     return std::nullopt;  // too coarse to be built
   }
+}
+
+/// Seconds of a step over those of the first ones, as a coarser run has it. No more than that run
+/// took by its points: a coarse scene has more surface, so that each of them costs more.
+Real dearer_than_first(const Calibration& measured, const Calibration& coarse) {
+  const Real by_points = coarse.seconds_per_step * measured.points / coarse.points;
+  return std::min(coarse.dearer, by_points / measured.seconds_per_step);
 }
 
 bool erodes(const Deck& deck) {
@@ -38,18 +45,27 @@ Real expected_growth(const std::vector<Rehearsal>& rehearsals) {
   return finest + 0.5 * std::max(0.0, finest - rehearsals[rehearsals.size() - 2].growth);
 }
 
+Real expected_cost(const std::vector<Rehearsal>& rehearsals) {
+  return rehearsals.empty() ? 1 : rehearsals.back().dearer;
+}
+
+Real expected_share(const std::vector<Rehearsal>& rehearsals) {
+  return rehearsals.empty() ? 1 : rehearsals.back().share;
+}
+
 std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::string>& overrides,
-                                const LoadedDeck& loaded, Real seconds) {
+                                const LoadedDeck& loaded, const Calibration& measured,
+                                Real seconds) {
   constexpr Real kEroding = 1.5, kFactors[] = {3, 2, kEroding};
   constexpr Real kPart = 0.25, kPartEroding = 0.4;
   constexpr Real kLeast = 20, kMost = 60, kLeastEroding = 40, kMostEroding = 120;  // [s]
   std::vector<Rehearsal> done;
   const bool solid = loaded.deck.geometry == Geometry::three_d;
   if (seconds < kShortRun) {
-    const auto run = solid ? run_whole<3>(loaded, kLeast) : run_whole<2>(loaded, kLeast);
-    if (run && run->ended) {  // at its end, or where `stop` says
-      const Real kept = loaded.deck.time.end / run->planned_step;
-      return {{1, run->planned_step > 0 ? static_cast<Real>(run->steps) / kept : 1}};
+    const auto run = solid ? run_whole<3>(loaded, kLeast, 0) : run_whole<2>(loaded, kLeast, 0);
+    if (run && run->whole()) {
+      return {{1, run->growth(), run->seconds_per_step / measured.seconds_per_step,
+               run->reached / loaded.deck.time.end}};
     }
   }
   const SizeLever lever = own_sizes(loaded);
@@ -71,9 +87,11 @@ std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::
     const Real least = eroding ? kLeastEroding : kLeast, most = eroding ? kMostEroding : kMost;
     const Real left = std::clamp(part * growth * seconds, least, most) - (before - begun);
     if (last * std::pow(size / factor, solid ? 4 : 3) > left) break;  // more points and steps
-    const auto run = solid ? run_whole<3>(*coarse, left) : run_whole<2>(*coarse, left);
-    if (!run || !run->ended) continue;
-    done.push_back({factor, run->growth()});
+    const auto run = solid ? run_whole<3>(*coarse, left, measured.reached)
+                           : run_whole<2>(*coarse, left, measured.reached);
+    if (!run || !run->whole()) continue;
+    done.push_back({factor, run->growth(), dearer_than_first(measured, *run),
+                    run->reached / loaded.deck.time.end});
     last = processor_seconds() - before;
     size = factor;
   }

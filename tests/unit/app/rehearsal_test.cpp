@@ -8,6 +8,9 @@
 namespace brunt {
 namespace {
 
+// What first steps of some scene might have cost.
+const Calibration kMeasured{.steps = 10, .seconds_per_step = 1e-3, .reached = 1e-6, .points = 100};
+
 TEST(Rehearsals, ExpectTheGrowthOfTheFinestAndHalfOfItsLead) {
   EXPECT_EQ(expected_growth({}), 1);
   EXPECT_EQ(expected_growth({{3, 8}}), 8);
@@ -22,7 +25,7 @@ TEST(Rehearsals, ExpectTheGrowthOfTheFinestAndHalfOfItsLead) {
 TEST(Rehearsals, OfATaylorBarForetellItsStepsToAQuarter) {
   const std::string deck =
       test::source_path("decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml");
-  const auto rehearsals = rehearse(deck, {}, load_deck(deck, {}), 1000);
+  const auto rehearsals = rehearse(deck, {}, load_deck(deck, {}), kMeasured, 1000);
   ASSERT_EQ(rehearsals.size(), 2U);
   EXPECT_GT(rehearsals[1].growth, rehearsals[0].growth);
   EXPECT_NEAR(expected_growth(rehearsals), 17.3, 0.25 * 17.3);
@@ -33,7 +36,7 @@ TEST(Rehearsals, LeaveOutWhatCannotBeMadeCoarser) {
   const std::string deck =
       test::source_path("decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml");
   const std::vector<std::string> single{"bodies.bar.cells=[2, 20]"};
-  EXPECT_TRUE(rehearse(deck, single, load_deck(deck, single), 1000).empty());
+  EXPECT_TRUE(rehearse(deck, single, load_deck(deck, single), kMeasured, 1000).empty());
 }
 
 // A run that would take a second is tried itself (to its very steps: tests/cli/plan.sh). Elements
@@ -42,11 +45,22 @@ TEST(Rehearsals, AShortRunIsTriedItself) {
   const std::string deck =
       test::source_path("decks/taylor-bar-axisymmetric/taylor-bar-axisymmetric.yaml");
   const std::vector<std::string> coarse{"bodies.bar.cells=[3, 16]"};
-  const auto rehearsals = rehearse(deck, coarse, load_deck(deck, coarse), 1);
+  const auto rehearsals = rehearse(deck, coarse, load_deck(deck, coarse), kMeasured, 1);
   ASSERT_EQ(rehearsals.size(), 1U);
   EXPECT_EQ(rehearsals[0].factor, 1);
   EXPECT_GT(rehearsals[0].growth, 2);
   EXPECT_LT(rehearsals[0].growth, 17.3);
+  EXPECT_EQ(rehearsals[0].share, 1);
+}
+
+// Balls that are pressed together are at rest after a third of the time that the deck allows.
+TEST(Rehearsals, SeeWhereStopEndsARun) {
+  const std::string deck = test::source_path("decks/hertz/pressed.yaml");
+  const std::vector<std::string> coarse{"parameters.cells=18"};
+  const auto rehearsals = rehearse(deck, coarse, load_deck(deck, coarse), kMeasured, 1);
+  ASSERT_EQ(rehearsals.size(), 1U);
+  EXPECT_NEAR(rehearsals[0].share, 0.348, 0.03);
+  EXPECT_NEAR(expected_share(rehearsals), 0.348, 0.03);
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ TEST_F(TradeResults, FitsAlongTheSize) {
   EXPECT_TRUE(fit.asymptotic);
   EXPECT_NEAR(*fit.order, 2, 1e-9);
   EXPECT_NEAR(*fit.limit, 10, 1e-9);
-  EXPECT_NEAR(fit.bound, 1.25 * 0.5, 1e-9);
+  // 1.25 |f2 - f1|/(r - 1), at first order: that is all that three sizes vouch for.
+  EXPECT_NEAR(fit.bound, 1.25 * 1.5, 1e-9);
 }
 
 TEST_F(TradeResults, SharesAreWhatWasTakenLessWhatWasGiven) {
