@@ -8,11 +8,15 @@
 namespace brunt {
 namespace {
 
-/// A name for all blocks whose elements have rows of the same columns.
+/// A name for all blocks whose elements have rows of the same columns, and as many of them: control
+/// of hourglasses and laws of materials keep what their names do not tell.
 template <int Dim>
 std::string table_of(const ElementBlock<Dim>& block) {
+  StateCounter values;
+  if (block.n > 0) visit_element(block, 0, saved_in(values));
   return "elements." + std::to_string(block.gauss) + fields_of(block.state) +
-         (block.heat_given.empty() ? "" : ".given") + (block.volume_ratio.empty() ? "" : ".ratio");
+         (block.heat_given.empty() ? "" : ".given") + (block.volume_ratio.empty() ? "" : ".ratio") +
+         "." + std::to_string(values.count);
 }
 
 }  // namespace

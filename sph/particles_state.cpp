@@ -8,9 +8,12 @@
 namespace brunt {
 namespace {
 
-/// A name for all blocks whose material points have rows of the same columns.
+/// A name for all blocks whose material points have rows of the same columns, and as many of them.
 std::string table_of(const ParticleBlock& block) {
-  return "particle.material" + fields_of(block.state) + (block.heat_given.empty() ? "" : ".given");
+  StateCounter values;
+  if (!block.set.particle.empty()) visit_slot(block, 0, saved_in(values));
+  return "particle.material" + fields_of(block.state) + (block.heat_given.empty() ? "" : ".given") +
+         "." + std::to_string(values.count);
 }
 
 }  // namespace
