@@ -19,6 +19,8 @@ struct FirstTouch {
   bool held =
       false;  ///< of faces: they pushed in the last evaluation, deeper than kHeldFrom limits
   GlobalId entry = kNoEntry;  ///< of a thin plate: the face that was nearest to the particle
+  /// The entry by which the last evaluation chose: it is repeated by the same.
+  GlobalId entry_before = kNoEntry;
 
   static constexpr GlobalId kNoEntry = ~GlobalId{0};
   static constexpr Real kHeldFrom = 0.75;
@@ -33,7 +35,8 @@ struct FirstTouch {
   }
   template <class Visitor, class Touch>
   static void visit(Visitor& visitor, Touch& touch) {
-    visitor.carry(touch.overlap, touch.bonded, touch.slips, touch.side, touch.held, touch.entry);
+    visitor.carry(touch.overlap, touch.bonded, touch.slips, touch.side, touch.held, touch.entry,
+                  touch.entry_before);
     visitor.hash(touch.overlap, touch.flags());
     if (touch.entry != kNoEntry) visitor.hash(touch.entry);
   }
@@ -56,6 +59,11 @@ using FirstTouches = KeyedMemory<FirstTouch>;
 
 /// How a step finds the touches of time 0, or makes them.
 struct TouchStep {
+  /// The face of entry by which this evaluation chooses; kNoEntry without one.
+  GlobalId entry_of(const FirstTouch* touch) const {
+    if (touch == nullptr) return FirstTouch::kNoEntry;
+    return again ? touch->entry_before : touch->entry;
+  }
   const FirstTouches* before = nullptr;  ///< those of the last evaluation
   bool time_zero = false;                ///< they begin now, and no force is evaluated
   bool again = false;  ///< the last evaluation is repeated: what slid in it has not broken yet

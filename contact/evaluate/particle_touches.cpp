@@ -62,11 +62,10 @@ void recall_entries(const Entities<Dim>& entities, const ContactParticle& partic
   for (const auto& own : hits) {
     const auto* before = step.before->find(touch_key(particle.id, own.body, own.piece));
     const GlobalId id = entities.faces[slot_of(own.face)].id;
-    if (before == nullptr || before->entry != id) continue;
+    if (step.entry_of(before) != id) continue;
     for (auto& hit : hits) {
       if (hit.body != own.body || hit.piece != own.piece) continue;
-      const bool other =
-          step.again ? &hit != &own : hit.plane->normal.dot(own.plane->normal) < kOtherSide;
+      const bool other = hit.plane->normal.dot(own.plane->normal) < kOtherSide;
       hit.entry = other ? -1 : 1;
     }
   }
@@ -74,7 +73,7 @@ void recall_entries(const Entities<Dim>& entities, const ContactParticle& partic
 
 template <int Dim>
 void remember_entries(const Entities<Dim>& entities, const ContactParticle& particle,
-                      std::size_t first, typename Records<Dim>::Part& part) {
+                      const TouchStep& step, std::size_t first, typename Records<Dim>::Part& part) {
   for (const auto& hit : part.hits) {
     const auto& face = entities.faces[slot_of(hit.face)];
     if (!hit.kept || !thin_for(particle, face)) continue;
@@ -83,8 +82,11 @@ void remember_entries(const Entities<Dim>& entities, const ContactParticle& part
       return same && other.nearest.distance < hit.nearest.distance;
     });
     if (!nearest) continue;
-    touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches).entry =
-        face.id;
+    FirstTouch& touch =
+        touch_of(particle.id, surface_of(hit.body, hit.piece), first, part.particle_touches);
+    touch.entry = face.id;
+    touch.entry_before =
+        step.entry_of(step.before->find(touch_key(particle.id, hit.body, hit.piece)));
   }
 }
 
@@ -168,10 +170,10 @@ template void begin_where_held<3>(const ContactParticle&, Label, const Vec<3>&, 
                                   Records<3>::Part&);
 template void recall_entries<3>(const Entities<3>&, const ContactParticle&, const TouchStep&,
                                 std::vector<ParticleHit<3>>&);
-template void remember_entries<2>(const Entities<2>&, const ContactParticle&, std::size_t,
-                                  Records<2>::Part&);
-template void remember_entries<3>(const Entities<3>&, const ContactParticle&, std::size_t,
-                                  Records<3>::Part&);
+template void remember_entries<2>(const Entities<2>&, const ContactParticle&, const TouchStep&,
+                                  std::size_t, Records<2>::Part&);
+template void remember_entries<3>(const Entities<3>&, const ContactParticle&, const TouchStep&,
+                                  std::size_t, Records<3>::Part&);
 template void remember_sides<2>(const ContactParticle&, std::size_t, Records<2>::Part&);
 template void remember_sides<3>(const ContactParticle&, std::size_t, Records<3>::Part&);
 template void track_overlaps<2>(const Entities<2>&, const ContactParticle&, PairFinder&,

@@ -30,7 +30,7 @@ void recall_entries(const Entities<Dim>& entities, const ContactParticle& partic
 /// first  its own among part.particle_touches begin here
 template <int Dim>
 void remember_entries(const Entities<Dim>& entities, const ContactParticle& particle,
-                      std::size_t first, typename Records<Dim>::Part& part);
+                      const TouchStep& step, std::size_t first, typename Records<Dim>::Part& part);
 
 /// Keeps the sides of open surfaces where the particle touches them.
 template <int Dim>

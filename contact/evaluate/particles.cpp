@@ -301,7 +301,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
     const Real stiffness = broken.stiffness * now.breadth;
     begin_where_held<Dim>(now.particle, broken.body, broken.traction, stiffness, first_touch, part);
   }
-  if (thin) remember_entries<Dim>(entities, now.particle, first_touch, part);
+  if (thin) remember_entries<Dim>(entities, now.particle, step.touches, first_touch, part);
   if (entities.any_open) remember_sides<Dim>(now.particle, first_touch, part);
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {

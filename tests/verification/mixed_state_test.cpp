@@ -14,14 +14,18 @@ namespace {
 using namespace test;
 
 constexpr const char* kMaterials = R"(
-  metal: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}, strength: {j2: {yield: 50 MPa, hardening: 1 GPa}}}
+  metal:
+    density: 7850 kg/m^3
+    elastic: {E: 200 GPa, nu: 0.3}
+    strength: {j2: {yield: 50 MPa, hardening: 1 GPa}}
   cap: {density: 2440 kg/m^3, strength: {concrete-cap: {fc: 45.4 MPa}}}
   crushed:
     density: 2440 kg/m^3
     strength:
-      hjc: {fc: 119 MPa, G: 24.17 GPa, A: 0.29, B: 2.06, N: 0.866, C: 0.0013, S_max: 5, T: 8.2 MPa, D1: 0.04, D2: 1,
-            ef_min: 0.01, p_crush: 40 MPa, mu_crush: 0.00124, p_lock: 1200 MPa, mu_lock: 0.011, locking: permanent,
-            K1: 12.87 GPa, K2: 16.31 GPa, K3: 64.95 GPa}
+      hjc: {fc: 119 MPa, G: 24.17 GPa, A: 0.29, B: 2.06, N: 0.866, C: 0.0013, S_max: 5,
+            T: 8.2 MPa, D1: 0.04, D2: 1, ef_min: 0.01, p_crush: 40 MPa, mu_crush: 0.00124,
+            p_lock: 1200 MPa, mu_lock: 0.011, locking: permanent, K1: 12.87 GPa,
+            K2: 16.31 GPa, K3: 64.95 GPa}
   elastic: {density: 2000 kg/m^3, elastic: {E: 20 GPa, nu: 0.2}}
 )";
 
