@@ -159,6 +159,7 @@ RunSummary from_json(const Json& json) {
   for (const auto& entry : warnings) {
     s.warnings.push_back({entry.value("id", ""), entry.value("text", "")});
   }
+  s.contact_lists = json.value("contact_lists", s.contact_lists);
   s.ranks = json.value("ranks", s.ranks);
   s.threads = json.value("threads", s.threads);
   s.instruction_set = json.value("instruction_set", s.instruction_set);
@@ -224,6 +225,7 @@ std::string to_json(const RunSummary& s) {
   for (const auto& warning : s.warnings) {
     json["warnings"].push_back({{"id", warning.id}, {"text", warning.text}});
   }
+  json["contact_lists"] = s.contact_lists;
   json["ranks"] = s.ranks;
   json["threads"] = s.threads;
   json["instruction_set"] = s.instruction_set;

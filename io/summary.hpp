@@ -89,6 +89,8 @@ struct RunSummary {
   std::vector<InertiaShare> inertia;
   std::vector<MeasureResult> measures;
   std::vector<RunWarning> warnings;
+  /// How often lists of contacts were made on this rank, since the start or the last repartition.
+  std::int64_t contact_lists = 0;
   int ranks = 1;
   int threads = 1;
   std::string instruction_set;

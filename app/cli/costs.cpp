@@ -1,6 +1,7 @@
 #include "app/cli/costs.hpp"
 
 #include <sys/resource.h>
+#include <algorithm>
 
 #include "app/cli/calibration.hpp"
 #include "io/number.hpp"
@@ -15,6 +16,11 @@ double peak_memory() {
 
 template <int Dim>
 void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary) {
+  // A scene is searched once when it is built, and again at the start of its run.
+  if (scene.contact) {
+    const auto builds = static_cast<std::int64_t>(scene.contact->work().builds);
+    summary.contact_lists = std::max<std::int64_t>(builds - 1, 0);
+  }
   const auto seconds = [&](Phase phase) { return scene.phases.of(phase).seconds; };
   for (int p = 0; p < kPhases; ++p) {
     summary.phases.emplace_back(kPhaseNames[slot_of(p)], seconds(static_cast<Phase>(p)));

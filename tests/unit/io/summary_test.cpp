@@ -47,6 +47,7 @@ RunSummary example() {
   s.measures[1].order = 1.75;
   s.measures[1].convergence = "order 1.8";
   s.warnings = {{"coarse-body", "body 'a': \"one\" element"}};
+  s.contact_lists = 3;
   s.ranks = 4;
   s.threads = 2;
   s.instruction_set = "x86-64-v3";
@@ -102,6 +103,7 @@ TEST(Summary, ReadsBackTheSame) {
   ASSERT_EQ(b.warnings.size(), 1u);
   EXPECT_EQ(b.warnings[0].id, a.warnings[0].id);
   EXPECT_EQ(b.warnings[0].text, a.warnings[0].text);
+  EXPECT_EQ(b.contact_lists, 3);
   EXPECT_EQ(b.ranks, 4);
   EXPECT_EQ(b.threads, 2);
   EXPECT_EQ(b.instruction_set, a.instruction_set);
