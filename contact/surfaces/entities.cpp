@@ -8,6 +8,7 @@
 #include "contact/law/springs.hpp"
 #include "contact/surfaces/own_springs.hpp"
 #include "contact/surfaces/start_warp.hpp"
+#include "core/parallel/median.hpp"
 #include "core/parallel/packing.hpp"
 
 namespace brunt {
@@ -162,13 +163,6 @@ ContactParticle particle_from(const SurfaceParticle& shown, const Surface<Dim>& 
   particle.born = shown.born;
   return particle;
 }
-
-/// values  not empty; reordered
-Real median(std::vector<Real>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 }  // namespace
 
 template <int Dim>
@@ -198,6 +192,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
         const Real inside = pairs.touches_itself(face.body) ? kDeepestInside : 1.0;
         least_limit = std::min(least_limit, inside * face.depth);
       }
+      if (!face.owned) continue;  // another rank counts it
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }
     for (const auto& shown : surface.particles) {
@@ -214,9 +209,8 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   for (auto& face : faces) number.name_corners(face);
   for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
   number.add_gone();
-  if (!sizes.empty()) size = median(sizes);
   deepest = ranks.all->max(deepest);
-  size = ranks.all->max(size);
+  size = median_of_all(sizes, *ranks.all);
   any_born = std::any_of(particles.begin(), particles.end(), [](auto& one) { return one.born; });
   const auto diameters = largest_diameters(*this, ranks);
   any_particles = !diameters.empty();
