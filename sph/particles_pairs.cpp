@@ -138,7 +138,8 @@ void SphParticles<Dim>::find_thin_gradient(const ParticleBlock& block, LocalInde
                                            ThinMoment<Dim>& thin) {
   const auto records = pair_records<P>();
   const std::span<const LocalIndex> row = rows_.row(i, P::kLanes);
-  std::vector<Real> weights(row.size());
+  thread_local std::vector<Real> weights;  // a plate has many such particles
+  weights.resize(row.size());
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     const GradientSums<Dim> sums =
         sum_gradients<Dim, Kernel>(records.motion, i, row, records.inverse_length, weights.data());
