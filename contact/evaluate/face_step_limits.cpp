@@ -72,6 +72,89 @@ void limit_by_approach(const Entities<Dim>& entities, const FaceCandidate& candi
   step_limit.take({way / closing, "contact speed", entities.faces[l].body, entities.faces[l].id});
 }
 
+namespace {
+constexpr int kPasses = 2;
+
+/// The step [s] that faces allow which press `area` [m^2] of each other by a pair's spring, and
+/// the face that bounds it. What presses a part of a face may all lie beside one of its nodes,
+/// which has half (2D) or a quarter (3D) of the face: it counts as often.
+template <int Dim>
+StepLimit limit_of_area(const Entities<Dim>& entities, const FaceCandidate& candidate, Real area) {
+  StepLimit limit;
+  for (const LocalIndex place : {candidate.lower, candidate.upper}) {
+    const auto& face = entities.faces[slot_of(place)];
+    if (!face.deforms() || face.held || !(face.area_start > 0)) continue;
+    const Real whole = entities.planes[slot_of(place)].area;
+    const Real pressed = std::min((1 << (Dim - 1)) * area, whole) / face.area_start;
+    const Real phi = candidate.watched * recoil_factor(face.recoil) * pressed;
+    const Real zeta = recoil_damping(face.zeta, face.recoil);
+    const Real exact = 1 - 0.5 * (1 - 1 / std::sqrt(std::max(phi, 1.0))) * std::min(area / whole, 1.0);
+    limit.take({exact * face.element_step * surface_step_ratio(phi, zeta), "contact stiffness",
+                face.body, face.id});
+  }
+  return limit;
+}
+
+/// [m^2] that two faces press once they have come nearer by `coming` and slid by `sliding` [m].
+template <int Dim>
+Real pressed_area(const Entities<Dim>& entities, const FaceCandidate& candidate, Real coming,
+                  Real sliding) {
+  const auto &lower = entities.planes[slot_of(candidate.lower)],
+             &upper = entities.planes[slot_of(candidate.upper)];
+  Planes<Dim> planes;
+  const int n = common_planes<Dim>(
+      lower, upper, Section{}, planes,
+      {.opening = coming, .pushes = false, .at_point = candidate.normal.at_point, .turned = true});
+  Real area = 0;
+  for (int i = 0; i < n; ++i) area += planes[slot_of(i)].area;
+  if constexpr (Dim == 2) {
+    return area + 2 * sliding;
+  } else {
+    return area + 4 * sliding * std::sqrt(std::min(lower.area, upper.area));
+  }
+}
+}  // namespace
+
+template <int Dim>
+void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                           const EvaluationStep& step, StepLimit& step_limit) {
+  const auto l = slot_of(candidate.lower), u = slot_of(candidate.upper);
+  const auto &lower = entities.planes[l], &upper = entities.planes[u];
+  if (!(-lower.normal.dot(upper.normal) > FacingRamp<Dim>(lower, upper).none)) return;
+  const Vec<Dim> n = (lower.normal - upper.normal).normalized();
+  const Front below = front_of<Dim>(entities, candidate.lower, n, lower.center);
+  const Front above = front_of<Dim>(entities, candidate.upper, -n, lower.center);
+  const Real closing = below.speed + above.speed;
+  const Real relative = (entities.face_velocity(u) - entities.face_velocity(l)).norm();
+  // What is behind a face turns it round within h/c, by no more than all speeds that there are: one
+  // that opens now may close again within the step.
+  const auto back = [&](LocalIndex place) {
+    const auto& face = entities.faces[slot_of(place)];
+    return face.deforms() && !face.held ? step.speed / face.element_step : 0.0;
+  };
+  const Real turns = 2 * std::max(back(candidate.lower), back(candidate.upper));
+  // A bound that looks ahead by a time holds up to that time: first by the longest step, which may
+  // show more of them than they press in the step that it allows, and then by twice that one.
+  StepLimit found;
+  found.step = 0;
+  Real ahead = step.longest_of_faces;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    StepLimit bound;
+    const Real coming = std::clamp(closing + turns * ahead, 0.0, step.speed) * ahead;
+    const Real sweep = std::max(coming, relative * ahead);
+    if (below.height + above.height + coming > 0 &&
+        widened<Dim>(entities.boxes[l], sweep).meets(entities.boxes[u])) {
+      bound = limit_of_area<Dim>(entities, candidate,
+                                 pressed_area<Dim>(entities, candidate, coming, relative * ahead));
+    }
+    if (bound.step >= ahead && pass == 0) return;
+    if (bound.step > ahead) bound = {ahead, "contact stiffness", found.body, found.entity};
+    if (bound.step > found.step) found = bound;
+    ahead = std::min(ahead, 2 * found.step);
+  }
+  step_limit.take(found);
+}
+
 template <int Dim>
 void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candidate,
                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
@@ -221,6 +304,10 @@ template void limit_by_approach<2>(const Entities<2>&, const FaceCandidate&, con
                                    StepLimit&);
 template void limit_by_approach<3>(const Entities<3>&, const FaceCandidate&, const EvaluationStep&,
                                    StepLimit&);
+template void limit_by_pressed_area<2>(const Entities<2>&, const FaceCandidate&,
+                                       const EvaluationStep&, StepLimit&);
+template void limit_by_pressed_area<3>(const Entities<3>&, const FaceCandidate&,
+                                       const EvaluationStep&, StepLimit&);
 template void limit_by_barrier<2>(const Entities<2>&, const FaceCandidate&, const CommonPlane<2>&,
                                   Real, const EvaluationStep&, StepLimit&);
 template void limit_by_barrier<3>(const Entities<3>&, const FaceCandidate&, const CommonPlane<3>&,

@@ -20,6 +20,13 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
                       StepLimit& step_limit);
 
+/// Takes in the bounds of both faces of a pair that is stiffer than kFreeStiffness, by the area
+/// that they may press in a step at their speed: docs/theory/contact.md (C39). An edge that digs
+/// into a face presses little of it, however stiff the pair.
+template <int Dim>
+void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                           const EvaluationStep& step, StepLimit& step_limit);
+
 /// Takes in the bounds of faces whose pressure fades as they turn to each other: where the ramp of
 /// (C7) is on its slope, what the pair would hold without it bends by 6/width^2 at most.
 template <int Dim>

@@ -34,7 +34,8 @@ struct FaceData {
   LocalIndex surface;
   GlobalId id;
   Label body, piece;
-  Real stiffness, areal_mass, depth, area_start, phi, zeta, footprint, capacity, effusivity;
+  Real stiffness, areal_mass, depth, area_start, phi, phi_always, zeta, footprint, capacity;
+  Real effusivity;
   Real compliance, half_thickness, sharpness, recoil;
   std::int32_t specific_heat;
   bool held, born;
@@ -43,11 +44,10 @@ struct FaceData {
 
 template <int Dim>
 FaceData<Dim> data_of(const ContactFace<Dim>& f) {
-  return {f.n_nodes,        f.surface,    f.id,       f.body,          f.piece,
-          f.stiffness,      f.areal_mass, f.depth,    f.area_start,    f.phi,
-          f.zeta,           f.footprint,  f.capacity, f.effusivity,    f.compliance,
-          f.half_thickness, f.sharpness,  f.recoil,   f.specific_heat, f.held,
-          f.born,           f.borders};
+  return {f.n_nodes,    f.surface,       f.id,         f.body,       f.piece,          f.stiffness,
+          f.areal_mass, f.depth,         f.area_start, f.phi,        f.phi_always,     f.zeta,
+          f.footprint,  f.capacity,      f.effusivity, f.compliance, f.half_thickness, f.sharpness,
+          f.recoil,     f.specific_heat, f.held,       f.born,       f.borders};
 }
 
 template <int Dim>
@@ -57,7 +57,8 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
   f.n_nodes = d.n_nodes, f.surface = d.surface, f.id = d.id, f.body = d.body, f.piece = d.piece;
   f.owned = false;
   f.stiffness = d.stiffness, f.areal_mass = d.areal_mass, f.depth = d.depth;
-  f.area_start = d.area_start, f.phi = d.phi, f.zeta = d.zeta, f.footprint = d.footprint;
+  f.area_start = d.area_start, f.phi = d.phi, f.phi_always = d.phi_always;
+  f.zeta = d.zeta, f.footprint = d.footprint;
   f.capacity = d.capacity, f.effusivity = d.effusivity, f.compliance = d.compliance;
   f.half_thickness = d.half_thickness, f.sharpness = d.sharpness, f.recoil = d.recoil;
   f.specific_heat = d.specific_heat, f.held = d.held, f.borders = d.borders;

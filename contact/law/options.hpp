@@ -56,7 +56,7 @@ inline void describe(Schema& s, PairOptions& pair) {
          pair.bonded);
   describe(s, pair.coulomb);
   s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
-         {"1", positive(), between(0.01, 10)});
+         {"1", positive(), between(0.01, 100)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
   std::apply([&](auto&... bond) { (describe(s, bond), ...); }, pair.bonds);
   s.flag({"tied",

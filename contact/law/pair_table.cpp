@@ -88,7 +88,12 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       }
       const Real gap = gap_of(pair.heat);
       if (gap > 0) gaps_.resize(std::max(gaps_.size(), std::size_t{b} + 1), 0.0);
+      // Particles, what is tied and joints have no overlap whose area could be looked at.
+      const bool faces = !first->second.particles && !second->second.particles && !pair.holds();
+      const Real always = faces ? std::min(phi, kFreeStiffness) : phi;
+      watched_ = watched_ || always < phi;
       for (const Label body : {a, b}) {
+        always_[body] = std::max(always_[body], always);
         if (gap > 0) gaps_[body] = std::max(gaps_[body], gap);
         auto [it, is_new] = strongest_.try_emplace(body, pair);
         it->second.stiffness = std::max(it->second.stiffness, phi);
@@ -172,6 +177,11 @@ PairOptions PairTable::strongest(Label body) const {
   none.ignore = true;
   none.stiffness = none.damping = 0;
   return none;
+}
+
+Real PairTable::always(Label body) const {
+  const auto it = always_.find(body);
+  return it == always_.end() ? 0.0 : it->second;
 }
 
 template PairTable::PairTable(const ContactOptions&, const std::vector<Surface<2>*>&,

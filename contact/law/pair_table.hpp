@@ -13,6 +13,10 @@
 
 namespace brunt {
 
+/// [1] Stiffness of pairs of faces up to which each face bounds the step as if all of it were
+/// pressed, whether anything is near or not: a fifth of the step of the elements behind.
+inline constexpr Real kFreeStiffness = 2;
+
 /// Which bodies may touch, and by which options: those of the deck, for the bodies that are there.
 class PairTable {
  public:
@@ -40,8 +44,13 @@ class PairTable {
   bool particles_have_friction() const { return particles_have_friction_; }
   /// The largest stiffness and damping with which anything may touch this body; 0: nothing may.
   PairOptions strongest(Label body) const;
+  /// [1] the stiffness that bounds steps of this body even where nothing touches it: faces whose
+  /// springs are stiffer than kFreeStiffness are watched as they come near.
+  Real always(Label body) const;
   /// [1] as large a part of the springs of both bodies as any spring between them may be.
   Real stiffness(Label a, Label b) const;
+  /// True if any of these pairs is watched.
+  bool watched() const { return watched_; }
   /// True if any of these pairs has friction.
   bool has_friction() const { return has_friction_; }
   /// True if any of these pairs is tied, or a joint.
@@ -70,6 +79,7 @@ class PairTable {
   PairOptions fallback_;
   std::map<std::pair<Label, Label>, PairOptions> given_;
   std::map<Label, PairOptions> strongest_;
+  std::map<Label, Real> always_;
   std::map<Label, Real> softest_;  // [Pa/m] least M/h of each body's faces that deform
   std::map<std::pair<Label, Label>, RestingLayer> resting_;    // first <= second
   std::map<std::pair<Label, Label>, std::string> pair_names_;  // those of the deck
@@ -78,6 +88,7 @@ class PairTable {
   std::vector<std::pair<Label, Label>> pairs_;
   std::vector<std::size_t> reported_;
   bool has_friction_ = false;
+  bool watched_ = false;
   bool presses_ = false;
   bool holds_ = false;
   bool needs_material_ = false;

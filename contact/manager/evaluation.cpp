@@ -16,6 +16,7 @@ void Evaluation<Dim>::run(const ContactSetup<Dim>& setup, ContactSearch<Dim>& se
                             touches,
                             entities.longest_step,
                             setup.rigid.step_limit.step,
+                            candidates.speed(),
                             candidates.way_of_faces(entities) > 0};
   const auto on_faces = candidates.faces();
   if (!on_faces.empty()) entities.refresh_reaches();

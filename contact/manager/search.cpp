@@ -9,6 +9,9 @@ namespace {
 /// How much longer than the last a step may be where particles look ahead for what is near. That is
 /// a step limit: of less than half a step's it leaves room for twice the step.
 Real step_growth(Real safety) { return std::max(4.0, 2 / safety); }
+/// How much longer than the last a step may be where pairs of faces are watched: what they pressed
+/// has bounced off, and what is behind may push them together again before anybody sees it.
+constexpr Real kWatchedGrowth = 1.25;
 
 template <int Dim>
 Entities<Dim> entities_of(const ContactSetup<Dim>& setup) {
@@ -50,6 +53,11 @@ template <int Dim>
 StepLimit ContactSearch<Dim>::longest_after(Real dt) const {
   StepLimit longest = entities_.stiffness_limit();
   longest.take(setup_.rigid.step_limit);
+  if (dt > 0 && setup_.pairs.watched() && !entities_.faces.empty()) {
+    const auto& first = entities_.faces.front();
+    const Real grown = kWatchedGrowth / setup_.options.safety * dt;
+    longest.take({grown, "contact look-ahead", first.body, first.id});
+  }
   if (dt > 0 && !entities_.particles.empty()) {
     const auto& first = entities_.particles.front();
     const Real grown = step_growth(setup_.options.safety) * dt;

@@ -137,6 +137,7 @@ void set_options(const PairTable& pairs, const std::map<Label, Real>& diameter,
   for (auto& face : entities.faces) {
     const PairOptions strongest = pairs.strongest(face.body);
     face.phi = strongest.stiffness;
+    face.phi_always = pairs.always(face.body);
     face.zeta = strongest.damping;
     face.recoil = rigid.recoil_beside(face.body);
     const auto it = footprint.find(face.body);
@@ -328,7 +329,7 @@ void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
   const auto& face = faces[f];
   if (!face.deforms() || face.held || !(face.area_start > 0)) return;
   const Real area = std::max(plane.area, face.footprint);
-  const Real phi = face.phi * recoil_factor(face.recoil) * area / face.area_start;
+  const Real phi = face.phi_always * recoil_factor(face.recoil) * area / face.area_start;
   const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
   seen.step_limit.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
 }

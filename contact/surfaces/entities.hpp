@@ -30,6 +30,7 @@ struct ContactFace {
   Real element_step = 0;            ///< [s] h/c of what is behind
   Real area_start = 0;              ///< [m^2] at time 0
   Real phi = 0;                     ///< largest stiffness option with which anything may touch it
+  Real phi_always = 0;              ///< that which bounds steps where nothing is near
   Real zeta = 0;                    ///< largest damping option
   Real recoil = 0;     ///< of free rigid bodies that may touch it (contact/law/springs.hpp)
   Real footprint = 0;  ///< [m^2] of the largest particle that may touch it

@@ -10,6 +10,17 @@
 
 namespace brunt {
 
+namespace {
+/// [1] Stiffness of contact and that of the particle's neighbours, which add up: theirs is 24 of
+/// its own springs where the step is 0.41 dp/c, and their bound is another's matter as long as
+/// contact is much softer. Between 10 and 20, where both bounds meet, it fades in: without it
+/// particles on a held knife made a third of their energy at 20.
+Real with_own(Real phi) {
+  constexpr Real kOwn = 24, kFrom = 10, kWhole = 20;
+  return phi + kOwn * std::clamp((phi - kFrom) / (kWhole - kFrom), 0.0, 1.0);
+}
+}  // namespace
+
 template <int Dim>
 void set_limits_of_particles(const PairTable& pairs, const Section& section,
                              const RigidSprings& rigid, Entities<Dim>& entities) {
@@ -22,7 +33,8 @@ void set_limits_of_particles(const PairTable& pairs, const Section& section,
     if (it == options.end()) {
       it = options.emplace(particle.body, pairs.strongest(particle.body)).first;
     }
-    const Real k = it->second.stiffness * particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
+    const Real k =
+        with_own(it->second.stiffness) * particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
     if (!(k > 0)) continue;
     const Real recoil = rigid.recoil_beside(particle.body);
     const Real zeta = recoil_damping(it->second.damping, recoil);

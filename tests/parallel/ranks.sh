@@ -58,6 +58,8 @@ cases=(
   "decks/sheet 15_us"
   "decks/solids 0.5_ms"
   "decks/fast 30_us"
+  "decks/fast 20_us contact.default.stiffness=30 time.end=40_us"
+  "tumbling-blocks 3.4_ms parameters.end=4_ms bodies.plate.cells=[10,_10,_2] contact.default.stiffness=20"
   "decks/tets 2_us"
   "decks/stressed 3_us"
   "decks/still 2_us"

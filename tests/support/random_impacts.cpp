@@ -306,14 +306,14 @@ bool have_crossed(const BodyView& a, const BodyView& b) {
 }
 }  // namespace
 
-Outcome outcome_of(const Impact& impact) {
+Outcome outcome_of(const Impact& impact, const std::vector<std::string>& overrides) {
   Outcome outcome;
   SceneHooks hooks;
   hooks.moved = [&](std::int64_t step, const std::function<BodyView(Label)>& view) {
     if (outcome.crossed || step % 50 != 0) return;
     outcome.crossed = have_crossed(view(0), view(1));
   };
-  const Simulation run = simulate_text(impact.text, {}, {.threads = 1}, hooks);
+  const Simulation run = simulate_text(impact.text, overrides, {.threads = 1}, hooks);
   outcome.failure = run.failure;
   outcome.steps = run.steps;
   outcome.created = run.created;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/types.hpp"
 
@@ -30,6 +31,6 @@ struct Outcome {
   std::size_t lost = 0;  ///< pairs of bodies whose contacts were reported
   std::int64_t steps = 0;
 };
-Outcome outcome_of(const Impact& impact);
+Outcome outcome_of(const Impact& impact, const std::vector<std::string>& overrides = {});
 
 }  // namespace brunt::test

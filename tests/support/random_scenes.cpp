@@ -1,9 +1,11 @@
-// random_scenes impact|deck|newer FIRST [LAST]: what random impacts and decks of seeds come to, a
-// line each; of one seed with --print, its deck.
+// random_scenes impact|deck|newer FIRST [LAST [KEY=VALUE...]]: what random impacts and decks of
+// seeds come to, a line each, with overrides as those of --set; of one seed with --print, its deck.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "core/errors.hpp"
 #include "tests/support/random_deck.hpp"
@@ -13,9 +15,9 @@
 namespace brunt::test {
 namespace {
 
-void throw_pair(std::uint64_t seed) {
+void throw_pair(std::uint64_t seed, const std::vector<std::string>& overrides) {
   const Impact impact = random_impact(seed);
-  const Outcome outcome = outcome_of(impact);
+  const Outcome outcome = outcome_of(impact, overrides);
   const bool reported = outcome.lost > 0 || !outcome.failure.empty() || outcome.created > 0.05;
   const bool wrong = (outcome.crossed && !reported) || outcome.pairs > 0.01 ||
                      outcome.created > 0.01 || !outcome.failure.empty();
@@ -25,10 +27,10 @@ void throw_pair(std::uint64_t seed) {
               outcome.crossed ? ", crossed" : "", outcome.failure.c_str());
 }
 
-void run_deck(std::uint64_t seed, bool newer) {
+void run_deck(std::uint64_t seed, bool newer, const std::vector<std::string>& overrides) {
   const auto number = static_cast<unsigned long long>(seed);
   try {
-    const Simulation run = simulate_text(random_deck(seed, newer), {}, {.threads = 1});
+    const Simulation run = simulate_text(random_deck(seed, newer), overrides, {.threads = 1});
     bool numbers = true;
     for (const auto& row : run.rows) {
       for (const Real value : row) numbers = numbers && std::isfinite(value);
@@ -63,8 +65,9 @@ int main(int argc, char** argv) {
     return 0;
   }
   const std::uint64_t last = argc > 3 ? std::stoull(argv[3]) : first;
+  const std::vector<std::string> overrides(argv + std::min(argc, 4), argv + argc);
   for (auto seed = first; seed <= last; ++seed) {
-    impact ? throw_pair(seed) : run_deck(seed, newer);
+    impact ? throw_pair(seed, overrides) : run_deck(seed, newer, overrides);
     std::fflush(stdout);
   }
 }

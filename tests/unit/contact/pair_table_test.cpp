@@ -49,6 +49,22 @@ TEST(PairTable, OptionsOfTheDeckComeFirst) {
   EXPECT_TRUE(pairs.strongest(0).ignore);
 }
 
+TEST(PairTable, StiffFacesAreWatchedAndParticlesBoundStepsAlways) {
+  ContactScene<3> scene;
+  scene.options.fallback = {false, 0.5, 0.1, {}};
+  EXPECT_FALSE(table(scene).watched());
+  EXPECT_EQ(table(scene).always(0), 0.5);
+  scene.options.fallback.stiffness = 20;
+  const PairTable pairs = table(scene);
+  EXPECT_TRUE(pairs.watched());
+  for (const auto& [a, b] : pairs.pairs()) {
+    EXPECT_GE(std::min(pairs.always(a), pairs.always(b)), kFreeStiffness);
+    EXPECT_EQ(pairs.strongest(a).stiffness, 20);
+  }
+  scene.options.fallback.tied = true;
+  EXPECT_FALSE(table(scene).watched());
+}
+
 TEST(PairTable, PiecesOfOneBodyTouch) {
   ContactScene<3> scene;
   add_sheet(scene, 1, 0, 1, 0.1, true, 1e6, 1);
