@@ -246,13 +246,22 @@ void agree(const std::optional<PhysicsFailure>& mine, const Communicator& ranks)
 
 template <int Dim>
 void Scene<Dim>::check(Real time) const {
-  std::optional<PhysicsFailure> failure;
+  agree(own_failure(time), *ranks);
+}
+
+template <int Dim>
+bool Scene<Dim>::is_sound(Real time) const {
+  return !ranks->any(own_failure(time).has_value());
+}
+
+template <int Dim>
+std::optional<PhysicsFailure> Scene<Dim>::own_failure(Real time) const {
   try {
     check_own(time);
   } catch (const PhysicsError& error) {
-    failure = error.failure();
+    return error.failure();
   }
-  agree(failure, *ranks);
+  return {};
 }
 
 template <int Dim>
