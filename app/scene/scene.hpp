@@ -109,7 +109,6 @@ struct Scene {
  private:
   /// What this rank's part of a check finds. Not collective.
   std::optional<PhysicsFailure> own_failure(Real time) const;
-  void check_own(Real time) const;
 };
 
 }  // namespace brunt

@@ -149,6 +149,29 @@ ends 3 '^brunt: at t = 1.45e-06 s, body bar, element 0,' "$brunt" run corner.yam
 last=$(find inside -name 'checkpoint-*.manifest' | sort | tail -n 1)
 [[ $last =~ checkpoint-0*137.manifest ]] || fail "the last checkpoint is '$last'"
 
+# Elements of two bodies are inside out at step 40, d = 0.64, the one with the larger id on rank 0 of two:
+# the first of all that broke is said, not that of the first rank.
+cat >four.yaml <<'Y'
+title: Corners of two of four bars go through their elements in the same steps
+geometry: 3d
+time: {end: 2 us, max_step: 10 ns, max_created: 1}
+materials:
+  steel: {density: 7800 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}
+bodies:
+  a: {material: steel, shape: {box: {min: [0, 0, 0], max: [4 mm, 1 mm, 1 mm]}}, size: 1 mm, element: {integration: q1p0}}
+  b: {material: steel, shape: {box: {min: [30 mm, 0, 0], max: [34 mm, 1 mm, 1 mm]}}, size: 1 mm, element: {integration: q1p0}}
+  c: {material: steel, shape: {box: {min: [0, 20 mm, 0], max: [4 mm, 21 mm, 1 mm]}}, size: 1 mm, element: {integration: q1p0}}
+boundaries:
+  b-far: {body: b, where: {side: max-x}, fix: [x, y, z]}
+  c-far: {body: c, where: {side: max-x}, fix: [x, y, z]}
+  b: {body: b, where: {box: {min: [29.9 mm, -0.1 mm, -0.1 mm], max: [30.1 mm, 0.1 mm, 0.1 mm]}}, velocity: [1600 m/s, 1600 m/s, 1600 m/s]}
+  c: {body: c, where: {box: {min: [-0.1 mm, 19.9 mm, -0.1 mm], max: [0.1 mm, 20.1 mm, 0.1 mm]}}, velocity: [1600 m/s, 1600 m/s, 1600 m/s]}
+output: {every: 1 s, history: 10 ns, state_hash: true}
+Y
+for n in 1 2 3; do
+  ends 3 '^brunt: at t = 4e-07 s, body b, element 4,' "$brunt" run four.yaml --quiet --out four-$n --ranks $n --oversubscribe
+done
+
 # An output folder that cannot be: only the root tries.
 touch taken
 ends 4 '^brunt: ' "$brunt" run two.yaml --quiet --out taken/out --ranks 2 --oversubscribe
