@@ -172,6 +172,27 @@ for n in 1 2 3; do
   ends 3 '^brunt: at t = 4e-07 s, body b, element 4,' "$brunt" run four.yaml --quiet --out four-$n --ranks $n --oversubscribe
 done
 
+# The same of contacts whose friction is no coefficient: 0.2 - 30/100 is below 0 under all of two blocks
+# in the step in which they touch, and the pairs of faces are evaluated by several ranks.
+cat >rub.yaml <<'Y'
+title: Two blocks slide on two bars, and friction falls below 0 in the same step
+geometry: 3d
+time: {end: 10 us}
+materials:
+  steel: {density: 7800 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}
+bodies:
+  a: {material: steel, shape: {box: {min: [0, 0, 0], max: [4 mm, 1 mm, 1 mm]}}, size: 1 mm}
+  b: {material: steel, shape: {box: {min: [12 mm, 0, 0], max: [16 mm, 1 mm, 1 mm]}}, size: 1 mm}
+  c: {material: steel, shape: {box: {min: [0, 20 mm, 0], max: [4 mm, 21 mm, 1 mm]}}, size: 1 mm}
+  b-top: {material: steel, shape: {box: {min: [13 mm, 0, 1.001 mm], max: [14 mm, 1 mm, 2.001 mm]}}, size: 1 mm, velocity: [30 m/s, 0, -10 m/s]}
+  c-top: {material: steel, shape: {box: {min: [1 mm, 20 mm, 1.001 mm], max: [2 mm, 21 mm, 2.001 mm]}}, size: 1 mm, velocity: [30 m/s, 0, -10 m/s]}
+contact: {default: {friction: "= 0.2 - v/100"}}
+output: {every: 1 s, history: 10 ns, state_hash: true}
+Y
+for n in 1 2 4; do
+  ends 3 '^brunt: .* contact b-b-top at [(]0.0135016,' "$brunt" run rub.yaml --quiet --out rub-$n --ranks $n --oversubscribe
+done
+
 # An output folder that cannot be: only the root tries.
 touch taken
 ends 4 '^brunt: ' "$brunt" run two.yaml --quiet --out taken/out --ranks 2 --oversubscribe
