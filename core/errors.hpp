@@ -42,6 +42,9 @@ struct PhysicsFailure {
   std::string quantity;  ///< what is wrong: "volume", "velocity", "energy drift"
   Real value = 0;        ///< its value, SI
   std::string cause;     ///< the likely cause, and what to try
+  /// Of what breaks at once on several ranks the first is said: by group of the scene, then by id.
+  std::size_t group = 0;
+  GlobalId id = 0;
 };
 class PhysicsError : public std::runtime_error {
  public:

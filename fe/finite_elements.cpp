@@ -243,6 +243,7 @@ void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_
   if (where == nullptr) return;
   PhysicsFailure failure = element_failure(*where, element, points_, thickness_).value();
   failure.time = time;
+  failure.id = where->id[element];
   const Label body = where->body[element];
   if (body < body_names.size()) failure.body = body_names[body];
   throw PhysicsError(failure);

@@ -179,10 +179,17 @@ void SphParticles<Dim>::add_totals(Totals<Dim>& totals) const {
 
 template <int Dim>
 void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_names) const {
+  std::optional<PhysicsFailure> first;
   const auto fail = [&](std::size_t i, const char* quantity, Real value, const char* cause) {
+    if (first && first->id <= points_.id[i]) return;
     const Label body = points_.body[i];
-    throw PhysicsError({time, body < body_names.size() ? body_names[body] : std::to_string(body),
-                        "particle " + std::to_string(points_.id[i]), quantity, value, cause});
+    first = {time,
+             body < body_names.size() ? body_names[body] : std::to_string(body),
+             "particle " + std::to_string(points_.id[i]),
+             quantity,
+             value,
+             cause};
+    first->id = points_.id[i];
   };
   const bool single = any_single();
   for (const auto& block : blocks_) {
@@ -206,6 +213,7 @@ void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_na
       }
     }
   }
+  if (first) throw PhysicsError(*first);
 }
 
 template <int Dim>

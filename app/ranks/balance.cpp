@@ -50,10 +50,9 @@ void Balance<Dim>::look(Scene<Dim>& scene, Real time) {
   threads_.look();
   if (scene.ranks->alone() || !options_.balance || ++steps_ < options_.balance_steps) return;
   steps_ = 0;
-  if (is_due(scene)) {
-    scene.check(time);  // what is no number any more has no place in space
-    repartition(scene);
-  }
+  // What is no number any more has no place in space: it stays where it is, and the run breaks
+  // where it would on one rank.
+  if (is_due(scene) && scene.is_sound(time)) repartition(scene);
   last_ = scene.phases;
 }
 

@@ -21,7 +21,7 @@ class Balance {
   Balance(const deck::Ranks& options, Build build, double cost);
 
   /// Between two steps: compares the ranks' work every so many steps, and repartitions it where
-  /// that will pay. time [s]. Throws PhysicsError as Scene::check does. Collective.
+  /// that will pay and nothing has broken. time [s]. Collective.
   void look(Scene<Dim>& scene, Real time);
 
   Real ratio() const { return ratio_; }  ///< largest over mean work, since the last look but one

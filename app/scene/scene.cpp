@@ -221,61 +221,6 @@ Totals<Dim> Scene<Dim>::totals(Real dt, bool hashes) const {
   return totals;
 }
 
-namespace {
-Bytes packed(const PhysicsFailure& failure) {
-  return (Packer() << failure.time << failure.body << failure.entity << failure.quantity
-                   << failure.value << failure.cause)
-      .take();
-}
-
-PhysicsFailure failure_in(const Bytes& bytes) {
-  PhysicsFailure failure;
-  Unpacker(bytes) >> failure.time >> failure.body >> failure.entity >> failure.quantity >>
-      failure.value >> failure.cause;
-  return failure;
-}
-
-/// Throws on all ranks what the first rank with a failure found.
-void agree(const std::optional<PhysicsFailure>& mine, const Communicator& ranks) {
-  if (!ranks.any(mine.has_value())) return;
-  for (const Bytes& bytes : ranks.all_gather(mine ? packed(*mine) : Bytes{})) {
-    if (!bytes.empty()) throw PhysicsError(failure_in(bytes));
-  }
-}
-}  // namespace
-
-template <int Dim>
-void Scene<Dim>::check(Real time) const {
-  std::optional<PhysicsFailure> failure;
-  try {
-    check_own(time);
-  } catch (const PhysicsError& error) {
-    failure = error.failure();
-  }
-  agree(failure, *ranks);
-}
-
-template <int Dim>
-void Scene<Dim>::check_own(Real time) const {
-  // Elements and particles first: an inverted element is why its points are no numbers.
-  for (const auto& solid : solids) solid->check(time, body_names);
-  if (contact) contact->check(time, origin);
-  for (const auto& solid : solids) {
-    const auto& points = solid->points();
-    for (std::size_t i = 0; i < points.owned(); ++i) {
-      // One test finds NaN and infinity in either vector.
-      Real sum = points.x[i].sum() + points.v[i].sum();
-      const bool moves = sum - sum == 0;
-      if (points.conducts) sum += points.temperature[i];
-      if (sum - sum == 0) continue;
-      throw PhysicsError({time, body_names[points.body[i]], "point " + std::to_string(points.id[i]),
-                          moves ? "temperature" : "position or velocity", sum,
-                          "a force on it was no number: try a smaller time.safety, and look at the "
-                          "last frame for an element or particle that collapsed"});
-    }
-  }
-}
-
 template <int Dim>
 std::string Scene<Dim>::advice(const StepLimit& step_limit) const {
   const std::string_view reason = step_limit.reason;

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,9 @@ struct Scene {
   Totals<Dim> totals(Real dt, bool hashes) const;
   /// Throws PhysicsError where a state is no longer a number or an element is inverted.
   void check(Real time) const;
+  /// True where check would not throw: for what is written or dealt out at times of the machine,
+  /// which must not be those at which a run breaks.
+  bool is_sound(Real time) const;
   /// What may help where a step limit has collapsed. Collective.
   std::string advice(const StepLimit& step_limit) const;
   /// The whole body on the root, absolute positions; elsewhere empty. Of several ranks a view has
@@ -103,7 +107,8 @@ struct Scene {
   std::size_t n_particles() const;
 
  private:
-  void check_own(Real time) const;
+  /// What this rank's part of a check finds. Not collective.
+  std::optional<PhysicsFailure> own_failure(Real time) const;
 };
 
 }  // namespace brunt

@@ -4,6 +4,15 @@
 
 namespace brunt {
 
+namespace {
+/// The place of a contact among all that are refused in a step: as keys are ordered, by kind, then
+/// by the lower side, whose contacts one rank evaluates. Ids have less than 62 bits.
+GlobalId order_of(ContactKind kind, GlobalId first) {
+  constexpr int kIdBits = 62;
+  return (static_cast<GlobalId>(kind) << kIdBits) | first;
+}
+}  // namespace
+
 template <int Dim>
 StepLimit FrictionCheck<Dim>::step_limit() const {
   return failure_ ? StepLimit{-1, "coefficient of friction", 0, 0} : StepLimit{};
@@ -36,6 +45,7 @@ void FrictionCheck<Dim>::refuse(const PairTable& pairs, const ContactRecord<Dim>
               "coefficient of friction",
               friction.coefficient,
               cause.str()};
+  failure_->id = order_of(record.kind, record.first);
   at_ = friction.point;
 }
 
