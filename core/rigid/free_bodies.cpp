@@ -1,5 +1,6 @@
 #include "core/rigid/free_bodies.hpp"
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -50,7 +51,7 @@ FreeBodies<Dim>::FreeBodies(const std::vector<Points<Dim>*>& groups,
 }
 
 template <int Dim>
-void FreeBodies<Dim>::find_points(Group& group) const {
+void FreeBodies<Dim>::find_points(Group& group) {
   std::map<Label, std::size_t> number;
   for (std::size_t b = 0; b < bodies_.size(); ++b) number[bodies_[b].piece] = b;
   group.chosen.clear(), group.body_of.clear();
@@ -63,6 +64,7 @@ void FreeBodies<Dim>::find_points(Group& group) const {
   group.arm.assign(group.chosen.size(), Vec3::Zero());
   group.last_force.assign(group.chosen.size(), Vec<Dim>::Zero());
   group.work.assign(group.chosen.size(), 0.0);
+  placed_.assign(bodies_.size(), {});
 }
 
 template <int Dim>
@@ -74,18 +76,42 @@ void FreeBodies<Dim>::follow(const Points<Dim>& old, Points<Dim>& now) {
   }
 }
 
-/// Arms as the bodies lie now; positions and velocities of the points with them.
+/// True of a body without any motion, whose points have velocities of +0 whatever makes them.
+template <int Dim>
+bool is_at_rest(const FreeBody<Dim>& body) {
+  const auto is_zero = [](Real value) { return value == 0 && !std::signbit(value); };
+  const auto& v = body.state.v;
+  if (!is_zero(v[0]) || !is_zero(v[1]) || !is_zero(v[2])) return false;
+  return body.turns ? body.state.momentum == Vec3::Zero() : body.prescribed.spin == 0;
+}
+
+/// Arms as the bodies lie now; positions and velocities of the points with them. A body that was at
+/// rest when they were last placed, and is there and at rest now, is left alone.
 template <int Dim>
 template <class Velocity>
 void FreeBodies<Dim>::place_points(const Velocity& velocity) {
-  std::vector<Mat3> rotation;
-  for (const auto& body : bodies_) rotation.push_back(body.state.rotation());
+  std::vector<Mat3> rotation(bodies_.size());
+  std::vector<char> leaves(bodies_.size());
+  bool all_left = true;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& state = bodies_[b].state;
+    auto& placed = placed_[b];
+    const bool rests = is_at_rest(bodies_[b]);
+    leaves[b] = rests && placed.at_rest && placed.x == state.x &&
+                placed.turn.coeffs() == state.turn.coeffs();
+    all_left = all_left && leaves[b] != 0;
+    if (leaves[b] != 0) continue;
+    placed = {rests, state.x, state.turn};
+    rotation[b] = state.rotation();
+  }
+  if (all_left) return;
   for (auto& group : groups_) {
     auto& points = *group.points;
 #pragma omp parallel for schedule(static) if (group.chosen.size() > kWorthThreads)
     for (std::size_t k = 0; k < group.chosen.size(); ++k) {
       const auto i = slot_of(group.chosen[k]);
       const std::size_t b = group.body_of[k];
+      if (leaves[b] != 0) continue;
       const auto& body = bodies_[b];
       const Vec3 start = in_space<Dim>(points.x_start[i]) - body.center;
       const Vec3 arm = rotation[b] * start;
@@ -299,6 +325,7 @@ void FreeBodies<Dim>::load_state(const StateTables& tables) {
         "rigid.points", *group.points, group.chosen,
         [&](auto& row, std::size_t k) { visit_point_of_body(group, k, saved_in(row)); }, tables);
   }
+  placed_.assign(bodies_.size(), {});
   start();
 }
 

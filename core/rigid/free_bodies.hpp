@@ -88,7 +88,7 @@ class FreeBodies {
     std::vector<Real> work = {};            // [J] of its forces along its chords
   };
   struct Sums;
-  void find_points(Group& group) const;
+  void find_points(Group& group);
   static void add_forces(Real dt, Group& group, std::vector<Sums>& sums);
   void impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords);
   Vec3 prescribed_center(const FreeBody<Dim>& body, Real time) const;
@@ -97,6 +97,13 @@ class FreeBodies {
   template <class Velocity>
   void place_points(const Velocity& velocity);
 
+  /// How the points of each body were last placed.
+  struct Placed {
+    bool at_rest = false;
+    Vec3 x = Vec3::Zero();
+    Eigen::Quaternion<Real> turn = Eigen::Quaternion<Real>::Identity();
+  };
+  std::vector<Placed> placed_;
   std::vector<Group> groups_;
   std::vector<FreeBody<Dim>> bodies_;
 };
