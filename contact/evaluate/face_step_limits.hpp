@@ -20,8 +20,8 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
                       StepLimit& step_limit);
 
-/// Takes in the bounds of both faces of a pair that is stiffer than kFreeStiffness, by the area
-/// that they may press in a step at their speed: docs/theory/contact.md (C39). An edge that digs
+/// Takes in the bounds of both faces of a pair with `step_by_area` and a stiffness, by the area
+/// that they may press in a step at their speed: docs/theory/contact.md (C56). An edge that digs
 /// into a face presses little of it, however stiff the pair.
 template <int Dim>
 void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& candidate,

@@ -29,6 +29,9 @@ struct PairOptions {
   std::optional<JointSpring> joint{};  ///< by these springs, and so does what meets later
   InitialOverlap initial_overlap = InitialOverlap::track;
   PlaneRule plane = PlaneRule::integrated;
+  /// Faces that press bound the step by their area under pressure, where the pair is stiff: not
+  /// whole faces always.
+  bool step_by_area = false;
   /// Pressure, in weights of the body that rests, as far as which a soft layer lets it come to
   /// rest.
   Real resting_layer = 3;
@@ -42,6 +45,8 @@ struct PairOptions {
   bool holds() const { return tied || joint.has_value(); }
   /// True where anything resists sliding, a bond too.
   bool has_friction() const { return BondLaw(bonds).any() || coulomb.acts(); }
+  /// True where the step is bounded by the area that faces press, as far as they are alone.
+  bool bounds_by_area() const { return step_by_area && !holds(); }
   /// [1] as large a part of the springs of both sides as any spring between them may be.
   Real stiffest() const { return holds() ? std::max(stiffness, kTiedStiffness) : stiffness; }
   /// True where that depends on the temperature or the flow stress of what slides.
@@ -58,6 +63,10 @@ inline void describe(Schema& s, PairOptions& pair) {
   s.real({"stiffness", "fraction of the springs of both sides in series"}, pair.stiffness,
          {"1", positive(), between(0.01, 100)});
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
+  s.flag({"step_by_area",
+          "a stiffness above 2 bounds the step by the area that faces press, not by whole faces "
+          "always: for bodies that meet by edges and corners; not of particles, ties and joints"},
+         pair.step_by_area);
   std::apply([&](auto&... bond) { (describe(s, bond), ...); }, pair.bonds);
   s.flag({"tied",
           "what touches at time 0 stays together: springs hold places of both sides, until "

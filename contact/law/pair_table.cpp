@@ -89,8 +89,9 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       const Real gap = gap_of(pair.heat);
       if (gap > 0) gaps_.resize(std::max(gaps_.size(), std::size_t{b} + 1), 0.0);
       // Particles, what is tied and joints have no overlap whose area could be looked at.
-      const bool faces = !first->second.particles && !second->second.particles && !pair.holds();
-      const Real always = faces ? std::min(phi, kFreeStiffness) : phi;
+      const bool by_area =
+          pair.bounds_by_area() && !first->second.particles && !second->second.particles;
+      const Real always = by_area ? std::min(phi, kFreeStiffness) : phi;
       watched_ = watched_ || always < phi;
       for (const Label body : {a, b}) {
         always_[body] = std::max(always_[body], always);

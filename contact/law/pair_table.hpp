@@ -13,8 +13,9 @@
 
 namespace brunt {
 
-/// [1] Stiffness of pairs of faces up to which each face bounds the step as if all of it were
-/// pressed, whether anything is near or not: a fifth of the step of the elements behind.
+/// [1] Stiffness of pairs of faces with `step_by_area` up to which each face bounds the step as if
+/// all of it were pressed, whether anything is near or not: a fifth of the step of the elements
+/// behind.
 inline constexpr Real kFreeStiffness = 2;
 
 /// Which bodies may touch, and by which options: those of the deck, for the bodies that are there.

@@ -11,7 +11,7 @@ namespace {
 Real step_growth(Real safety) { return std::max(4.0, 2 / safety); }
 /// How much longer than the last a step may be where pairs of faces are watched: what they pressed
 /// has bounced off, and what is behind may push them together again before anybody sees it.
-constexpr Real kWatchedGrowth = 1.25;
+constexpr Real kWatchedGrowth = 1.02;
 
 template <int Dim>
 Entities<Dim> entities_of(const ContactSetup<Dim>& setup) {

@@ -55,6 +55,9 @@ TEST(PairTable, StiffFacesAreWatchedAndParticlesBoundStepsAlways) {
   EXPECT_FALSE(table(scene).watched());
   EXPECT_EQ(table(scene).always(0), 0.5);
   scene.options.fallback.stiffness = 20;
+  EXPECT_FALSE(table(scene).watched());
+  EXPECT_EQ(table(scene).always(0), 20);
+  scene.options.fallback.step_by_area = true;
   const PairTable pairs = table(scene);
   EXPECT_TRUE(pairs.watched());
   for (const auto& [a, b] : pairs.pairs()) {
