@@ -17,6 +17,7 @@ struct EvaluationStep {
   Real longest_of_faces = kInfinity;  ///< [s] the same of faces, which look ahead by it
   Real longest_of_rigid = kInfinity;  ///< [s] bound of free rigid bodies on linear springs
   Real speed = 0;                     ///< [m/s] largest between any two points of surfaces
+  Real gravity = 0;                   ///< [m/s^2]
   bool fast = false;                  ///< faces may be fast enough to bound the step by their speed
 };
 

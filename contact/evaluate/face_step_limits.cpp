@@ -74,21 +74,29 @@ void limit_by_approach(const Entities<Dim>& entities, const FaceCandidate& candi
 
 namespace {
 constexpr int kPasses = 2;
+/// What is pushed from rest moves twice as far in its second step as it would by its speed.
+constexpr Real kFaster = 2;
 
 /// The step [s] that faces allow which press `area` [m^2] of each other by a pair's spring, and
 /// the face that bounds it. What presses a part of a face may all lie beside one of its nodes,
-/// which has half (2D) or a quarter (3D) of the face: it counts as often.
+/// which has half (2D) or a quarter (3D) of the face: it counts as often. A smaller face has others
+/// beside it, which press as much of themselves: its part counts for both.
 template <int Dim>
 StepLimit limit_of_area(const Entities<Dim>& entities, const FaceCandidate& candidate, Real area) {
+  const Real smaller = std::min(entities.planes[slot_of(candidate.lower)].area,
+                                entities.planes[slot_of(candidate.upper)].area);
+  const Real pressed = std::min((1 << (Dim - 1)) * area / smaller, 1.0);
+  // Edges come onto their springs bit by bit; what lands flat swings across them in one step at the
+  // limit, and makes energy.
+  const Real lands = std::max(2 * pressed - 1, 0.0);
   StepLimit limit;
   for (const LocalIndex place : {candidate.lower, candidate.upper}) {
     const auto& face = entities.faces[slot_of(place)];
     if (!face.deforms() || face.held || !(face.area_start > 0)) continue;
-    const Real whole = entities.planes[slot_of(place)].area;
-    const Real pressed = std::min((1 << (Dim - 1)) * area, whole) / face.area_start;
-    const Real phi = candidate.watched * recoil_factor(face.recoil) * pressed;
+    const Real whole = entities.planes[slot_of(place)].area / face.area_start;
+    const Real phi = candidate.watched * recoil_factor(face.recoil) * pressed * whole;
     const Real zeta = recoil_damping(face.zeta, face.recoil);
-    const Real exact = 1 - 0.5 * (1 - 1 / std::sqrt(std::max(phi, 1.0))) * std::min(area / whole, 1.0);
+    const Real exact = 1 - 0.5 * (1 - 1 / std::sqrt(std::max(phi, 1.0))) * lands;
     limit.take({exact * face.element_step * surface_step_ratio(phi, zeta), "contact stiffness",
                 face.body, face.id});
   }
@@ -140,8 +148,13 @@ void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& c
   Real ahead = step.longest_of_faces;
   for (int pass = 0; pass < kPasses; ++pass) {
     StepLimit bound;
-    const Real coming = std::clamp(closing + turns * ahead, 0.0, step.speed) * ahead;
-    const Real sweep = std::max(coming, relative * ahead);
+    // At time 0 nobody knows what will push them: an eighth of their depth.
+    const Real coming =
+        step.dt > 0 ? std::clamp(closing + turns * ahead, 0.0, kFaster * step.speed) * ahead +
+                          step.gravity * ahead * ahead
+                    : candidate.normal.barrier().onset;
+    // As far behind each other as they may press, and no farther than the lists see.
+    const Real sweep = candidate.normal.limit + step.speed * ahead;
     if (below.height + above.height + coming > 0 &&
         widened<Dim>(entities.boxes[l], sweep).meets(entities.boxes[u])) {
       bound = limit_of_area<Dim>(entities, candidate,

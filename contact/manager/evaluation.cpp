@@ -1,8 +1,18 @@
 #include "contact/manager/evaluation.hpp"
 
+#include <cmath>
 #include <map>
 
 namespace brunt {
+
+namespace {
+/// [m/s^2]
+Real gravity_of(const ContactOptions& options) {
+  Real squared = 0;
+  for (const Real g : options.gravity) squared += g * g;
+  return std::sqrt(squared);
+}
+}  // namespace
 
 template <int Dim>
 void Evaluation<Dim>::run(const ContactSetup<Dim>& setup, ContactSearch<Dim>& search, Real dt,
@@ -17,6 +27,7 @@ void Evaluation<Dim>::run(const ContactSetup<Dim>& setup, ContactSearch<Dim>& se
                             entities.longest_step,
                             setup.rigid.step_limit.step,
                             candidates.speed(),
+                            gravity_of(setup.options),
                             candidates.way_of_faces(entities) > 0};
   const auto on_faces = candidates.faces();
   if (!on_faces.empty()) entities.refresh_reaches();
