@@ -126,6 +126,7 @@ Real pressed_area(const Entities<Dim>& entities, const FaceCandidate& candidate,
 template <int Dim>
 void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& candidate,
                            const EvaluationStep& step, StepLimit& step_limit) {
+  if (candidate.watched == 0) return;
   const auto l = slot_of(candidate.lower), u = slot_of(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   if (!(-lower.normal.dot(upper.normal) > FacingRamp<Dim>(lower, upper).none)) return;

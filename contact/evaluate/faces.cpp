@@ -304,9 +304,7 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
     const auto l = slot_of(candidate.lower);
     const auto u = slot_of(candidate.upper);
     if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
-    if (candidate.watched > 0) {
-      limit_by_pressed_area<Dim>(entities, candidate, step, part.step_limit);
-    }
+    limit_by_pressed_area<Dim>(entities, candidate, step, part.step_limit);
     BrokenTies<Dim> broken;
     if (held<Dim>(entities, candidate, section, step, broken, part)) continue;
     if (!entities.reaches[l].meets(entities.reaches[u])) continue;

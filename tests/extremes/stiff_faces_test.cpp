@@ -57,7 +57,10 @@ parameters: {end: 1.2 ms, phi: 50, angle: 30 deg}
 bodies:
   flying:
     material: soft
-    shape: {box: {min: [-2 mm, -2 mm, 0], max: [2 mm, 2 mm, 4 mm]}, rotate: {axis: y, angle: $angle, about: [-2 mm, 0, 0]}, translate: [0, 0, 2.2 mm]}
+    shape:
+      box: {min: [-2 mm, -2 mm, 0], max: [2 mm, 2 mm, 4 mm]}
+      rotate: {axis: y, angle: $angle, about: [-2 mm, 0, 0]}
+      translate: [0, 0, 2.2 mm]
     size: 1 mm
     velocity: [0, 0, -4 m/s]
   plate:
