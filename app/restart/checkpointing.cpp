@@ -110,7 +110,7 @@ void Checkpointing<Dim>::write(Scene<Dim>& scene, const Clock& clock) {
   const PhaseTimer timer(scene.phases, Phase::output);
   const Communicator& ranks = *scene.ranks;
   // What has broken already must not take the place of a good one; when one is written must not
-  // say when a run breaks.
+  // decide when a run breaks.
   if (!scene.is_sound(clock.time())) return;
   CheckpointContent content;
   scene.save_state(content.tables);

@@ -82,8 +82,8 @@ struct Scene {
   Totals<Dim> totals(Real dt, bool hashes) const;
   /// Throws PhysicsError where a state is no longer a number or an element is inverted.
   void check(Real time) const;
-  /// True where check would not throw: for what is written or dealt out at times of the machine,
-  /// which must not be those at which a run breaks.
+  /// True where check would not throw: for checkpoints and repartitions, which come at times of
+  /// the machine: they must not decide when a run breaks.
   bool is_sound(Real time) const;
   /// What may help where a step limit has collapsed. Collective.
   std::string advice(const StepLimit& step_limit) const;

@@ -127,6 +127,14 @@ template <int Dim>
 void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& candidate,
                            const EvaluationStep& step, StepLimit& step_limit) {
   if (candidate.watched == 0) return;
+  Real ahead = step.longest_of_faces;
+  // As far behind each other as they may press, and no farther than the lists see.
+  const auto in_reach = [&] {
+    const Real sweep = candidate.normal.limit + step.speed * ahead;
+    return widened<Dim>(entities.boxes[slot_of(candidate.lower)], sweep)
+        .meets(entities.boxes[slot_of(candidate.upper)]);
+  };
+  if (!in_reach()) return;
   const auto l = slot_of(candidate.lower), u = slot_of(candidate.upper);
   const auto &lower = entities.planes[l], &upper = entities.planes[u];
   if (!(-lower.normal.dot(upper.normal) > FacingRamp<Dim>(lower, upper).none)) return;
@@ -146,7 +154,6 @@ void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& c
   // show more of them than they press in the step that it allows, and then by twice that one.
   StepLimit found;
   found.step = 0;
-  Real ahead = step.longest_of_faces;
   for (int pass = 0; pass < kPasses; ++pass) {
     StepLimit bound;
     // At time 0 nobody knows what will push them: an eighth of their depth.
@@ -154,10 +161,7 @@ void limit_by_pressed_area(const Entities<Dim>& entities, const FaceCandidate& c
         step.dt > 0 ? std::clamp(closing + turns * ahead, 0.0, kFaster * step.speed) * ahead +
                           step.gravity * ahead * ahead
                     : candidate.normal.barrier().onset;
-    // As far behind each other as they may press, and no farther than the lists see.
-    const Real sweep = candidate.normal.limit + step.speed * ahead;
-    if (below.height + above.height + coming > 0 &&
-        widened<Dim>(entities.boxes[l], sweep).meets(entities.boxes[u])) {
+    if (below.height + above.height + coming > 0 && in_reach()) {
       bound = limit_of_area<Dim>(entities, candidate,
                                  pressed_area<Dim>(entities, candidate, coming, relative * ahead));
     }

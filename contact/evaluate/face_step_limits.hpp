@@ -20,7 +20,7 @@ void limit_by_barrier(const Entities<Dim>& entities, const FaceCandidate& candid
                       const CommonPlane<Dim>& plane, Real closing, const EvaluationStep& step,
                       StepLimit& step_limit);
 
-/// Takes in the bounds of both faces of a pair with `step_by_area` and a stiffness, by the area
+/// Takes in the bounds of both faces of a watched pair (PairOptions::watched), by the area
 /// that they may press in a step at their speed: docs/theory/contact.md (C56). An edge that digs
 /// into a face presses little of it, however stiff the pair.
 template <int Dim>

@@ -16,6 +16,10 @@
 
 namespace brunt {
 
+/// [1] Stiffness of pairs with `step_by_area` up to which each face bounds the step as if all of it
+/// were pressed, whether anything is near or not: by a fifth of the step of the elements behind.
+inline constexpr Real kFreeStiffness = 2;
+
 /// What a pair of bodies may be given; a key not given comes from `default`.
 struct PairOptions {
   bool ignore = false;
@@ -45,8 +49,11 @@ struct PairOptions {
   bool holds() const { return tied || joint.has_value(); }
   /// True where anything resists sliding, a bond too.
   bool has_friction() const { return BondLaw(bonds).any() || coulomb.acts(); }
-  /// True where the step is bounded by the area that faces press, as far as they are alone.
-  bool bounds_by_area() const { return step_by_area && !holds(); }
+  /// True where faces bound the step by the area that they press. What is held, bonded or a joint
+  /// has springs where nothing is pressed.
+  bool watched() const {
+    return step_by_area && stiffness > kFreeStiffness && !holds() && !BondLaw(bonds).any();
+  }
   /// [1] as large a part of the springs of both sides as any spring between them may be.
   Real stiffest() const { return holds() ? std::max(stiffness, kTiedStiffness) : stiffness; }
   /// True where that depends on the temperature or the flow stress of what slides.
@@ -65,7 +72,8 @@ inline void describe(Schema& s, PairOptions& pair) {
   s.real({"damping", "fraction of critical damping"}, pair.damping, {"1", between(0, 2)});
   s.flag({"step_by_area",
           "a stiffness above 2 bounds the step by the area that faces press, not by whole faces "
-          "always: for bodies that meet by edges and corners; not of particles, ties and joints"},
+          "always: for bodies that meet by edges and corners; not of particles, bonds, ties and "
+          "joints"},
          pair.step_by_area);
   std::apply([&](auto&... bond) { (describe(s, bond), ...); }, pair.bonds);
   s.flag({"tied",

@@ -88,11 +88,10 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       }
       const Real gap = gap_of(pair.heat);
       if (gap > 0) gaps_.resize(std::max(gaps_.size(), std::size_t{b} + 1), 0.0);
-      // Particles, what is tied and joints have no overlap whose area could be looked at.
-      const bool by_area =
-          pair.bounds_by_area() && !first->second.particles && !second->second.particles;
-      const Real always = by_area ? std::min(phi, kFreeStiffness) : phi;
-      watched_ = watched_ || always < phi;
+      // Particles have no overlap whose area could be looked at.
+      const bool watched = pair.watched() && !first->second.particles && !second->second.particles;
+      const Real always = watched ? kFreeStiffness : phi;
+      watched_ = watched_ || watched;
       for (const Label body : {a, b}) {
         always_[body] = std::max(always_[body], always);
         if (gap > 0) gaps_[body] = std::max(gaps_[body], gap);

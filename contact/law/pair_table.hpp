@@ -13,11 +13,6 @@
 
 namespace brunt {
 
-/// [1] Stiffness of pairs of faces with `step_by_area` up to which each face bounds the step as if
-/// all of it were pressed, whether anything is near or not: a fifth of the step of the elements
-/// behind.
-inline constexpr Real kFreeStiffness = 2;
-
 /// Which bodies may touch, and by which options: those of the deck, for the bodies that are there.
 class PairTable {
  public:
@@ -45,8 +40,8 @@ class PairTable {
   bool particles_have_friction() const { return particles_have_friction_; }
   /// The largest stiffness and damping with which anything may touch this body; 0: nothing may.
   PairOptions strongest(Label body) const;
-  /// [1] the stiffness that bounds steps of this body even where nothing touches it: faces whose
-  /// springs are stiffer than kFreeStiffness are watched as they come near.
+  /// [1] the stiffness that bounds steps of this body even where nothing touches it: of watched
+  /// pairs kFreeStiffness.
   Real always(Label body) const;
   /// [1] as large a part of the springs of both bodies as any spring between them may be.
   Real stiffness(Label a, Label b) const;

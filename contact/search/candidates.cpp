@@ -204,10 +204,9 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
     const auto &a = face(i), &b = face(j);
     const PairOptions& options = pairs.of(a.body, b.body);
     const auto law = law_of(a, b, options, pairs.resting(a.body, b.body));
-    const bool watched = options.stiffness > kFreeStiffness && options.bounds_by_area();
     faces_.push_back({near[slot_of(i)], near[slot_of(j)], law,
                       PairLaws(options, a.capacity > 0 && b.capacity > 0),
-                      watched ? options.stiffness : 0.0});
+                      options.watched() ? options.stiffness : 0.0});
   }
 }
 

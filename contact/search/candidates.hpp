@@ -26,7 +26,7 @@ struct FaceCandidate {
   LocalIndex lower = 0, upper = 0;
   FaceLaw normal{};
   PairLaws laws{};
-  Real watched = 0;  ///< [1] stiffness of the pair where it is above kFreeStiffness; else 0
+  Real watched = 0;  ///< [1] stiffness of a pair that is watched; else 0
 };
 
 /// Rows of particles beside faces.

@@ -107,7 +107,7 @@ done
 # the eighth at that corner is 1 - 3 d (3/4)^2, below 0 beyond d = 16/27; that of the whole is 1 - 3 d/4.
 # At 1600 m/s from 1 us (step 100) on, d = 0.592 at step 137 and 0.608 at step 138, at most 0.8, and the
 # run ends well; at 1800 m/s what it leaves behind is inside out at step 200, and the run breaks there.
-# Ranks that deal out their work again, and checkpoints, look in between: they wait, and say nothing.
+# Repartitions and checkpoints look in between: they wait, and say nothing.
 cat >corner.yaml <<'Y'
 title: A corner goes through its element and comes back
 geometry: 3d

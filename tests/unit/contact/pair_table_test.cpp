@@ -64,7 +64,11 @@ TEST(PairTable, StiffFacesAreWatchedAndParticlesBoundStepsAlways) {
     EXPECT_GE(std::min(pairs.always(a), pairs.always(b)), kFreeStiffness);
     EXPECT_EQ(pairs.strongest(a).stiffness, 20);
   }
-  scene.options.fallback.tied = true;
+  PairOptions& options = scene.options.fallback;
+  options.tied = true;
+  EXPECT_FALSE(table(scene).watched());
+  options.tied = false;
+  std::get<CohesiveBond>(options.bonds).tension = 1e6;
   EXPECT_FALSE(table(scene).watched());
 }
 
