@@ -16,6 +16,8 @@ namespace brunt {
 template <int Dim>
 class NeighbourRows {
  public:
+  /// Gives the room of the candidates back: new ones are sought, which takes as much.
+  void forget() { list_ = {}; }
   /// list  candidates, ascending within a row
   /// keeps_weights  whether there is room for weights of pairs; in the plane there is in any case
   void assign(NeighbourList list, bool keeps_weights);

@@ -69,6 +69,7 @@ void SphParticles<Dim>::rearrange() {
   const Real skin = skin_ratio_ * longest;
   if (!ranks_->alone()) renew_ghosts(skin);
   label_sums();
+  rows_.forget();
   rows_.assign(
       neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_),
       points_.conducts);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "contact/law/springs.hpp"
+#include "contact/surfaces/numbering.hpp"
 #include "contact/surfaces/own_springs.hpp"
 #include "contact/surfaces/start_warp.hpp"
 #include "core/parallel/median.hpp"
@@ -14,42 +15,6 @@
 namespace brunt {
 
 namespace {
-/// Nodes of one surface, numbered when first asked for.
-template <int Dim>
-class Numbering {
- public:
-  Numbering(const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes)
-      : surfaces_(surfaces), nodes_(nodes), known_(surfaces.size()) {
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      known_[s].assign(slot_of(surfaces[s]->points->size()), -1);
-    }
-  }
-  LocalIndex operator()(LocalIndex surface, LocalIndex point) {
-    const auto s = slot_of(surface);
-    auto& number = known_[s][slot_of(point)];
-    if (number < 0) number = nodes_.add(surface, point, *surfaces_[s]->points);
-    return number;
-  }
-
-  void name_corners(ContactFace<Dim>& face) {
-    for (int c = 0; c < face.n_nodes; ++c) {
-      auto& node = face.node[slot_of(c)];
-      node = (*this)(face.surface, node);
-    }
-  }
-  /// Points that have gone, for what is booked to them.
-  void add_gone() {
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-      for (const LocalIndex point : surfaces_[s]->gone) (*this)(static_cast<LocalIndex>(s), point);
-    }
-  }
-
- private:
-  const std::vector<Surface<Dim>*>& surfaces_;
-  ContactNodes<Dim>& nodes_;
-  std::vector<std::vector<LocalIndex>> known_;
-};
-
 template <int Dim>
 ContactFace<Dim> face_from(const Facet<Dim>& facet, LocalIndex surface) {
   ContactFace<Dim> face;
@@ -176,6 +141,9 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   nodes.needs_material = pairs.needs_material();
   for (const auto* surface : surfaces) nodes.conduct = nodes.conduct || surface->points->conducts;
   std::vector<Real> sizes;
+  std::size_t most_particles = 0;
+  for (const auto* surface : surfaces) most_particles += surface->particles.size();
+  particles.reserve(most_particles);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const auto& surface = *surfaces[s];
     conducts.push_back(surface.points->conducts);
@@ -206,10 +174,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   }
   sort_by_id(faces);
   sort_by_id(particles);
-  Numbering<Dim> number(surfaces, nodes);
-  for (auto& face : faces) number.name_corners(face);
-  for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
-  number.add_gone();
+  number_nodes(surfaces);
   deepest = ranks.all->max(deepest);
   size = median_of_all(sizes, *ranks.all);
   any_born = std::any_of(particles.begin(), particles.end(), [](auto& one) { return one.born; });
@@ -223,6 +188,15 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   }
   least_limit = -ranks.all->max(-least_limit);
   longest_step = -ranks.all->max(-longest_step);
+}
+
+template <int Dim>
+void Entities<Dim>::number_nodes(const std::vector<Surface<Dim>*>& surfaces) {
+  Numbering<Dim> number(surfaces, nodes);
+  number.reserve_for(*this);
+  for (auto& face : faces) number.name_corners(face);
+  for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
+  number.add_gone();
 }
 
 template <int Dim>

@@ -195,6 +195,8 @@ struct Entities {
     Real warped = 0, turned_square = 0;
     void take(const Seen& other);
   };
+  /// Nodes of the corners and particles, which name points until then, and of what has gone.
+  void number_nodes(const std::vector<Surface<Dim>*>& surfaces);
   void find_near();
   void refresh_plane(std::size_t face);
   void look_at(std::size_t face, Seen& seen) const;

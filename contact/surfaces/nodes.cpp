@@ -18,6 +18,14 @@ void add_blank(std::vector<T>& field) {
 }  // namespace
 
 template <int Dim>
+void ContactNodes<Dim>::reserve(std::size_t n) {
+  surface.reserve(n), point.reserve(n), owned.reserve(n), id.reserve(n);
+  mass.reserve(n), x.reserve(n), x_made.reserve(n);
+  for_carried([&](auto field, FieldUse) { (this->*field).reserve(n); });
+  for_renewed([&](auto field) { (this->*field).reserve(n); });
+}
+
+template <int Dim>
 LocalIndex ContactNodes<Dim>::add(LocalIndex on_surface, LocalIndex at_point,
                                   const Points<Dim>& points) {
   const auto p = slot_of(at_point);

@@ -99,6 +99,8 @@ struct ContactNodes {
   }
 
   std::size_t size() const { return point.size(); }
+  /// Room for n nodes and no more: tables that double take twice what a million particles need.
+  void reserve(std::size_t n);
   LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
   /// A point of another rank; [kg], [m], [m/s].
   LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
