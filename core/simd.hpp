@@ -95,6 +95,15 @@ BRUNT_INLINE unsigned mask_bits(PackMask m) {
   return static_cast<unsigned>((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
 #endif
 }
+BRUNT_INLINE unsigned mask_bits(WideMask m) {
+#ifdef BRUNT_WIDE
+  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m));
+#else
+  unsigned bits = 0;
+  for (int lane = 0; lane < 2 * kLanes; ++lane) bits |= (m[lane] != 0 ? 1U : 0U) << lane;
+  return bits;
+#endif
+}
 /// to[k] = from[lane[k]] for four indices; `to` may overlap nothing.
 BRUNT_INLINE void store_permuted(LocalIndex* to, const LocalIndex* from, const std::int32_t* lane) {
 #ifdef __AVX__

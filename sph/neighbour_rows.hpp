@@ -27,10 +27,12 @@ class NeighbourRows {
   /// Finds j with |x_i - x_j| < 2 h_ij among the candidates of i: its row, padded to the lanes of
   /// P, until this thread asks for another.
   template <class P>
-  std::span<const LocalIndex> refresh(const MotionRecord<Dim, P>* records, LocalIndex i);
-  /// The row that was found last, padded by i to whole packs of either precision, until this thread
-  /// asks for another.
-  std::span<const LocalIndex> row(LocalIndex i, int lanes = kLanes) const;
+  std::span<const LocalIndex> refresh(const MotionRecord<Dim, typename P::Stored>* records,
+                                      LocalIndex i);
+  /// The row that was found last, padded by i to the lanes of P, until this thread asks for
+  /// another.
+  template <class P = DoublePairs>
+  std::span<const LocalIndex> row(LocalIndex i) const;
 
   /// Room for the weights of each pair of the row [1/m^2]; null where none are kept.
   Real* weights(LocalIndex i) { return weight_.empty() ? nullptr : weight_.data() + first_[i]; }

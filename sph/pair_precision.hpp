@@ -1,22 +1,33 @@
 #pragma once
 /// In what numbers the sums over pairs of particles are formed; the state is in double in any case.
+#include <type_traits>
+
 #include "core/simd_single.hpp"
 
 namespace brunt {
 
-/// Four pairs at a time, in SI units.
-struct DoublePairs {
+/// Four or eight pairs at a time, in SI units, by the same records. Sums have four lanes in any
+/// case: of eight pairs the first four are added, then the others, so that the bits are the same.
+template <class V>
+struct RealPairs {
   using Number = Real;
-  using Pack = brunt::Pack;
-  static constexpr int kLanes = brunt::kLanes;
+  using Pack = V;
+  using Sum = brunt::Pack;                ///< of terms that are a Pack each
+  using Stored = RealPairs<brunt::Pack>;  ///< whose records are read
+  static constexpr int kLanes = lanes_of<V>;
   static constexpr Real kSupport = 4.0;  ///< (r/h)^2 below which a pair interacts
 };
+using DoublePairs = RealPairs<Pack>;
+/// Where the processor has registers for them (core/wide_lanes.hpp).
+using WidePairs = RealPairs<Wide>;
 
 /// Eight pairs at a time. Lengths are in a unit near the spacing, so that no power of them leaves
 /// the range of a float, and positions in whole steps of it, whose differences are exact.
 struct SinglePairs {
   using Number = float;
   using Pack = SinglePack;
+  using Sum = SinglePack;
+  using Stored = SinglePairs;
   static constexpr int kLanes = kSingleLanes;
   /// Rounding takes in no pair that a list, made in double, may lack: a gradient is 1e-10 there.
   static constexpr Real kSupport = 3.9999;
@@ -29,6 +40,28 @@ struct SinglePairs {
   /// 100.
   static constexpr Real kMostSpacings = 20;
 };
+
+template <class P>
+inline constexpr bool kIsSingle = std::is_same_v<P, SinglePairs>;
+
+/// sum += term, in the order of the pairs.
+BRUNT_INLINE void add_to(Pack& sum, Pack term) { sum = sum + term; }
+BRUNT_INLINE void add_to(SinglePack& sum, SinglePack term) { sum = sum + term; }
+BRUNT_INLINE void add_to(Pack& sum, Wide term) {
+  sum = sum + low_half(term);
+  sum = sum + high_half(term);
+}
+
+/// The same of several terms of each pair.
+template <class Pack, std::size_t n>
+BRUNT_INLINE void add_all(Pack& sum, const Pack (&terms)[n]) {
+  for (std::size_t k = 0; k < n; ++k) sum = sum + terms[k];
+}
+template <std::size_t n>
+BRUNT_INLINE void add_all(Pack& sum, const Wide (&terms)[n]) {
+  for (std::size_t k = 0; k < n; ++k) sum = sum + low_half(terms[k]);
+  for (std::size_t k = 0; k < n; ++k) sum = sum + high_half(terms[k]);
+}
 
 /// The unit of length [m] of sums in single precision, a power of two near a spacing: scaling by it
 /// changes no bits.

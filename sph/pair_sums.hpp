@@ -35,11 +35,11 @@ struct ForceSums {
 
 /// A sum over pairs that has one length below the line, in SI units.
 template <class P>
-BRUNT_INLINE Real in_metres(Real inverse_length, typename P::Pack sum) {
-  if constexpr (P::kLanes == kLanes) {
-    return sum_lanes(sum);
-  } else {
+BRUNT_INLINE Real in_metres(Real inverse_length, typename P::Sum sum) {
+  if constexpr (kIsSingle<P>) {
     return inverse_length * sum_lanes(sum);
+  } else {
+    return sum_lanes(sum);
   }
 }
 
@@ -51,16 +51,16 @@ BRUNT_INLINE void clear(Pack (&sums)[n]) {
 
 /// Adds the rates of a stretch, and volumes to the weights of its pairs.
 template <int Dim, class P>
-BRUNT_INLINE void add_rates(const MotionRecord<Dim, P>* motion, const typename P::Number* own,
-                            const LocalIndex* j, std::size_t n, PairPack<Dim, P>* pairs,
-                            typename P::Pack (&rate)[Dim * Dim]) {
+BRUNT_INLINE void add_rates(const MotionRecord<Dim, typename P::Stored>* motion,
+                            const typename P::Number* own, const LocalIndex* j, std::size_t n,
+                            PairPack<Dim, P>* pairs, typename P::Sum (&rate)[Dim * Dim]) {
   using Pack = typename P::Pack;
   for (std::size_t k = 0; k < n; k += P::kLanes, ++pairs) {
     pairs->weight = set_velocities(motion, own, j + k, *pairs) * pairs->weight;
     for (int b = 0; b < Dim; ++b) {
       const Pack gradient = pairs->weight * pairs->arm[b];
       for (int a = 0; a < Dim; ++a) {
-        rate[Dim * a + b] = rate[Dim * a + b] + pairs->velocity[a] * gradient;
+        add_to(rate[Dim * a + b], pairs->velocity[a] * gradient);
       }
     }
   }
@@ -68,12 +68,16 @@ BRUNT_INLINE void add_rates(const MotionRecord<Dim, P>* motion, const typename P
 
 /// Keeps the weights of a pack of pairs [1/m^2].
 BRUNT_INLINE void keep_weights(Pack weight, Real, Real* out) { store(out, weight); }
+BRUNT_INLINE void keep_weights(Wide weight, Real, Real* out) { store(out, weight); }
 /// unit  [1/m^2] of the weights
 BRUNT_INLINE void keep_weights(SinglePack weight, Real unit, Real* out) {
   store(out, unit * low_half(weight));
   store(out + kLanes, unit * high_half(weight));
 }
 BRUNT_INLINE void take_weights(const Real* kept, Real, Pack& weight) { weight = load(kept); }
+BRUNT_INLINE void take_weights(const Real* kept, Real, Wide& weight) {
+  weight = load_as<Wide>(kept);
+}
 BRUNT_INLINE void take_weights(const Real* kept, Real inverse_unit, SinglePack& weight) {
   weight = joined(inverse_unit * load(kept), inverse_unit * load(kept + kLanes));
 }
@@ -81,15 +85,14 @@ BRUNT_INLINE void take_weights(const Real* kept, Real inverse_unit, SinglePack& 
 /// Adds the moments of a stretch, and keeps its weights for the second pass where there is room.
 template <int Dim, class P>
 BRUNT_INLINE void add_moments(std::size_t n, const PairPack<Dim, P>* pairs, Real unit,
-                              typename P::Pack (&moment)[kSymmetric<Dim>], Real* weights) {
+                              typename P::Sum (&moment)[kSymmetric<Dim>], Real* weights) {
   using Pack = typename P::Pack;
   for (std::size_t k = 0; k < n; k += P::kLanes, ++pairs) {
     if (weights != nullptr) keep_weights(pairs->weight, unit, weights + k);
     for (int b = 0; b < Dim; ++b) {
       const Pack gradient = pairs->weight * pairs->arm[b];
       for (int a = 0; a <= b; ++a) {
-        Pack& m = moment[symmetric_place<Dim>(a, b)];
-        m = m + pairs->arm[a] * gradient;
+        add_to(moment[symmetric_place<Dim>(a, b)], pairs->arm[a] * gradient);
       }
     }
   }
@@ -99,15 +102,14 @@ BRUNT_INLINE void add_moments(std::size_t n, const PairPack<Dim, P>* pairs, Real
 /// inverse_length  [1/m] of the unit of length; 1 in double precision
 /// weights  [1/m^2] V_j grad_i W = weight (x_j - x_i) of each pair of the row, out; or null
 template <int Dim, class Kernel, class P>
-BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim, P>* motion, LocalIndex i,
-                                             std::span<const LocalIndex> row, Real inverse_length,
-                                             Real* weights) {
-  using Pack = typename P::Pack;
+BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim, typename P::Stored>* motion,
+                                             LocalIndex i, std::span<const LocalIndex> row,
+                                             Real inverse_length, Real* weights) {
   constexpr std::size_t length = RowStretch<Dim, P>::kLength;
   const auto* own = motion[i].data;
   const Real unit = inverse_length * inverse_length;
   RowStretch<Dim, P> stretch;
-  Pack moment[kSymmetric<Dim>], rate[Dim * Dim];
+  typename P::Sum moment[kSymmetric<Dim>], rate[Dim * Dim];
   clear(moment);
   clear(rate);
   for (std::size_t first = 0; first < row.size(); first += length) {
@@ -158,9 +160,9 @@ BRUNT_INLINE Vec<Dim> mean_velocity(const MotionRecord<Dim>* motion,
 /// Records of all particles, for the second pass.
 template <int Dim, class P = DoublePairs>
 struct ForceRecords {
-  const MotionRecord<Dim, P>* motion;
-  const StressRecord<Dim, P>* stress;
-  const ArtificialRecord<Dim, P>* artificial;
+  const MotionRecord<Dim, typename P::Stored>* motion;
+  const StressRecord<Dim, typename P::Stored>* stress;
+  const ArtificialRecord<Dim, typename P::Stored>* artificial;
   Real inverse_length = 1;  ///< [1/m] of the unit of length
 };
 
@@ -168,20 +170,20 @@ struct ForceRecords {
 template <int Dim, class P>
 struct StressPart {
   using Pack = typename P::Pack;
-  Pack force[Dim];
-  Pack arm[Dim];
+  typename P::Sum force[Dim];
+  typename P::Sum arm[Dim];
 
   BRUNT_INLINE StressPart() {
     clear(force);
     clear(arm);
   }
-  BRUNT_INLINE void add(const StressRecord<Dim, P>* records, const LocalIndex* j,
+  BRUNT_INLINE void add(const StressRecord<Dim, typename P::Stored>* records, const LocalIndex* j,
                         const PairPack<Dim, P>& pair) {
-    using Record = StressRecord<Dim, P>;
+    using Record = StressRecord<Dim, typename P::Stored>;
     Pack gradient[Dim], stress[8];
     for (int a = 0; a < Dim; ++a) {
       gradient[a] = pair.weight * pair.arm[a];
-      arm[a] = arm[a] + gradient[a];
+      add_to(arm[a], gradient[a]);
     }
     for (int g = 0; g < Record::kScalars; g += 4) load_four<P>(records, j, g, stress + g);
     for (int a = 0; a < Dim; ++a) {
@@ -190,7 +192,7 @@ struct StressPart {
         const int place = Dim * a + b;
         row = row + (place < 8 ? stress[place] : pair.last_stress) * gradient[b];
       }
-      force[a] = force[a] + row;
+      add_to(force[a], row);
     }
   }
 };
@@ -202,8 +204,9 @@ template <int Dim, class P>
 struct ViscousPart {
   using Pack = typename P::Pack;
   using Number = typename P::Number;
-  Pack force[Dim];
-  Pack power = {}, largest_mu = {}, largest_speed2 = {};
+  typename P::Sum force[Dim];
+  typename P::Sum power = {};
+  Pack largest_mu = {}, largest_speed2 = {};
 
   BRUNT_INLINE ViscousPart() { clear(force); }
   BRUNT_INLINE void add(const PairPack<Dim, P>& pair, Number own_sound_speed, Number own_density,
@@ -221,8 +224,8 @@ struct ViscousPart {
     const Pack both = (2 * own_density) * density * (distance2 * inverse);
     const Pack c = 0.5 * (sound_speed + own_sound_speed);
     const Pack push = -(both * pair.weight) * (mu * (beta * mu - alpha * c));
-    for (int a = 0; a < Dim; ++a) force[a] = force[a] + push * pair.arm[a];
-    power = power + push * approach;
+    for (int a = 0; a < Dim; ++a) add_to(force[a], push * pair.arm[a]);
+    add_to(power, push * approach);
     largest_mu = vmin(largest_mu, mu);
     largest_speed2 = vmax(largest_speed2, speed2);
   }
@@ -233,19 +236,21 @@ struct ViscousPart {
 template <int Dim, class P>
 struct ArtificialPart {
   using Pack = typename P::Pack;
-  Pack force[Dim];
-  Pack power = {};
+  typename P::Sum force[Dim];
+  typename P::Sum power = {};
 
   BRUNT_INLINE ArtificialPart() { clear(force); }
   /// relative_value  W(r)/W(dp)
   BRUNT_INLINE void add(const PairPack<Dim, P>& pair, Pack relative_value,
-                        const typename P::Number* own, const ArtificialRecord<Dim, P>* records,
+                        const typename P::Number* own,
+                        const ArtificialRecord<Dim, typename P::Stored>* records,
                         const LocalIndex* j) {
-    constexpr int size = ArtificialRecord<Dim, P>::kSize;
+    constexpr int size = ArtificialRecord<Dim, typename P::Stored>::kSize;
     Pack stress[size];
     for (int g = 0; g < size; g += 4) load_four<P>(records, j, g, stress + g);
     const Pack square = relative_value * relative_value;
     const Pack factor = pair.weight * (square * square);
+    Pack powers[Dim];
     for (int a = 0; a < Dim; ++a) {
       Pack row = {};
       for (int b = 0; b < Dim; ++b) {
@@ -253,9 +258,10 @@ struct ArtificialPart {
         row = row + (stress[place] + own[place]) * pair.arm[b];
       }
       row = factor * row;
-      force[a] = force[a] + row;
-      power = power + row * pair.velocity[a];
+      add_to(force[a], row);
+      powers[a] = row * pair.velocity[a];
     }
+    add_all(power, powers);
   }
 };
 
@@ -273,7 +279,7 @@ BRUNT_INLINE void add_viscosity(const ForceRecords<Dim, P>& records, LocalIndex 
                                 const LocalIndex* j, const Real* weights, std::size_t n,
                                 const SphPairOptions& options, PairPack<Dim, P>* pairs,
                                 TensePacks& tense, ViscousPart<Dim, P>& viscous) {
-  using Record = StressRecord<Dim, P>;
+  using Record = StressRecord<Dim, typename P::Stored>;
   using Pack = typename P::Pack;
   constexpr int g = Record::kScalars;
   const auto* own = records.stress[i].data;
@@ -304,8 +310,8 @@ BRUNT_INLINE void add_viscosity(const ForceRecords<Dim, P>& records, LocalIndex 
 
 /// Artificial stress of the packs of a stretch that are in tension.
 template <int Dim, class Kernel, class P>
-BRUNT_INLINE void add_artificial(const ArtificialRecord<Dim, P>* records, LocalIndex i,
-                                 const LocalIndex* j, const TensePacks& tense,
+BRUNT_INLINE void add_artificial(const ArtificialRecord<Dim, typename P::Stored>* records,
+                                 LocalIndex i, const LocalIndex* j, const TensePacks& tense,
                                  Real inverse_spacing_value, const PairPack<Dim, P>* pairs,
                                  ArtificialPart<Dim, P>& artificial) {
   using Pack = typename P::Pack;
@@ -347,7 +353,7 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim, P>& records, Loca
     add_artificial<Dim, Kernel>(records.artificial, i, j, tense, options.inverse_spacing_value,
                                 stretch.pairs, artificial);
   }
-  const auto sum = [&](typename P::Pack a) { return in_metres<P>(records.inverse_length, a); };
+  const auto sum = [&](typename P::Sum a) { return in_metres<P>(records.inverse_length, a); };
   ForceSums<Dim> sums;
   for (int a = 0; a < Dim; ++a) {
     sums.stress[a] = sum(stress.force[a]);

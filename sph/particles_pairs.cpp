@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/wide_lanes.hpp"
 #include "sph/conduction.hpp"
 #include "sph/correction.hpp"
+#include "sph/pair_passes.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
 
@@ -65,18 +67,20 @@ void SphParticles<Dim>::refresh_single_stress() {
 template <int Dim>
 template <class P>
 ForceRecords<Dim, P> SphParticles<Dim>::pair_records() const {
-  if constexpr (P::kLanes == kLanes) {
-    return {motion_.data(), stress_.data(), artificial_.data(), 1.0};
-  } else {
+  if constexpr (kIsSingle<P>) {
     return {single_motion_.data(), single_stress_.data(), single_artificial_.data(), unit_.inverse};
+  } else {
+    return {motion_.data(), stress_.data(), artificial_.data(), 1.0};
   }
 }
 
-/// Calls f(P) with the precision of a block.
+/// Calls f(P) with the precision of a block, and the lanes of this processor.
 template <class F>
 void in_precision_of(const ParticleBlock& block, const F& f) {
   if (is_single(block)) {
     f(SinglePairs{});
+  } else if (wide_lanes()) {
+    f(WidePairs{});
   } else {
     f(DoublePairs{});
   }
@@ -109,9 +113,10 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       if (is_left_out(block, i)) return;
+      const auto row = rows_.template refresh<P>(records.motion, i);
       take_gradients(block, i,
-                     sum_gradients<Dim, Kernel>(records.motion, i, rows_.refresh(records.motion, i),
-                                                records.inverse_length, rows_.weights(i)));
+                     gradients_over<Dim, Kernel, P>(records.motion, i, row, records.inverse_length,
+                                                    rows_.weights(i)));
     });
   });
 }
@@ -137,12 +142,12 @@ template <class P>
 void SphParticles<Dim>::find_thin_gradient(const ParticleBlock& block, LocalIndex i,
                                            ThinMoment<Dim>& thin) {
   const auto records = pair_records<P>();
-  const std::span<const LocalIndex> row = rows_.row(i, P::kLanes);
+  const std::span<const LocalIndex> row = rows_.template row<P>(i);
   thread_local std::vector<Real> weights;  // a plate has many such particles
   weights.resize(row.size());
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
-    const GradientSums<Dim> sums =
-        sum_gradients<Dim, Kernel>(records.motion, i, row, records.inverse_length, weights.data());
+    const GradientSums<Dim> sums = gradients_over<Dim, Kernel, P>(
+        records.motion, i, row, records.inverse_length, weights.data());
     Real near[kSymmetric<Dim>] = {};
     add_directions(i, row, weights.data(), near);
     thin = thin_moment<Dim>(sums.moment, &near);
@@ -203,8 +208,8 @@ void SphParticles<Dim>::sum_block_forces(const ParticleBlock& block,
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         if (is_left_out(block, i)) return;
-        take(i,
-             sum_forces<Dim, Kernel>(records, i, rows_.row(i, P::kLanes), rows_.weights(i), pair));
+        const auto row = rows_.template row<P>(i);
+        take(i, forces_over<Dim, Kernel>(records, i, row, rows_.weights(i), pair));
       });
     });
   });

@@ -273,8 +273,9 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         const auto k = slot_of(i);
-        const auto mean = mean_velocity<Dim, Kernel>(motion_.data(), stress_.data(), i,
-                                                     rows_.refresh(motion_.data(), i));
+        const auto mean =
+            mean_velocity<Dim, Kernel>(motion_.data(), stress_.data(), i,
+                                       rows_.template refresh<DoublePairs>(motion_.data(), i));
         shift[k] = (dt * strength) * mean;
       });
     });

@@ -72,6 +72,21 @@ BRUNT_INLINE void load_transposed(const Real* a, const Real* b, const Real* c, c
   out[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
+/// Eight rows of four numbers. Two rows are loaded into one register, so that a transposition of
+/// four by four is done for both at once.
+BRUNT_INLINE void load_transposed(const Real* const (&row)[2 * kLanes], Wide* out) {
+  Wide two[4];  // row k, and row k + 4
+  for (int k = 0; k < kLanes; ++k) two[k] = joined_wide(load(row[k]), load(row[k + kLanes]));
+  const Wide ab_even = __builtin_shufflevector(two[0], two[1], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Wide ab_odd = __builtin_shufflevector(two[0], two[1], 1, 9, 3, 11, 5, 13, 7, 15);
+  const Wide cd_even = __builtin_shufflevector(two[2], two[3], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Wide cd_odd = __builtin_shufflevector(two[2], two[3], 1, 9, 3, 11, 5, 13, 7, 15);
+  out[0] = __builtin_shufflevector(ab_even, cd_even, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[1] = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[2] = __builtin_shufflevector(ab_even, cd_even, 2, 3, 10, 11, 6, 7, 14, 15);
+  out[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
 /// Four numbers of the records of a pack of particles, from number g on.
 template <class P, class Record>
 BRUNT_INLINE void load_four(const Record* records, const LocalIndex* j, int g,
@@ -91,10 +106,12 @@ BRUNT_INLINE void load_four(const Record* records, const LocalIndex* j, int g,
 BRUNT_INLINE Real sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 BRUNT_INLINE Real sum_lanes(SinglePack a) { return sum_lanes(low_half(a) + high_half(a)); }
 BRUNT_INLINE Real max_lanes(Pack a) { return vmax(vmax(a[0], a[1]), vmax(a[2], a[3])); }
+BRUNT_INLINE Real max_lanes(Wide a) { return max_lanes(vmax(low_half(a), high_half(a))); }
 BRUNT_INLINE Real max_lanes(SinglePack a) { return max_lanes(vmax(low_half(a), high_half(a))); }
 
 /// x_j - x_i of a pack of neighbours along an axis.
 BRUNT_INLINE Pack difference(Pack others, Real own) { return others - own; }
+BRUNT_INLINE Wide difference(Wide others, Real own) { return others - own; }
 /// Of integer steps, whose difference is exact, wherever the origin is.
 BRUNT_INLINE SinglePack difference(SinglePack others, float own) {
   const auto steps = reinterpret_cast<SingleBits>(others) - std::bit_cast<std::uint32_t>(own);
@@ -126,9 +143,10 @@ struct RowStretch {
 /// Arms and ratios of a pack of pairs (i, j).
 /// own  record of i;  j  as many places as there are lanes
 template <int Dim, class P>
-BRUNT_INLINE void set_arms(const MotionRecord<Dim, P>* records, const typename P::Number* own,
-                           const LocalIndex* j, PairPack<Dim, P>& pairs) {
-  using Record = MotionRecord<Dim, P>;
+BRUNT_INLINE void set_arms(const MotionRecord<Dim, typename P::Stored>* records,
+                           const typename P::Number* own, const LocalIndex* j,
+                           PairPack<Dim, P>& pairs) {
+  using Record = MotionRecord<Dim, typename P::Stored>;
   using Pack = typename P::Pack;
   Pack part[4];
   load_four<P>(records, j, 0, part);
@@ -142,10 +160,10 @@ BRUNT_INLINE void set_arms(const MotionRecord<Dim, P>* records, const typename P
 
 /// Relative velocities of a pack of pairs (i, j); returns the volumes of j [m^Dim].
 template <int Dim, class P>
-BRUNT_INLINE typename P::Pack set_velocities(const MotionRecord<Dim, P>* records,
+BRUNT_INLINE typename P::Pack set_velocities(const MotionRecord<Dim, typename P::Stored>* records,
                                              const typename P::Number* own, const LocalIndex* j,
                                              PairPack<Dim, P>& pairs) {
-  using Record = MotionRecord<Dim, P>;
+  using Record = MotionRecord<Dim, typename P::Stored>;
   typename P::Pack part[4];
   load_four<P>(records, j, 4, part);
   for (int d = 0; d < Dim; ++d) pairs.velocity[d] = part[d] - own[Record::kVelocity + d];
