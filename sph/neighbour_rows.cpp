@@ -25,12 +25,14 @@ std::size_t whole_packs(int n, int lanes) { return slot_of((n + lanes - 1) / lan
 }  // namespace
 
 template <int Dim>
-void NeighbourRows<Dim>::assign(NeighbourList list, bool keeps_weights) {
+void NeighbourRows<Dim>::assign(NeighbourList list) {
   list_ = std::move(list);
   const std::size_t n = list_.offset.size() - 1;
   count_.assign(n, 0);
-  if (!kKeepsRows) inside_.assign(slot_of(list_.offset[n]) / kByte + n + 1, 0);
-  if (!kKeepsRows && !keeps_weights) return;
+  if (!kKeepsRows) {
+    inside_.assign(slot_of(list_.offset[n]) / kByte + n + 1, 0);
+    return;
+  }
   first_.resize(n);
   std::int64_t next = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -38,7 +40,7 @@ void NeighbourRows<Dim>::assign(NeighbourList list, bool keeps_weights) {
     constexpr auto most = kSingleLanes;
     next += (list_.offset[i + 1] - list_.offset[i] + most - 1) / most * most;
   }
-  if (kKeepsRows) near_.resize(slot_of(next));
+  near_.resize(slot_of(next));
   weight_.resize(slot_of(next));
 }
 

@@ -19,8 +19,7 @@ class NeighbourRows {
   /// Gives the room of the candidates back: new ones are sought, which takes as much.
   void forget() { list_ = {}; }
   /// list  candidates, ascending within a row
-  /// keeps_weights  whether there is room for weights of pairs; in the plane there is in any case
-  void assign(NeighbourList list, bool keeps_weights);
+  void assign(NeighbourList list);
   /// Puts the copies of each row among what is owned, by their ids: the row is ascending in both,
   /// one after the other.
   void merge_copies(std::span<const GlobalId> id, LocalIndex n_owned);
@@ -34,7 +33,7 @@ class NeighbourRows {
   template <class P = DoublePairs>
   std::span<const LocalIndex> row(LocalIndex i) const;
 
-  /// Room for the weights of each pair of the row [1/m^2]; null where none are kept.
+  /// Room for the weights of each pair of the row [1/m^2], in the plane; else null.
   Real* weights(LocalIndex i) { return weight_.empty() ? nullptr : weight_.data() + first_[i]; }
   int count(LocalIndex i) const { return count_[i]; }
 
@@ -54,7 +53,7 @@ class NeighbourRows {
   NeighbourList list_;
   std::vector<std::uint8_t> inside_;  // a bit a candidate, eight in a row to a byte
   std::vector<int> count_;            // of true neighbours
-  std::vector<std::int64_t> first_;   // start of each padded row, where anything of it is kept
+  std::vector<std::int64_t> first_;   // start of each padded row, where it is kept
   std::vector<LocalIndex> near_;
   std::vector<Real> weight_;  // [1/m^2]
 };

@@ -1,13 +1,14 @@
 #pragma once
 /// The passes over the neighbours of a particle, by the width of their arithmetic: of eight doubles
 /// a source of their own has them (wide_pairs.cpp), all else is written out where it is called.
+#include "sph/conduction.hpp"
 #include "sph/pair_sums.hpp"
 #include "sph/row_selection.hpp"
 
 namespace brunt {
 
-/// As select_row, expand_row, sum_gradients and sum_forces with P = RealPairs<V>; instantiated for
-/// Wide, to be called where wide_lanes() says so.
+/// As select_row, expand_row, sum_gradients, sum_forces and sum_heat with P = RealPairs<V>;
+/// instantiated for Wide, to be called where wide_lanes() says so.
 template <int Dim, class V>
 int select_row_by(const MotionRecord<Dim>* records, LocalIndex i, const LocalIndex* candidate,
                   int n, LocalIndex* out, std::uint8_t* byte);
@@ -21,6 +22,9 @@ template <int Dim, class Kernel, class V>
 ForceSums<Dim> sum_forces_by(const ForceRecords<Dim>& records, LocalIndex i,
                              std::span<const LocalIndex> row, const Real* weights,
                              const SphPairOptions& options);
+template <int Dim, class Kernel, class V>
+PairHeat sum_heat_by(const HeatRecords<Dim>& records, LocalIndex i, std::span<const LocalIndex> row,
+                     const Real* weights);
 
 /// select_row, wherever it is.
 template <int Dim, class P>
@@ -67,6 +71,17 @@ BRUNT_INLINE ForceSums<Dim> forces_over(const ForceRecords<Dim, P>& records, Loc
     return sum_forces_by<Dim, Kernel, Wide>(same, i, row, weights, options);
   } else {
     return sum_forces<Dim, Kernel>(records, i, row, weights, options);
+  }
+}
+
+/// sum_heat, wherever it is.
+template <int Dim, class Kernel, class P>
+BRUNT_INLINE PairHeat heat_over(const HeatRecords<Dim>& records, LocalIndex i,
+                                std::span<const LocalIndex> row, const Real* weights) {
+  if constexpr (std::is_same_v<P, WidePairs>) {
+    return sum_heat_by<Dim, Kernel, Wide>(records, i, row, weights);
+  } else {
+    return sum_heat<Dim, Kernel, P>(records, i, row, weights);
   }
 }
 

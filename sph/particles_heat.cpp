@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wide_lanes.hpp"
 #include "sph/conduction.hpp"
+#include "sph/pair_passes.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
 
@@ -82,6 +84,7 @@ void SphParticles<Dim>::refresh_heat() {
       record[HeatRecord::kTemperature] = points_.temperature[i];
       record[HeatRecord::kConductivity] = k.at(points_.temperature[i]);
       record[HeatRecord::kSupplement] = 1.0 / std::sqrt(completeness_[i]);
+      record[HeatRecord::kVolume] = motion_[i].data[MotionRecord<Dim>::kVolume];
     });
   }
   if (ranks_->alone()) return;
@@ -89,21 +92,32 @@ void SphParticles<Dim>::refresh_heat() {
   refresh_ghosts(
       *ranks_, ghosts_, width,
       [&](std::size_t i, Real* out) { std::copy_n(heat_[i].data, width, out); },
-      [&](std::size_t i, const Real* in) { std::copy_n(in, width, heat_[i].data); });
+      [&](std::size_t i, const Real* in) {
+        std::copy_n(in, width, heat_[i].data);
+        heat_[i].data[HeatRecord::kVolume] = motion_[i].data[MotionRecord<Dim>::kVolume];
+      });
 }
 
 /// rate, conductance  [W], [W/K] of owned points, accumulated
 template <int Dim>
 void SphParticles<Dim>::conduct(std::vector<Real>& rate, std::vector<Real>& conductance) {
   refresh_heat();
+  const HeatRecords<Dim> records{heat_.data(), motion_.data()};
+  const bool wide = wide_lanes();
   for (auto& block : blocks_) {
-    for_each(block.set.particle.size(), [&](std::size_t slot) {
-      const LocalIndex point = block.set.particle[slot];
-      const auto i = slot_of(point);
-      const PairHeat sums = sum_heat(heat_.data(), point, rows_.row(point), rows_.weights(point));
-      const Real volume = depth_ * motion_[i].data[MotionRecord<Dim>::kVolume];
-      rate[i] += volume * sums.rate;
-      conductance[i] += volume * sums.conductance;
+    with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
+        const LocalIndex point = block.set.particle[slot];
+        const auto i = slot_of(point);
+        const auto sum = [&]<class P>(P) {
+          return heat_over<Dim, Kernel, P>(records, point, rows_.template row<P>(point),
+                                           rows_.weights(point));
+        };
+        const PairHeat sums = wide ? sum(WidePairs{}) : sum(DoublePairs{});
+        const Real volume = depth_ * motion_[i].data[MotionRecord<Dim>::kVolume];
+        rate[i] += volume * sums.rate;
+        conductance[i] += volume * sums.conductance;
+      });
     });
   }
 }

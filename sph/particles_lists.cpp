@@ -71,8 +71,7 @@ void SphParticles<Dim>::rearrange() {
   label_sums();
   rows_.forget();
   rows_.assign(
-      neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_),
-      points_.conducts);
+      neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_));
   if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);
   watch_.start(points_, sum_, smoothing_length_, skin);
   still_.start(watch_, n_owned());

@@ -30,6 +30,12 @@ ForceSums<Dim> sum_forces_by(const ForceRecords<Dim>& records, LocalIndex i,
   return sum_forces<Dim, Kernel>(wide, i, row, weights, options);
 }
 
+template <int Dim, class Kernel, class V>
+PairHeat sum_heat_by(const HeatRecords<Dim>& records, LocalIndex i, std::span<const LocalIndex> row,
+                     const Real* weights) {
+  return sum_heat<Dim, Kernel, RealPairs<V>>(records, i, row, weights);
+}
+
 template int expand_row_by<Wide>(LocalIndex, const LocalIndex*, int, const std::uint8_t*,
                                  LocalIndex*);
 template int select_row_by<2, Wide>(const MotionRecord<2>*, LocalIndex, const LocalIndex*, int,
@@ -42,7 +48,9 @@ template int select_row_by<3, Wide>(const MotionRecord<3>*, LocalIndex, const Lo
       const MotionRecord<Dim>*, LocalIndex, std::span<const LocalIndex>, Real*);                 \
   template ForceSums<Dim> sum_forces_by<Dim, Kernel, Wide>(const ForceRecords<Dim>&, LocalIndex, \
                                                            std::span<const LocalIndex>,          \
-                                                           const Real*, const SphPairOptions&);
+                                                           const Real*, const SphPairOptions&);  \
+  template PairHeat sum_heat_by<Dim, Kernel, Wide>(const HeatRecords<Dim>&, LocalIndex,          \
+                                                   std::span<const LocalIndex>, const Real*);
 BRUNT_PASSES(2, CubicKernel)
 BRUNT_PASSES(3, CubicKernel)
 BRUNT_PASSES(2, QuadraticKernel)

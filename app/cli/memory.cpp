@@ -51,26 +51,45 @@ constexpr Real particle_bytes() {
          sizeof(SurfaceParticle) + sizeof(LocalIndex) + sizeof(std::uint16_t);
 }
 
-/// Candidates within 2 h and the skin, and among them the true neighbours: their row and weights in
-/// the plane, a bit of each candidate in space.
+/// Candidates of a particle: within 2 h and the skin.
 template <int Dim>
-Real neighbour_bytes(Real smoothing, bool conducts) {
-  const Real ball = Dim == 3 ? 4.0 / 3 * kPi : kPi;
-  const auto within = [&](Real reach) { return ball * std::pow(reach * smoothing, Dim); };
+Real candidates_of(Real smoothing) {
   constexpr Real kSkin = 0.35;
+  const Real ball = Dim == 3 ? 4.0 / 3 * kPi : kPi;
+  return ball * std::pow((2 + kSkin) * smoothing, Dim);
+}
+
+/// The candidates, and among them the true neighbours: their row and weights in the plane, a bit of
+/// each candidate in space.
+template <int Dim>
+Real neighbour_bytes(Real smoothing) {
   const Real rows = 2 * sizeof(std::int64_t) + sizeof(int);
-  // The candidates are there twice while they are sought anew.
-  const Real true_ones =
-      Dim == 2 ? sizeof(LocalIndex) + sizeof(Real) : 1.0 / 8 + (conducts ? sizeof(Real) : 0.0);
-  return rows + (2 * sizeof(LocalIndex) + true_ones) * within(2 + kSkin);
+  const Real true_ones = Dim == 2 ? sizeof(LocalIndex) + sizeof(Real) : 1.0 / 8;
+  return rows + (sizeof(LocalIndex) + true_ones) * candidates_of<Dim>(smoothing);
+}
+
+/// Candidates as they are found, before they are put in order: in tables that double as they grow.
+template <int Dim>
+Real search_bytes(Real smoothing) {
+  return 1.5 * sizeof(LocalIndex) * candidates_of<Dim>(smoothing);
+}
+
+template <int Dim>
+constexpr Real contact_node_bytes() {
+  return 2 * sizeof(LocalIndex) + sizeof(GlobalId) + 4 * sizeof(Real) + 8 * sizeof(Vec<Dim>);
+}
+
+/// Particles of contact: once more while a new table takes over from the old one.
+template <int Dim>
+constexpr Real contact_particle_bytes() {
+  return sizeof(ContactParticle) + contact_node_bytes<Dim>();
 }
 
 /// Faces and their nodes, twice while a new table takes over from the old one.
 template <int Dim>
 Real contact_bytes(std::size_t facets, std::size_t particles, bool bricks) {
   constexpr Real kLists = 8;  // candidates of a face
-  const Real node =
-      2 * sizeof(LocalIndex) + sizeof(GlobalId) + 3 * sizeof(Real) + 6 * sizeof(Vec<Dim>);
+  const Real node = contact_node_bytes<Dim>();
   const Real face = sizeof(Facet<Dim>) + sizeof(ContactFace<Dim>) + sizeof(FacePlane<Dim>) +
                     sizeof(Vec<Dim>) + 2 * sizeof(SearchBox<Dim>);
   // Records, pushes, friction and memory of contacts, where every face has some: what a wall of
@@ -78,7 +97,7 @@ Real contact_bytes(std::size_t facets, std::size_t particles, bool bricks) {
   constexpr Real kTouching = 2.8e3;
   return static_cast<Real>(facets) *
              (2 * (face + node) + kLists * sizeof(FaceCandidate) + (bricks ? kTouching : 0.0)) +
-         static_cast<Real>(particles) * 2 * (sizeof(ContactParticle) + node);
+         static_cast<Real>(particles) * contact_particle_bytes<Dim>();
 }
 
 /// Geometry of bodies, its order along the curve, and the faces that are compared to find the outer
@@ -160,14 +179,17 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     estimate.particles += particles * particle_bytes<Dim>();
     if (inputs.single) estimate.particles += particles * single_bytes<Dim>();
     (solid->rides() ? estimate.converted : estimate.neighbours) +=
-        particles * neighbour_bytes<Dim>(inputs.smoothing, solid->points().conducts);
+        particles * neighbour_bytes<Dim>(inputs.smoothing);
   }
   if (scene.contact) {
     estimate.contact =
         contact_bytes<Dim>(scene.contact->n_facets(), scene.n_particles(), inputs.bricks);
   }
+  const auto particles = static_cast<Real>(scene.n_particles());
   estimate.passing =
-      std::max({building_bytes<Dim>(scene.n_points(), scene.n_elements()),
+      std::max({particles * search_bytes<Dim>(inputs.smoothing),
+                scene.contact ? particles * contact_particle_bytes<Dim>() : 0.0,
+                building_bytes<Dim>(scene.n_points(), scene.n_elements()),
                 frame_bytes(scene.n_points(), scene.n_elements(), Shape<Dim>::kCorners),
                 checkpoint_bytes(scene, inputs.gauss)});
   // Beside its values a column has a name and exact sums (decks/masonry-arch: 2,181 columns).

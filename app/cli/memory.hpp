@@ -15,8 +15,8 @@ struct MemoryEstimate {
   Real converted = 0;   ///< [byte] the same where elements may become particles, if all do; not in
                         ///< the total: how many will, no formula foretells
   Real contact = 0;     ///< [byte] faces, nodes, lists
-  Real passing = 0;     ///< [byte] what comes and goes, the largest of: meshes before they are
-                        ///< scenes, a frame, a checkpoint
+  Real passing = 0;     ///< [byte] what comes and goes, the largest of: lists and tables made
+                        ///< anew, meshes before they are scenes, a frame, a checkpoint
   Real rows = 0;        ///< [byte] of the history, all of them
   Real total() const {
     return program + elements + particles + neighbours + contact + passing + rows;

@@ -18,11 +18,12 @@ struct Cloud {
   std::vector<MotionRecord<Dim>> motion;
   std::vector<StressRecord<Dim>> stress;
   std::vector<ArtificialRecord<Dim>> artificial;
+  std::vector<HeatRecord> heat;
 
   /// tense  [1] the part of particles in tension
   Cloud(std::size_t n, Real h, Real tense, std::mt19937& random) {
     std::uniform_real_distribution<Real> even(-1, 1);
-    motion.resize(n), stress.resize(n), artificial.resize(n);
+    motion.resize(n), stress.resize(n), artificial.resize(n), heat.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       for (int d = 0; d < Dim; ++d) {
         motion[i].data[d] = 1e-3 * even(random);
@@ -30,6 +31,10 @@ struct Cloud {
       }
       motion[i].data[MotionRecord<Dim>::kInverse] = (1 + 0.2 * even(random)) / h;
       motion[i].data[MotionRecord<Dim>::kVolume] = std::pow(h, Dim) * (1 + 0.5 * even(random));
+      heat[i].data[HeatRecord::kTemperature] = 300 + 100 * even(random);
+      heat[i].data[HeatRecord::kConductivity] = std::max(0.0, 300 * even(random));
+      heat[i].data[HeatRecord::kSupplement] = 1.2 + 0.2 * even(random);
+      heat[i].data[HeatRecord::kVolume] = motion[i].data[MotionRecord<Dim>::kVolume];
       const bool pulled = 0.5 * (even(random) + 1) < tense;
       for (int k = 0; k < Dim * Dim; ++k) stress[i].data[k] = 1e9 * even(random);
       stress[i].data[StressRecord<Dim>::kSoundSpeed] = 4e3 + 1e2 * even(random);
@@ -47,16 +52,18 @@ struct Cloud {
 struct Selected {
   std::vector<LocalIndex> row;
   std::vector<std::uint8_t> bits;
+  int count = 0;
   bool operator==(const Selected&) const = default;
 };
 
 template <int Dim, class P>
 Selected selected(const Cloud<Dim>& cloud, const std::vector<LocalIndex>& candidates) {
   Selected found{std::vector<LocalIndex>(candidates.size() + 16),
-                 std::vector<std::uint8_t>(candidates.size() / 8 + 1)};
+                 std::vector<std::uint8_t>(candidates.size() / 8 + 1), 0};
   const auto n = static_cast<int>(candidates.size());
   const int count = select_neighbours<Dim, P>(cloud.motion.data(), 0, candidates.data(), n,
                                               found.row.data(), found.bits.data());
+  found.count = count;
   found.row.resize(slot_of((count + 7) / 8 * 8));
   std::fill(found.row.begin() + count, found.row.end(), 0);
   if (Dim == 3) {
@@ -86,6 +93,10 @@ void expect_bits_of_four(const Cloud<Dim>& cloud, const std::vector<LocalIndex>&
       gradients_over<Dim, Kernel, WidePairs>(cloud.motion.data(), 0, row, 1.0, wide_weights.data());
   EXPECT_EQ(bits_of_sums(gradients), bits_of_sums(wide_gradients));
   EXPECT_EQ(weights, wide_weights);
+  const HeatRecords<Dim> heat{cloud.heat.data(), cloud.motion.data()};
+  const auto of_four = row.first(slot_of((four.count + 3) / 4 * 4));  // as NeighbourRows hands out
+  EXPECT_EQ(bits_of_sums(heat_over<Dim, Kernel, DoublePairs>(heat, 0, of_four, weights.data())),
+            bits_of_sums(heat_over<Dim, Kernel, WidePairs>(heat, 0, row, weights.data())));
   const SphPairOptions options{0.5, 1.0, 1.3};
   const auto records = cloud.records();
   const ForceRecords<Dim, WidePairs> wide{records.motion, records.stress, records.artificial};
