@@ -152,8 +152,8 @@ std::vector<std::string> all_decks() {
 /// at a speed v somewhere in a step hold energy that no step has stored yet: of whole faces up to
 /// k (v dt)^2/8 a unit of area, in concrete-cylinder 0.15 % of all at the most (29 to 33 m/s), and
 /// 0.02 % at half the step; particles that a core pushes aside lose 0.13 % as they pass over its
-/// edges (perforation/particles): 0.2 %. Where elements go 1 %: under a core that goes through a plate,
-/// faces warp and turn by a third of an element.
+/// edges (perforation/particles): 0.2 %. Where elements go 1 %: under a core that goes through a
+/// plate, faces warp and turn by a third of an element.
 constexpr Real kBoundOfPairs = 2e-3, kWhereFacesErode = 0.01;
 
 TEST(ShippedDecksLong, EnergiesCloseWithinTheirBounds) {
