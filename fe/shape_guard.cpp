@@ -6,9 +6,9 @@
 namespace brunt {
 namespace {
 
-/// Plain arrays: what Eigen vectorises depends on the instruction set.
-template <int Dim>
-using Square = std::array<std::array<Real, Dim>, Dim>;
+/// Plain arrays: what Eigen vectorises depends on the instruction set. Of V = Pack: of four places.
+template <int Dim, class V = Real>
+using Square = std::array<std::array<V, Dim>, Dim>;
 template <int Dim>
 using Places = std::array<Vec<Dim>, Shape<Dim>::kCorners>;
 
@@ -45,25 +45,41 @@ constexpr SlopeTable<Dim> make_slopes() {
 template <int Dim>
 constexpr SlopeTable<Dim> kSlopes = make_slopes<Dim>();
 
-/// dx/dxi at a place, [i][j].
+/// The same, [corner][j][place].
 template <int Dim>
-Square<Dim> jacobian_at(const Places<Dim>& x, int place) {
-  Square<Dim> a{};
+struct SlopeRows {
+  alignas(32) Real row[Shape<Dim>::kCorners][Dim][kPlaces<Dim>];
+  constexpr SlopeRows() : row{} {
+    for (int p = 0; p < kPlaces<Dim>; ++p) {
+      for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
+        for (int j = 0; j < Dim; ++j) row[I][j][p] = kSlopes<Dim>[p][I][j];
+      }
+    }
+  }
+};
+template <int Dim>
+constexpr SlopeRows<Dim> kSlopeRows;
+
+/// dx/dxi at a place, or with V = Pack at four from there on, [i][j].
+template <int Dim, class V = Real>
+Square<Dim, V> jacobian_at(const Places<Dim>& x, int place) {
+  Square<Dim, V> a{};
   for (int I = 0; I < Shape<Dim>::kCorners; ++I) {
-    for (int i = 0; i < Dim; ++i) {
-      for (int j = 0; j < Dim; ++j) a[i][j] += x[I][i] * kSlopes<Dim>[place][I][j];
+    for (int j = 0; j < Dim; ++j) {
+      const V slope = load_as<V>(kSlopeRows<Dim>.row[I][j] + place);
+      for (int i = 0; i < Dim; ++i) a[i][j] = a[i][j] + x[I][i] * slope;
     }
   }
   return a;
 }
 
-template <std::size_t Dim>
-std::array<std::array<Real, Dim>, Dim> product(const std::array<std::array<Real, Dim>, Dim>& a,
-                                               const std::array<std::array<Real, Dim>, Dim>& b) {
-  std::array<std::array<Real, Dim>, Dim> c{};
+template <class V, std::size_t Dim>
+std::array<std::array<V, Dim>, Dim> product(const std::array<std::array<V, Dim>, Dim>& a,
+                                            const std::array<std::array<V, Dim>, Dim>& b) {
+  std::array<std::array<V, Dim>, Dim> c{};
   for (std::size_t i = 0; i < Dim; ++i) {
     for (std::size_t j = 0; j < Dim; ++j) {
-      for (std::size_t k = 0; k < Dim; ++k) c[i][j] += a[i][k] * b[k][j];
+      for (std::size_t k = 0; k < Dim; ++k) c[i][j] = c[i][j] + a[i][k] * b[k][j];
     }
   }
   return c;
@@ -77,19 +93,23 @@ std::array<std::array<Real, Dim>, Dim> transpose(const std::array<std::array<Rea
   return t;
 }
 /// a : b
-template <std::size_t Dim>
-Real double_dot(const std::array<std::array<Real, Dim>, Dim>& a,
-                const std::array<std::array<Real, Dim>, Dim>& b) {
-  Real sum = 0;
+template <class V, std::size_t Dim>
+V double_dot(const std::array<std::array<V, Dim>, Dim>& a,
+             const std::array<std::array<V, Dim>, Dim>& b) {
+  V sum{};
   for (std::size_t i = 0; i < Dim; ++i) {
-    for (std::size_t j = 0; j < Dim; ++j) sum += a[i][j] * b[i][j];
+    for (std::size_t j = 0; j < Dim; ++j) sum = sum + a[i][j] * b[i][j];
   }
   return sum;
 }
 /// d det/da.
-Square<2> cofactors_of(const Square<2>& a) { return {{{a[1][1], -a[1][0]}, {-a[0][1], a[0][0]}}}; }
-Square<3> cofactors_of(const Square<3>& a) {
-  Square<3> c;
+template <class V>
+Square<2, V> cofactors_of(const Square<2, V>& a) {
+  return {{{a[1][1], -a[1][0]}, {-a[0][1], a[0][0]}}};
+}
+template <class V>
+Square<3, V> cofactors_of(const Square<3, V>& a) {
+  Square<3, V> c;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
@@ -98,11 +118,11 @@ Square<3> cofactors_of(const Square<3>& a) {
   }
   return c;
 }
-template <std::size_t Dim>
-Real determinant(const std::array<std::array<Real, Dim>, Dim>& a,
-                 const std::array<std::array<Real, Dim>, Dim>& cofactors) {
-  Real sum = 0;
-  for (std::size_t j = 0; j < Dim; ++j) sum += a[0][j] * cofactors[0][j];
+template <class V, std::size_t Dim>
+V determinant(const std::array<std::array<V, Dim>, Dim>& a,
+              const std::array<std::array<V, Dim>, Dim>& cofactors) {
+  V sum{};
+  for (std::size_t j = 0; j < Dim; ++j) sum = sum + a[0][j] * cofactors[0][j];
   return sum;
 }
 /// Half of d|cof F|^2/dF: F in 2D, tr(C) F - F C in 3D with C = F^T F.
@@ -117,30 +137,41 @@ Square<3> cofactor_slope(const Square<3>& F) {
   return slope;
 }
 
+/// J where it is not small, never below 0, and the root that it takes.
+template <class V>
+struct PositivePart {
+  V root, value;
+  explicit PositivePart(V J)
+      : root(vsqrt(J * J + 4 * ShapeGuard::kFlat * ShapeGuard::kFlat)), value(0.5 * (J + root)) {}
+};
+
+/// 1/|F^-1| where dx/dxi = a.  inverse_start: A^-1
+template <int Dim, class V>
+V height_of(const Square<Dim, V>& inverse_start, const Square<Dim, V>& a) {
+  const Square<Dim, V> F = product(a, inverse_start), cof = cofactors_of(F);
+  const PositivePart<V> positive(determinant(F, cof));
+  return positive.value / vsqrt(double_dot(cof, cof));
+}
+
 /// What one place with dx/dxi = a adds, over V0 k/places: slopes by a [1/m] and a bound of its
 /// stiffness [1/m^2].
 template <int Dim>
 struct PlaceGuard {
-  bool acts = false;
-  Real height = 0;  ///< 1/|F^-1|
   Square<Dim> slope{};
   Real stiffness = 0;
 
   /// inverse_start: A^-1
   PlaceGuard(const Square<Dim>& inverse_start, const Square<Dim>& a) {
     const Square<Dim> F = product(a, inverse_start), cof = cofactors_of(F);
-    const Real J = determinant(F, cof), square = double_dot(cof, cof);
-    const Real root = std::sqrt(J * J + 4 * ShapeGuard::kFlat * ShapeGuard::kFlat);
-    const Real positive = 0.5 * (J + root);  // J where it is not small, never below 0
-    height = positive / std::sqrt(square);
-    const Real excess = 2 * std::log(ShapeGuard::kHeight / height);
+    const Real square = double_dot(cof, cof);
+    const PositivePart<Real> positive(determinant(F, cof));
+    const Real excess = 2 * std::log(ShapeGuard::kHeight / (positive.value / std::sqrt(square)));
     if (!(excess > 0)) return;
-    acts = true;
     const Square<Dim> of_cof = cofactor_slope(F);
     Square<Dim> by_F;
     for (std::size_t i = 0; i < Dim; ++i) {
       for (std::size_t j = 0; j < Dim; ++j) {
-        by_F[i][j] = 2 * (of_cof[i][j] / square - cof[i][j] / root);
+        by_F[i][j] = 2 * (of_cof[i][j] / square - cof[i][j] / positive.root);
       }
     }
     slope = product(by_F, transpose(inverse_start));
@@ -152,24 +183,50 @@ struct PlaceGuard {
 };
 
 /// A^-1; zero, so that nothing acts, where dx/dxi is as good as flat at time 0.
-template <int Dim>
-Square<Dim> inverse_of(const Square<Dim>& A) {
+template <int Dim, class V>
+Square<Dim, V> inverse_of(const Square<Dim, V>& A) {
   constexpr Real kFlatCorner = 0.05;  // sine of the angle
-  const Square<Dim> cof = cofactors_of(A);
-  const Real J = determinant(A, cof);
-  Real box = 1;
+  const Square<Dim, V> cof = cofactors_of(A);
+  const V J = determinant(A, cof);
+  V box = broadcast<V>(1.0);
   for (std::size_t j = 0; j < Dim; ++j) {
-    Real square = 0;
-    for (std::size_t i = 0; i < Dim; ++i) square += A[i][j] * A[i][j];
-    box *= std::sqrt(square);
+    V square{};
+    for (std::size_t i = 0; i < Dim; ++i) square = square + A[i][j] * A[i][j];
+    box = box * vsqrt(square);
   }
-  Square<Dim> inverse{};
-  if (!(J > kFlatCorner * box)) return inverse;
+  const auto is_corner = J > kFlatCorner * box;
+  Square<Dim, V> inverse;
   for (std::size_t i = 0; i < Dim; ++i) {
-    for (std::size_t j = 0; j < Dim; ++j) inverse[i][j] = cof[j][i] / J;
+    for (std::size_t j = 0; j < Dim; ++j) {
+      inverse[i][j] = select(is_corner, cof[j][i] / J, broadcast<V>(0.0));
+    }
   }
   return inverse;
 }
+
+/// 1/|F^-1| at all places of an element, at the end of a step and at its start.
+template <int Dim>
+struct Heights {
+  alignas(32) Real now[kPlaces<Dim>], old[kPlaces<Dim>];
+
+  Heights(const Places<Dim>& x_start, const Places<Dim>& x_now, const Places<Dim>& x_old) {
+    for (int place = 0; place < kPlaces<Dim>; place += kLanes) {
+      const auto inverse = inverse_of<Dim>(jacobian_at<Dim, Pack>(x_start, place));
+      store(now + place, height_of<Dim>(inverse, jacobian_at<Dim, Pack>(x_now, place)));
+      store(old + place, height_of<Dim>(inverse, jacobian_at<Dim, Pack>(x_old, place)));
+    }
+  }
+  /// The part of its height, or of the least that is free, that a place has lost at the most.
+  Real closing() const {
+    Real most = 0;
+    for (int p = 0; p < kPlaces<Dim>; ++p) {
+      most = std::max(most, (old[p] - now[p]) / std::max(now[p], ShapeGuard::kHeight));
+    }
+    return most;
+  }
+  /// True where the energy may not be 0.
+  bool may_act(int p) const { return now[p] < ShapeGuard::kHeight || old[p] < ShapeGuard::kHeight; }
+};
 
 /// Adds to an element's corner forces what a place gives by `slope`, times `scale`.
 template <int Dim, class V>
@@ -197,14 +254,13 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
   }
   const Real scale =
       ShapeGuard::kStiffness * block.material->bulk * block.element_volume[e] / kPlaces<Dim>;
-  Real work = 0, stiffness = 0, closing = 0;
+  Real work = 0, stiffness = 0;
+  const Heights<Dim> height(start, now, old);
   for (int place = 0; place < kPlaces<Dim>; ++place) {
+    if (!height.may_act(place)) continue;
     const Square<Dim> inverse = inverse_of<Dim>(jacobian_at<Dim>(start, place));
     const Square<Dim> a = jacobian_at<Dim>(now, place), a_old = jacobian_at<Dim>(old, place);
     const PlaceGuard<Dim> at(inverse, a), before(inverse, a_old);
-    closing =
-        std::max(closing, (before.height - at.height) / std::max(at.height, ShapeGuard::kHeight));
-    if (!at.acts && !before.acts) continue;
     for (std::size_t i = 0; i < Dim; ++i) {
       for (std::size_t j = 0; j < Dim; ++j) {
         work += 0.5 * (before.slope[i][j] + at.slope[i][j]) * (a[i][j] - a_old[i][j]);
@@ -218,6 +274,7 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
   const Real omega_square = 0.25 * (Dim + 1) * scale * stiffness * n / block.mass[e];
   Real& bound = block.stable_step[e];
   if (stiffness > 0) bound /= std::sqrt(1 + 0.25 * omega_square * bound * bound);
+  const Real closing = height.closing();
   if (closing > 0) bound = std::min(bound, ShapeGuard::kClosing * step.dt / closing);
 }
 
