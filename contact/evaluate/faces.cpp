@@ -51,7 +51,7 @@ FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real
     plane.corner[c] -= dt * entities.nodes.v[slot_of(face.node[c])];
   }
   refresh(plane);
-  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
+  compare_with_start(face, plane);
   return plane;
 }
 

@@ -323,10 +323,18 @@ bool one_plane(const FacePlane<2>& lower, const FacePlane<2>& upper, const Secti
   return true;
 }
 
-/// A face as itself, or as the four triangles of one that is not simple.
+/// True where a face counts as four triangles beside a mate. Beside one that keeps its plane it
+/// does so from nearly no warp on: else its corners may be deep in the mate while its plane hardly
+/// touches it, and push all at once where it is split, again and again where it trembles there.
+bool is_split(const FacePlane<3>& face, const FacePlane<3>& mate) {
+  constexpr Real kBlunt = 0.99 * kBoxSharpness;  // edges and points dig into one plane, not in four
+  return !face.simple || (mate.rigid && mate.sharpness > kBlunt && !face.rigid && !face.flat);
+}
+
+/// A face as itself, or as the four triangles of one that is split.
 struct Parts {
-  explicit Parts(const FacePlane<3>& face) : whole(face) {
-    if (face.simple) return;
+  Parts(const FacePlane<3>& face, const FacePlane<3>& mate) : whole(face) {
+    if (!is_split(face, mate)) return;
     parts = split(face);
     count = 4;
   }
@@ -348,7 +356,7 @@ struct Parts {
 
 int split_planes(const FacePlane<3>& lower, const FacePlane<3>& upper, const Section& section,
                  const PlaneNeeds& needs, Planes<3>& plane) {
-  const Parts below(lower), above(upper);
+  const Parts below(lower, upper), above(upper, lower);
   std::size_t n = 0;
   for (std::size_t i = 0; i < below.count; ++i) {
     for (std::size_t j = 0; j < above.count; ++j) {
@@ -373,7 +381,9 @@ template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
                   Planes<Dim>& plane, const PlaneNeeds& needs) {
   if constexpr (Dim == 3) {
-    if (!lower.simple || !upper.simple) return split_planes(lower, upper, section, needs, plane);
+    if (is_split(lower, upper) || is_split(upper, lower)) {
+      return split_planes(lower, upper, section, needs, plane);
+    }
   }
   plane[0].ordinal = 0;
   return one_plane(lower, upper, section, needs, plane[0]) ? 1 : 0;

@@ -36,18 +36,21 @@ void finish_quad(FacePlane<3>& face) {
   face.normal = twice / norm;
   // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
   face.warp = 0.25 * std::fabs(((x[0] - x[1]) + (x[2] - x[3])).dot(face.normal));
-  face.simple = face.warp <= kWarpLimit * std::sqrt(face.area);
+  const Real width = std::sqrt(face.area);
+  face.simple = face.warp <= kWarpLimit * width;
+  face.flat = face.warp <= kFlatLimit * width;
   const Place<Pack> from = corners(x), edge = next(from) - from;
   const Pack turns = dot(cross(edge, next(edge)), everywhere(face.normal));  // left at each corner
   const unsigned convex = mask_bits(turns >= broadcast<Pack>(kConvexLimit * face.area));
   face.simple = face.simple && convex == 0b1111;
+  face.flat = face.flat && face.simple;
 }
 }  // namespace
 
 template <int Dim>
 void refresh(FacePlane<Dim>& face) {
   face.warp = 0;
-  face.simple = true;
+  face.simple = face.flat = true;
   if constexpr (Dim == 2) {
     finish(face);
   } else if (face.n_corners == 3) {
@@ -58,7 +61,7 @@ void refresh(FacePlane<Dim>& face) {
   if (!(face.area > 0) || !(face.normal.squaredNorm() > 0.5)) {
     face.area = 0;
     face.warp = 0;
-    face.simple = true;
+    face.simple = face.flat = true;
     face.normal.setZero();
   }
 }

@@ -19,12 +19,17 @@ struct FacePlane {
   Real area = 0;                       ///< [m^2]; 2D: length [m]; 0 if degenerate
   Real warp = 0;                       ///< [m] distance of the corners from the mean plane
   bool simple = true;                  ///< one plane will do: convex, warp within kWarpLimit
+  bool flat = true;                    ///< it is one plane: convex, warp within kFlatLimit
+  bool rigid = false;                  ///< it keeps its shape: nothing behind it deforms
 };
 
 /// A quad whose corners leave their mean plane by more than this times sqrt(area) is split. Under
 /// pressure that changes what it holds at once: elements that are crushed shall hardly come there
 /// (docs/decisions/212-warp-of-faces.md).
 inline constexpr Real kWarpLimit = 0.12;
+/// The same beside a rigid face, which keeps its plane: what jumps where a face is split grows with
+/// the square of its warp (docs/decisions/222-four-triangles-on-rigid-faces.md).
+inline constexpr Real kFlatLimit = 0.005;
 
 /// Fills all but `corner`, `n_corners`, `borders` and `sharpness`. A face without area or with a
 /// NaN gets area 0.

@@ -282,13 +282,14 @@ void Entities<Dim>::refresh_plane(std::size_t f) {
   plane.n_corners = face.n_nodes;
   plane.borders = face.borders;
   plane.sharpness = face.sharpness;
+  plane.rigid = !face.deforms();
   for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
     const auto k = slot_of(c);
     const bool there = c < face.n_nodes;
     plane.corner[k] = there ? nodes.x[slot_of(face.node[k])] : Vec<Dim>::Zero();
   }
   refresh(plane);
-  plane.simple = plane.simple && is_flat_as_of_start(face, plane);
+  compare_with_start(face, plane);
   boxes[f] = box_of(plane, 0.0);
 }
 

@@ -24,6 +24,8 @@ TEST(FacePlane, MeanPlaneOfAWarpedQuad) {
   EXPECT_LT((face.center - Vec3(1, 1, 0)).norm(), 1e-15);
   EXPECT_TRUE(face.simple);           // 0.23 <= 0.12 * 2
   EXPECT_FALSE(warped(0.25).simple);  // 0.25 > 0.12 * 2
+  EXPECT_FALSE(face.flat);
+  EXPECT_TRUE(warped(0.009).flat);  // 0.009 <= 0.005 * 2
 }
 
 // A fan of triangles has the vector area of its border, whatever lies in its middle.

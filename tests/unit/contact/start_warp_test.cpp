@@ -7,20 +7,23 @@
 namespace brunt {
 namespace {
 
-bool is_one_plane(Real warp, Real start) {
+FacePlane<3> plane_of(Real warp, Real start) {
   FacePlane<3> plane;
   plane.corner = {Vec3(0, 0, warp), {2, 0, -warp}, {2, 2, warp}, {0, 2, -warp}};
   refresh(plane);
   ContactFace<3> face;
   face.area_start = start * start;
-  return plane.simple && is_flat_as_of_start(face, plane);
+  compare_with_start(face, plane);
+  return plane;
 }
 
 TEST(StartWarp, IsMeasuredByTheSmallerOfTheWidthsNowAndAtTimeZero) {
-  EXPECT_TRUE(is_one_plane(0.059, 0.5));
-  EXPECT_FALSE(is_one_plane(0.061, 0.5));
-  EXPECT_TRUE(is_one_plane(0.23, 4));
-  EXPECT_FALSE(is_one_plane(0.25, 4));
+  EXPECT_TRUE(plane_of(0.059, 0.5).simple);
+  EXPECT_FALSE(plane_of(0.061, 0.5).simple);
+  EXPECT_TRUE(plane_of(0.23, 4).simple);
+  EXPECT_FALSE(plane_of(0.25, 4).simple);
+  EXPECT_TRUE(plane_of(0.0024, 0.5).flat);
+  EXPECT_FALSE(plane_of(0.0026, 0.5).flat);
 }
 
 }  // namespace
