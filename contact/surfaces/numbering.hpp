@@ -5,7 +5,7 @@
 
 namespace brunt {
 
-/// Nodes of one surface, numbered when first asked for.
+/// Nodes of all surfaces, numbered when first asked for.
 template <int Dim>
 class Numbering {
  public:
