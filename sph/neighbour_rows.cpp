@@ -1,6 +1,7 @@
 #include "sph/neighbour_rows.hpp"
 
 #include <algorithm>
+
 #include <utility>
 
 #include "sph/pair_passes.hpp"
@@ -11,7 +12,7 @@ namespace {
 /// Where rows are written out, of each thread.
 LocalIndex* room_for(int n) {
   thread_local std::vector<LocalIndex> room;
-  const std::size_t needed = slot_of(n) + slot_of(kSingleLanes) + slot_of(kByte);
+  const std::size_t needed = slot_of(n) + slot_of(kSingleLanes) + 2 * slot_of(kByte);
   if (room.size() < needed) room.resize(2 * needed);
   return room.data();
 }
@@ -21,35 +22,77 @@ void pad(LocalIndex* row, int found, LocalIndex i) {
   while (found % kSingleLanes != 0) row[found++] = i;
 }
 
-std::size_t whole_packs(int n, int lanes) { return slot_of((n + lanes - 1) / lanes * lanes); }
+std::int64_t whole_packs(std::int64_t n, int lanes) { return (n + lanes - 1) / lanes * lanes; }
+
+std::int64_t words_of(std::size_t n) { return static_cast<std::int64_t>((n + kByte - 1) / kByte); }
+
+/// A byte of ones at each bit that is set.
+std::uint64_t bytes_of(unsigned bits) {
+  std::uint64_t bytes = 0;
+  for (int m = 0; m < kByte; ++m) {
+    if ((bits >> m & 1U) != 0) bytes |= 0xFFULL << (kByte * m);
+  }
+  return bytes;
+}
+
+/// Bits that are set in each byte of a word, a byte each.
+std::uint64_t counts_of_bytes(std::uint64_t x) {
+  x -= x >> 1 & 0x5555555555555555ULL;
+  x = (x & 0x3333333333333333ULL) + (x >> 2 & 0x3333333333333333ULL);
+  return (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0FULL;
+}
+
+/// Bits that are set in each byte of some words.
+std::array<int, kByte> counts_of(std::span<const std::uint64_t> words) {
+  constexpr std::uint64_t kEven = 0x00FF00FF00FF00FFULL;
+  std::uint64_t even = 0, odd = 0;  // sixteen bits each: enough for 65,535 candidates
+  for (const std::uint64_t word : words) {
+    const std::uint64_t counts = counts_of_bytes(word);
+    even += counts & kEven, odd += counts >> 8 & kEven;
+  }
+  std::array<int, kByte> all;
+  for (int m = 0; m < kByte; ++m) {
+    all[slot_of(m)] = static_cast<int>((m % 2 == 0 ? even : odd) >> (16 * (m / 2)) & 0xFFFF);
+  }
+  return all;
+}
 }  // namespace
 
 template <int Dim>
-void NeighbourRows<Dim>::assign(NeighbourList list) {
-  list_ = std::move(list);
-  const std::size_t n = list_.offset.size() - 1;
+void NeighbourRows<Dim>::assign(SharedNeighbours shared) {
+  shared_ = std::move(shared);
+  if (!kKeepsRows) shared_.list.neighbour.resize(shared_.list.neighbour.size() + kByte);  // read on
+  const std::size_t n = shared_.row_of.size();
   count_.assign(n, 0);
-  if (!kKeepsRows) {
-    inside_.assign(slot_of(list_.offset[n]) / kByte + n + 1, 0);
+  auto& first = kKeepsRows ? first_ : first_word_;  // of rows of one in the plane
+  first.resize(n_groups());
+  std::int64_t next = 0;
+  for (std::size_t group = 0; group < n_groups(); ++group) {
+    first[group] = next;
+    const std::size_t most = shared_.neighbours_of(group).size();
+    next +=
+        kKeepsRows ? whole_packs(static_cast<std::int64_t>(most), kSingleLanes) : words_of(most);
+  }
+  if (kKeepsRows) {
+    near_.resize(slot_of(next));
+    weight_.resize(slot_of(next));
     return;
   }
-  first_.resize(n);
-  std::int64_t next = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    first_[i] = next;
-    constexpr auto most = kSingleLanes;
-    next += (list_.offset[i + 1] - list_.offset[i] + most - 1) / most * most;
+  inside_.assign(slot_of(next), 0);
+  member_.resize(n);
+  for (std::size_t group = 0; group < n_groups(); ++group) {
+    std::uint8_t m = 0;
+    for (const LocalIndex i : members(group)) member_[slot_of(i)] = m++;
   }
-  near_.resize(slot_of(next));
-  weight_.resize(slot_of(next));
 }
 
 template <int Dim>
 void NeighbourRows<Dim>::merge_copies(std::span<const GlobalId> id, LocalIndex n_owned) {
   const auto before = [&](LocalIndex a, LocalIndex b) { return id[a] < id[b]; };
-  const auto all = list_.neighbour.begin();
-  for (std::size_t i = 0; i + 1 < list_.offset.size(); ++i) {
-    const auto begin = all + list_.offset[i], end = all + list_.offset[i + 1];
+  const auto& offset = shared_.list.offset;
+  const auto all = shared_.list.neighbour.begin();
+  for (std::size_t row = 0; row + 1 < offset.size(); ++row) {
+    const auto begin = all + offset[row], end = all + offset[row + 1];
     if (begin == end || *(end - 1) < n_owned) continue;
     std::inplace_merge(begin, std::lower_bound(begin, end, n_owned), end, before);
   }
@@ -57,33 +100,50 @@ void NeighbourRows<Dim>::merge_copies(std::span<const GlobalId> id, LocalIndex n
 
 template <int Dim>
 template <class P>
-std::span<const LocalIndex> NeighbourRows<Dim>::refresh(
-    const MotionRecord<Dim, typename P::Stored>* records, LocalIndex i) {
-  const LocalIndex* candidate = candidates(i);
-  const int n = n_candidates(i);
-  LocalIndex* out = kKeepsRows ? near_.data() + first_[i] : room_for(n);
-  std::uint8_t* byte = kKeepsRows ? nullptr : inside_.data() + first_byte(i);
-  const int found = select_neighbours<Dim, P>(records, i, candidate, n, out, byte);
-  count_[slot_of(i)] = found;
-  pad(out, found, i);
-  return {out, whole_packs(found, P::kLanes)};
+void NeighbourRows<Dim>::find(const MotionRecord<Dim, typename P::Stored>* records,
+                              std::size_t group, unsigned wanted) {
+  const auto candidate = shared_.neighbours_of(group);
+  const auto n = static_cast<int>(candidate.size());
+  const auto some = members(group);
+  if constexpr (kKeepsRows) {
+    const LocalIndex i = some.front();
+    LocalIndex* out = near_.data() + first_[i];
+    count_[slot_of(i)] = select_neighbours<Dim, P>(records, i, candidate.data(), n, out);
+    pad(out, count_[slot_of(i)], i);
+    return;
+  }
+  ParticleGroup all;
+  for (std::size_t m = 0; m < all.size(); ++m) all[m] = some[std::min(m, some.size() - 1)];
+  const auto n_words = slot_of(words_of(candidate.size()));
+  thread_local std::vector<std::uint64_t> found;
+  found.resize(n_words);
+  select_neighbours_of<Dim, P>(records, all, candidate.data(), n, found.data());
+  const std::uint64_t taken = bytes_of(wanted);
+  std::uint64_t* word = inside_.data() + first_word_[group];
+  for (std::size_t w = 0; w < n_words; ++w) word[w] = (word[w] & ~taken) | (found[w] & taken);
+  const auto counts = counts_of({word, n_words});
+  for (std::size_t m = 0; m < some.size(); ++m) count_[slot_of(some[m])] = counts[m];
 }
 
 template <int Dim>
 template <class P>
 std::span<const LocalIndex> NeighbourRows<Dim>::row(LocalIndex i) const {
-  const std::size_t size = whole_packs(count_[slot_of(i)], P::kLanes);
+  const std::size_t size = slot_of(whole_packs(count_[slot_of(i)], P::kLanes));
   if constexpr (kKeepsRows) return {near_.data() + first_[i], size};
-  const int n = n_candidates(i);
+  const auto group = slot_of(shared_.row_of[slot_of(i)]);
+  const auto candidate = shared_.neighbours_of(group);
+  const auto n = static_cast<int>(candidate.size());
   LocalIndex* out = room_for(n);
-  const std::uint8_t* bits = inside_.data() + first_byte(i);
-  pad(out, expand_bits<P>(i, candidates(i), n, bits, out), i);
+  // Bytes may be read as such; the first of a word is its lowest (x86, and what else brunt runs
+  // on).
+  const auto* byte = reinterpret_cast<const std::uint8_t*>(inside_.data() + first_word_[group]);
+  pad(out, expand_bits<P>(candidate.data(), n, byte + member_[slot_of(i)], out), i);
   return {out, size};
 }
 
-#define BRUNT_ROWS(Dim, P)                                             \
-  template std::span<const LocalIndex> NeighbourRows<Dim>::refresh<P>( \
-      const MotionRecord<Dim, P::Stored>*, LocalIndex);                \
+#define BRUNT_ROWS(Dim, P)                                                                    \
+  template void NeighbourRows<Dim>::find<P>(const MotionRecord<Dim, P::Stored>*, std::size_t, \
+                                            unsigned);                                        \
   template std::span<const LocalIndex> NeighbourRows<Dim>::row<P>(LocalIndex) const;
 template class NeighbourRows<2>;
 template class NeighbourRows<3>;

@@ -7,14 +7,16 @@
 
 namespace brunt {
 
-/// As select_row, expand_row, sum_gradients, sum_forces and sum_heat with P = RealPairs<V>;
-/// instantiated for Wide, to be called where wide_lanes() says so.
+/// As select_row, select_group, expand_row, sum_gradients, sum_forces and sum_heat with P =
+/// RealPairs<V>; instantiated for Wide, to be called where wide_lanes() says so.
 template <int Dim, class V>
 int select_row_by(const MotionRecord<Dim>* records, LocalIndex i, const LocalIndex* candidate,
-                  int n, LocalIndex* out, std::uint8_t* byte);
+                  int n, LocalIndex* out);
+template <int Dim, class V>
+void select_group_by(const MotionRecord<Dim>* records, const ParticleGroup& group,
+                     const LocalIndex* candidate, int n, std::uint64_t* word);
 template <class V>
-int expand_row_by(LocalIndex i, const LocalIndex* candidate, int n, const std::uint8_t* byte,
-                  LocalIndex* out);
+int expand_row_by(const LocalIndex* candidate, int n, const std::uint8_t* byte, LocalIndex* out);
 template <int Dim, class Kernel, class V>
 GradientSums<Dim> sum_gradients_by(const MotionRecord<Dim>* motion, LocalIndex i,
                                    std::span<const LocalIndex> row, Real* weights);
@@ -30,22 +32,34 @@ PairHeat sum_heat_by(const HeatRecords<Dim>& records, LocalIndex i, std::span<co
 template <int Dim, class P>
 BRUNT_INLINE int select_neighbours(const MotionRecord<Dim, typename P::Stored>* records,
                                    LocalIndex i, const LocalIndex* candidate, int n,
-                                   LocalIndex* out, std::uint8_t* byte) {
+                                   LocalIndex* out) {
   if constexpr (std::is_same_v<P, WidePairs>) {
-    return select_row_by<Dim, Wide>(records, i, candidate, n, out, byte);
+    return select_row_by<Dim, Wide>(records, i, candidate, n, out);
   } else {
-    return select_row<Dim, P>(records, i, candidate, n, out, byte);
+    return select_row<Dim, P>(records, i, candidate, n, out);
+  }
+}
+
+/// select_group, wherever it is.
+template <int Dim, class P>
+BRUNT_INLINE void select_neighbours_of(const MotionRecord<Dim, typename P::Stored>* records,
+                                       const ParticleGroup& group, const LocalIndex* candidate,
+                                       int n, std::uint64_t* word) {
+  if constexpr (std::is_same_v<P, WidePairs>) {
+    select_group_by<Dim, Wide>(records, group, candidate, n, word);
+  } else {
+    select_group<Dim, P>(records, group, candidate, n, word);
   }
 }
 
 /// expand_row, wherever it is.
 template <class P>
-BRUNT_INLINE int expand_bits(LocalIndex i, const LocalIndex* candidate, int n,
-                             const std::uint8_t* byte, LocalIndex* out) {
+BRUNT_INLINE int expand_bits(const LocalIndex* candidate, int n, const std::uint8_t* byte,
+                             LocalIndex* out) {
   if constexpr (std::is_same_v<P, WidePairs>) {
-    return expand_row_by<Wide>(i, candidate, n, byte, out);
+    return expand_row_by<Wide>(candidate, n, byte, out);
   } else {
-    return expand_row<P>(i, candidate, n, byte, out);
+    return expand_row<P>(candidate, n, byte, out);
   }
 }
 

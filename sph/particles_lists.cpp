@@ -70,8 +70,8 @@ void SphParticles<Dim>::rearrange() {
   if (!ranks_->alone()) renew_ghosts(skin);
   label_sums();
   rows_.forget();
-  rows_.assign(
-      neighbours_within<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned, search_));
+  rows_.assign(shared_neighbours<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned,
+                                      NeighbourRows<Dim>::kShare, search_));
   if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);
   watch_.start(points_, sum_, smoothing_length_, skin);
   still_.start(watch_, n_owned());

@@ -104,16 +104,41 @@ void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
   correct_turn<Dim>(sums.rate, plain, state.velocity_gradient);
 }
 
+/// The members of a group that are of a block and are computed, a bit each.
+template <int Dim>
+unsigned SphParticles<Dim>::computed_of(const ParticleBlock& block, std::size_t group) const {
+  unsigned computed = 0, bit = 1;
+  for (const LocalIndex i : rows_.members(group)) {
+    const bool own = &blocks_[block_of_[slot_of(i)]] == &block;
+    if (own && !is_left_out(block, i)) computed |= bit;
+    bit <<= 1;
+  }
+  return computed;
+}
+
+/// The true neighbours of the particles of a block that are computed.
+template <int Dim>
+template <class P>
+void SphParticles<Dim>::find_neighbours(const ParticleBlock& block) {
+  const auto* motion = pair_records<P>().motion;
+  for_each(rows_.n_groups(), [&](std::size_t group) {
+    const unsigned computed = computed_of(block, group);
+    if (computed != 0) rows_.template find<P>(motion, group, computed);
+  });
+}
+
+/// Particle by particle, as they lie in memory: members of a group do not lie side by side there.
 template <int Dim>
 template <class P>
 void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
   if (!block.set.options.correction) plain_.resize(n_owned());
+  find_neighbours<P>(block);
   const auto records = pair_records<P>();
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       if (is_left_out(block, i)) return;
-      const auto row = rows_.template refresh<P>(records.motion, i);
+      const auto row = rows_.template row<P>(i);
       take_gradients(block, i,
                      gradients_over<Dim, Kernel, P>(records.motion, i, row, records.inverse_length,
                                                     rows_.weights(i)));
@@ -263,6 +288,8 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
   if (rides()) give_forces_to_nodes();
 }
 
+template void SphParticles<2>::find_neighbours<DoublePairs>(const ParticleBlock&);
+template void SphParticles<3>::find_neighbours<DoublePairs>(const ParticleBlock&);
 template bool SphParticles<2>::any_single() const;
 template bool SphParticles<3>::any_single() const;
 template Real SphParticles<2>::least_single_spacing() const;

@@ -269,13 +269,13 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
     const Real strength = block.set.options.xsph;
     if (strength == 0) continue;
     shift.resize(state_.size(), Vec<Dim>::Zero());
+    find_neighbours<DoublePairs>(block);
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         const auto k = slot_of(i);
         const auto mean =
-            mean_velocity<Dim, Kernel>(motion_.data(), stress_.data(), i,
-                                       rows_.template refresh<DoublePairs>(motion_.data(), i));
+            mean_velocity<Dim, Kernel>(motion_.data(), stress_.data(), i, rows_.row(i));
         shift[k] = (dt * strength) * mean;
       });
     });

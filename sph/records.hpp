@@ -112,9 +112,18 @@ BRUNT_INLINE Real max_lanes(SinglePack a) { return max_lanes(vmax(low_half(a), h
 /// x_j - x_i of a pack of neighbours along an axis.
 BRUNT_INLINE Pack difference(Pack others, Real own) { return others - own; }
 BRUNT_INLINE Wide difference(Wide others, Real own) { return others - own; }
+/// The same of one neighbour and a pack of particles.
+BRUNT_INLINE Pack difference(Real other, Pack own) { return other - own; }
+BRUNT_INLINE Wide difference(Real other, Wide own) { return other - own; }
 /// Of integer steps, whose difference is exact, wherever the origin is.
 BRUNT_INLINE SinglePack difference(SinglePack others, float own) {
   const auto steps = reinterpret_cast<SingleBits>(others) - std::bit_cast<std::uint32_t>(own);
+  return static_cast<float>(1 / SinglePairs::kSteps) *
+         __builtin_convertvector(reinterpret_cast<SingleMask>(steps), SinglePack);
+}
+
+BRUNT_INLINE SinglePack difference(float other, SinglePack own) {
+  const auto steps = std::bit_cast<std::uint32_t>(other) - reinterpret_cast<SingleBits>(own);
   return static_cast<float>(1 / SinglePairs::kSteps) *
          __builtin_convertvector(reinterpret_cast<SingleMask>(steps), SinglePack);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// The true neighbours of a particle, out of its candidates.
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "core/simd_float.hpp"
@@ -48,38 +49,121 @@ BRUNT_INLINE unsigned inside_support(const MotionRecord<Dim, typename P::Stored>
   return mask_bits(pairs.q2 < number_of<typename P::Pack>(P::kSupport));
 }
 
-/// Writes those of n candidates that interact with i to `out`, up to a whole pack more; in space a
-/// bit of each to `byte`. Returns how many they are.
+/// Writes those of n candidates that interact with i to `out`, up to a whole pack more; returns how
+/// many they are.
 template <int Dim, class P>
 BRUNT_INLINE int select_row(const MotionRecord<Dim, typename P::Stored>* records, LocalIndex i,
-                            const LocalIndex* candidate, int n, LocalIndex* out,
-                            std::uint8_t* byte) {
-  constexpr bool kKeepsBits = Dim == 3;
-  constexpr int kStep = kKeepsBits ? kByte : P::kLanes;
+                            const LocalIndex* candidate, int n, LocalIndex* out) {
   const auto* own = records[i].data;
-  int found = 0;
-  const auto take = [&](const LocalIndex* some, unsigned among) __attribute__((always_inline)) {
-    unsigned bits = inside_support<Dim, P>(records, own, some);
-    if constexpr (kStep > P::kLanes) {
-      bits |= inside_support<Dim, P>(records, own, some + P::kLanes) << P::kLanes;
-    }
-    bits &= among;
-    if constexpr (kKeepsBits) *byte++ = static_cast<std::uint8_t>(bits);
-    found += append<kStep>(out + found, some, bits);
-  };
-  int c = 0;
-  for (; c + kStep <= n; c += kStep) take(candidate + c, (1U << kStep) - 1U);
-  if (c < n) take(Rest(candidate + c, n - c, i).candidate, (1U << (n - c)) - 1U);
-  return found;
+  int found = 0, c = 0;
+  for (; c + P::kLanes <= n; c += P::kLanes) {
+    const unsigned bits = inside_support<Dim, P>(records, own, candidate + c);
+    found += append<P::kLanes>(out + found, candidate + c, bits);
+  }
+  if (c == n) return found;
+  const Rest rest(candidate + c, n - c, i);
+  const unsigned among = (1U << (n - c)) - 1U;
+  const unsigned bits = inside_support<Dim, P>(records, own, rest.candidate) & among;
+  return found + append<P::kLanes>(out + found, rest.candidate, bits);
 }
 
-/// Writes those of n candidates whose bits are set to `out`, as select_row does; returns how many.
+/// Up to eight particles that share candidates; those that lack are the last once more.
+using ParticleGroup = std::array<LocalIndex, kByte>;
+
+/// Positions and lengths of a group, a lane each: x_j is compared with all of them at once.
+template <int Dim, class P>
+struct GroupLanes {
+  using Pack = typename P::Pack;
+  static constexpr int kPacks = kByte / P::kLanes;
+  Pack x[kPacks][Dim], inverse[kPacks];
+
+  BRUNT_INLINE GroupLanes(const MotionRecord<Dim, typename P::Stored>* records,
+                          const ParticleGroup& group) {
+    for (int m = 0; m < kByte; ++m) {
+      const auto* own = records[group[slot_of(m)]].data;
+      const int pack = m / P::kLanes, lane = m % P::kLanes;
+      for (int d = 0; d < Dim; ++d) x[pack][d][lane] = own[d];
+      inverse[pack][lane] = own[MotionRecord<Dim>::kInverse];
+    }
+  }
+  /// Which of the group interact with j, a bit each, by the arithmetic of set_arms.
+  BRUNT_INLINE unsigned inside_support(const typename P::Number* j) const {
+    unsigned bits = 0;
+    for (int pack = 0; pack < kPacks; ++pack) {
+      Pack arm[Dim];
+      for (int d = 0; d < Dim; ++d) arm[d] = difference(j[d], x[pack][d]);
+      Pack r2 = arm[0] * arm[0];
+      for (int d = 1; d < Dim; ++d) r2 = r2 + arm[d] * arm[d];
+      const Pack inverse_h = 0.5 * (j[MotionRecord<Dim>::kInverse] + inverse[pack]);
+      const Pack q2 = r2 * (inverse_h * inverse_h);
+      bits |= mask_bits(q2 < number_of<Pack>(P::kSupport)) << (pack * P::kLanes);
+    }
+    return bits;
+  }
+};
+
+/// Which of a group are j, a bit each.
+BRUNT_INLINE unsigned bits_of(const ParticleGroup& group, LocalIndex j) {
+#ifdef BRUNT_WIDE
+  __m256i eight;
+  std::memcpy(&eight, group.data(), sizeof eight);
+  return _mm256_cmpeq_epi32_mask(eight, _mm256_set1_epi32(j));
+#else
+  using Four = LocalIndex __attribute__((vector_size(16)));
+  Four low, high;
+  std::memcpy(&low, group.data(), sizeof low);
+  std::memcpy(&high, group.data() + kLanes, sizeof high);
+  return mask_bits(low == j) | mask_bits(high == j) << kLanes;
+#endif
+}
+
+/// Eight bytes of eight bits, columns to rows (Warren, Hacker's Delight, 7-3).
+BRUNT_INLINE std::uint64_t transposed_bits(std::uint64_t x) {
+  std::uint64_t t = (x ^ (x >> 7)) & 0x00AA00AA00AA00AAULL;
+  x ^= t ^ (t << 7);
+  t = (x ^ (x >> 14)) & 0x0000CCCC0000CCCCULL;
+  x ^= t ^ (t << 14);
+  t = (x ^ (x >> 28)) & 0x00000000F0F0F0F0ULL;
+  return x ^ t ^ (t << 28);
+}
+
+/// Which of n candidates interact with which of a group, those of the group with themselves left
+/// out: of every eight candidates a word, its byte m the bits of member m.
+template <int Dim, class P>
+BRUNT_INLINE void select_group(const MotionRecord<Dim, typename P::Stored>* records,
+                               const ParticleGroup& group, const LocalIndex* candidate, int n,
+                               std::uint64_t* word) {
+  const GroupLanes<Dim, P> lanes(records, group);
+  for (int first = 0; first < n; first += kByte) {
+    std::uint64_t by_candidate = 0;
+    const int end = std::min(first + kByte, n);
+    for (int c = first; c < end; ++c) {
+      const LocalIndex j = candidate[c];
+      const unsigned bits = lanes.inside_support(records[j].data) & ~bits_of(group, j);
+      by_candidate |= static_cast<std::uint64_t>(bits) << (kByte * (c - first));
+    }
+    *word++ = transposed_bits(by_candidate);
+  }
+}
+
+/// Writes those of n candidates whose bits are set to `out`, up to two whole packs more; returns
+/// how many they are. Reads the candidates in whole eights. byte  every eighth is of this row; the
+/// bits beyond n are none
 template <class P>
-BRUNT_INLINE int expand_row(LocalIndex i, const LocalIndex* candidate, int n,
-                            const std::uint8_t* byte, LocalIndex* out) {
+BRUNT_INLINE int expand_row(const LocalIndex* candidate, int n, const std::uint8_t* byte,
+                            LocalIndex* out) {
   int found = 0, c = 0;
-  for (; c + kByte <= n; c += kByte) found += append<kByte>(out + found, candidate + c, *byte++);
-  if (c < n) found += append<kByte>(out + found, Rest(candidate + c, n - c, i).candidate, *byte);
+#ifdef BRUNT_WIDE
+  for (; c + kByte < n; c += 2 * kByte) {
+    const unsigned bits = byte[c] | static_cast<unsigned>(byte[c + kByte]) << kByte;
+    __m512i sixteen;
+    std::memcpy(&sixteen, candidate + c, sizeof sixteen);
+    sixteen = _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), sixteen);
+    std::memcpy(out + found, &sixteen, sizeof sixteen);
+    found += std::popcount(bits);
+  }
+#endif
+  for (; c < n; c += kByte) found += append<kByte>(out + found, candidate + c, byte[c]);
   return found;
 }
 

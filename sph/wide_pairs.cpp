@@ -6,14 +6,19 @@ namespace brunt {
 
 template <int Dim, class V>
 int select_row_by(const MotionRecord<Dim>* records, LocalIndex i, const LocalIndex* candidate,
-                  int n, LocalIndex* out, std::uint8_t* byte) {
-  return select_row<Dim, RealPairs<V>>(records, i, candidate, n, out, byte);
+                  int n, LocalIndex* out) {
+  return select_row<Dim, RealPairs<V>>(records, i, candidate, n, out);
+}
+
+template <int Dim, class V>
+void select_group_by(const MotionRecord<Dim>* records, const ParticleGroup& group,
+                     const LocalIndex* candidate, int n, std::uint64_t* word) {
+  select_group<Dim, RealPairs<V>>(records, group, candidate, n, word);
 }
 
 template <class V>
-int expand_row_by(LocalIndex i, const LocalIndex* candidate, int n, const std::uint8_t* byte,
-                  LocalIndex* out) {
-  return expand_row<RealPairs<V>>(i, candidate, n, byte, out);
+int expand_row_by(const LocalIndex* candidate, int n, const std::uint8_t* byte, LocalIndex* out) {
+  return expand_row<RealPairs<V>>(candidate, n, byte, out);
 }
 
 template <int Dim, class Kernel, class V>
@@ -36,12 +41,15 @@ PairHeat sum_heat_by(const HeatRecords<Dim>& records, LocalIndex i, std::span<co
   return sum_heat<Dim, Kernel, RealPairs<V>>(records, i, row, weights);
 }
 
-template int expand_row_by<Wide>(LocalIndex, const LocalIndex*, int, const std::uint8_t*,
-                                 LocalIndex*);
+template int expand_row_by<Wide>(const LocalIndex*, int, const std::uint8_t*, LocalIndex*);
 template int select_row_by<2, Wide>(const MotionRecord<2>*, LocalIndex, const LocalIndex*, int,
-                                    LocalIndex*, std::uint8_t*);
+                                    LocalIndex*);
 template int select_row_by<3, Wide>(const MotionRecord<3>*, LocalIndex, const LocalIndex*, int,
-                                    LocalIndex*, std::uint8_t*);
+                                    LocalIndex*);
+template void select_group_by<2, Wide>(const MotionRecord<2>*, const ParticleGroup&,
+                                       const LocalIndex*, int, std::uint64_t*);
+template void select_group_by<3, Wide>(const MotionRecord<3>*, const ParticleGroup&,
+                                       const LocalIndex*, int, std::uint64_t*);
 
 #define BRUNT_PASSES(Dim, Kernel)                                                                \
   template GradientSums<Dim> sum_gradients_by<Dim, Kernel, Wide>(                                \

@@ -130,22 +130,28 @@ BRUNT_INLINE std::uint64_t neighbour_bits(const Candidates<Dim>& candidates, std
   return static_cast<std::uint64_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
 }
 
-/// Writes the row of point i, ascending, into candidates.row; returns its length.
+/// Writes what is within reach of any of a group, ascending, into candidates.row; returns its
+/// length. Of several points each is in reach of itself.
 template <int Dim>
-std::size_t select_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candidates) {
-  std::array<Pack, Dim> x_i;
-  for (int c = 0; c < Dim; ++c) x_i[c] = broadcast<Pack>(q.x[i][c]);
-  const Pack reach_i = broadcast<Pack>(q.reach[i]), skin = broadcast<Pack>(q.skin);
-  const Pack label_i = broadcast<Pack>(static_cast<Real>(q.label[i]));
+std::size_t select_row(const PointQuery<Dim>& q, std::span<const LocalIndex> group,
+                       Candidates<Dim>& candidates) {
+  const Pack skin = broadcast<Pack>(q.skin);
+  const Pack label = broadcast<Pack>(static_cast<Real>(q.label[group.front()]));
+  const LocalIndex left_out = group.size() == 1 ? group.front() : -1;
   LocalIndex* row = candidates.row.data();
   std::size_t length = 0;
   for (std::size_t first = 0; first < candidates.n; first += 64) {
-    std::uint64_t bits = neighbour_bits<Dim>(candidates, first, x_i, reach_i, label_i, skin);
+    std::uint64_t bits = 0;
+    for (const LocalIndex i : group) {
+      std::array<Pack, Dim> x_i;
+      for (int c = 0; c < Dim; ++c) x_i[c] = broadcast<Pack>(q.x[i][c]);
+      bits |= neighbour_bits<Dim>(candidates, first, x_i, broadcast<Pack>(q.reach[i]), label, skin);
+    }
     const LocalIndex* index = candidates.index.data() + first;
     for (; bits != 0; bits &= bits - 1) {
       const LocalIndex j = index[std::countr_zero(bits)];
       row[length] = j;
-      length += j != i;
+      length += j != left_out;
     }
   }
   return length;
@@ -171,28 +177,80 @@ void sort_indices(std::vector<LocalIndex>& index, std::vector<LocalIndex>& spare
   }
 }
 
-/// Rows of a run of cells, one after the other, in the order of the cells' points.
+/// Rows of a run of cells, one after the other, and the points of each.
 struct RowChunk {
+  struct Row {
+    LocalIndex n_points, length;
+  };
+  std::vector<Row> rows;
   std::vector<LocalIndex> points;
   std::vector<LocalIndex> neighbours;
+
+  void append(std::span<const LocalIndex> group, std::span<const LocalIndex> row) {
+    rows.push_back({static_cast<LocalIndex>(group.size()), static_cast<LocalIndex>(row.size())});
+    points.insert(points.end(), group.begin(), group.end());
+    neighbours.insert(neighbours.end(), row.begin(), row.end());
+  }
 };
 
+/// Points of a cell in the order of their labels, and of each label along a curve through the cell,
+/// so that those that follow each other lie side by side.
 template <int Dim>
-void append_row(const PointQuery<Dim>& q, LocalIndex i, Candidates<Dim>& candidates,
-                std::span<std::int64_t> count, RowChunk& chunk) {
-  const std::size_t length = select_row(q, i, candidates);
-  const std::size_t before = chunk.neighbours.size();
-  chunk.neighbours.resize(before + length);
-  std::copy_n(candidates.row.data(), length, chunk.neighbours.data() + before);
-  chunk.points.push_back(i);
-  count[i] = static_cast<std::int64_t>(length);
+class OrderInCell {
+ public:
+  /// points  those that have rows
+  std::span<const LocalIndex> of(const PointQuery<Dim>& q, const Bounds<Dim>& bounds,
+                                 std::span<const LocalIndex> points) {
+    keyed_.clear();
+    for (const LocalIndex i : points) {
+      if (i < q.n_rows) keyed_.push_back({q.label[i], place(q.x[i], bounds), i});
+    }
+    std::sort(keyed_.begin(), keyed_.end());
+    ordered_.clear();
+    for (const auto& one : keyed_) ordered_.push_back(one.point);
+    return ordered_;
+  }
+
+ private:
+  struct Keyed {
+    Label label;
+    std::uint32_t place;
+    LocalIndex point;
+    auto operator<=>(const Keyed&) const = default;
+  };
+  /// Morton's curve through 8 parts of each side.
+  static std::uint32_t place(const Vec<Dim>& x, const Bounds<Dim>& bounds) {
+    constexpr int kBits = 3;
+    std::uint32_t along = 0;
+    for (int c = 0; c < Dim; ++c) {
+      const Real width = bounds.hi[c] - bounds.lo[c];
+      const Real part = width > 0 ? (x[c] - bounds.lo[c]) / width * (1 << kBits) : 0;
+      const auto cell = static_cast<std::uint32_t>(std::min<Real>(part, (1 << kBits) - 1));
+      for (int bit = 0; bit < kBits; ++bit) along |= (cell >> bit & 1U) << (bit * Dim + c);
+    }
+    return along;
+  }
+  std::vector<Keyed> keyed_;
+  std::vector<LocalIndex> ordered_;
+};
+
+/// The next group: as many points of one label as there are, in equal parts of at most `most`.
+template <int Dim>
+std::size_t group_size(const PointQuery<Dim>& q, std::span<const LocalIndex> points,
+                       std::size_t most) {
+  const auto other = std::find_if(points.begin(), points.end(), [&](LocalIndex i) {
+    return q.label[i] != q.label[points.front()];
+  });
+  const auto same = static_cast<std::size_t>(other - points.begin());
+  const std::size_t parts = (same + most - 1) / most;
+  return (same + parts - 1) / parts;
 }
 
 /// Rows of all points of a cell: its surroundings are gathered once.
 template <int Dim>
 void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
                          std::span<const Bounds<Dim>> bounds, LocalIndex cell,
-                         Candidates<Dim>& candidates, std::span<std::int64_t> count,
+                         Candidates<Dim>& candidates, OrderInCell<Dim>& order, std::size_t most,
                          RowChunk& chunk) {
   const auto members = grid.members(cell);
   if (members.empty() || members.front() >= q.n_rows) return;  // ascending
@@ -208,64 +266,87 @@ void append_rows_of_cell(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
   gather(grid.oversize());
   sort_indices(candidates.around, candidates.spare);
   candidates.take_around(q);
-  for (const LocalIndex i : members) {
-    if (i < q.n_rows) append_row(q, i, candidates, count, chunk);
+  for (auto left = order.of(q, bounds[cell], members); !left.empty();) {
+    const auto group = left.first(group_size(q, left, most));
+    const std::size_t length = select_row(q, group, candidates);
+    chunk.append(group, std::span<const LocalIndex>(candidates.row).first(length));
+    left = left.subspan(group.size());
   }
 }
 
-/// Rows of points that lie in no cell: compared with all.
+/// The row of a point that is compared with all.
 template <int Dim>
-void append_oversize_rows(const PointQuery<Dim>& q, const CellGrid<Dim>& grid,
-                          std::span<std::int64_t> count, RowChunk& chunk) {
+void append_own_row(const PointQuery<Dim>& q, LocalIndex i, RowChunk& chunk) {
+  std::vector<LocalIndex> row;
   const auto n = static_cast<LocalIndex>(q.x.size());
-  for (const LocalIndex i : grid.oversize()) {
-    if (i >= q.n_rows) continue;
-    const std::size_t before = chunk.neighbours.size();
-    for (LocalIndex j = 0; j < n; ++j) {
-      if (j != i && are_neighbours(q, i, j)) chunk.neighbours.push_back(j);
-    }
-    chunk.points.push_back(i);
-    count[i] = static_cast<std::int64_t>(chunk.neighbours.size() - before);
+  for (LocalIndex j = 0; j < n; ++j) {
+    if (j != i && are_neighbours(q, i, j)) row.push_back(j);
   }
+  chunk.append({&i, 1}, row);
 }
 
-/// Puts the rows of all chunks into the order of the points; the list's offsets hold the lengths.
-void assemble(std::span<const RowChunk> chunks, NeighbourList& list) {
-  for (std::size_t i = 1; i < list.offset.size(); ++i) list.offset[i] += list.offset[i - 1];
-  list.neighbour.resize(slot_of(list.offset.back()));
-#pragma omp parallel for schedule(static) if (chunks.size() > 4)
-  for (std::size_t k = 0; k < chunks.size(); ++k) {
-    const LocalIndex* from = chunks[k].neighbours.data();
-    for (const LocalIndex i : chunks[k].points) {
-      const auto length = list.offset[i + 1] - list.offset[i];
-      std::copy(from, from + length, list.neighbour.begin() + list.offset[i]);
-      from += length;
-    }
-  }
-}
+/// A row as it was found.
+struct FoundRow {
+  const LocalIndex* points;
+  const LocalIndex* neighbours;
+  RowChunk::Row size;
+};
 
-template <int Dim>
-NeighbourList all_neighbours(const PointQuery<Dim>& q) {
-  NeighbourList list;
-  const auto n = static_cast<LocalIndex>(q.x.size());
-  list.offset.push_back(0);
-  for (LocalIndex i = 0; i < q.n_rows; ++i) {
-    for (LocalIndex j = 0; j < n; ++j) {
-      if (i != j && are_neighbours(q, i, j)) list.neighbour.push_back(j);
+/// Puts the rows of all chunks into the order of their first points.
+SharedNeighbours assemble(std::span<const RowChunk> chunks, LocalIndex n_points) {
+  std::vector<FoundRow> found;
+  std::vector<LocalIndex> found_of(slot_of(n_points));
+  for (const auto& chunk : chunks) {
+    const LocalIndex* point = chunk.points.data();
+    const LocalIndex* neighbour = chunk.neighbours.data();
+    for (const auto& row : chunk.rows) {
+      for (LocalIndex k = 0; k < row.n_points; ++k) {
+        found_of[slot_of(point[k])] = static_cast<LocalIndex>(found.size());
+      }
+      found.push_back({point, neighbour, row});
+      point += row.n_points, neighbour += row.length;
     }
-    list.offset.push_back(static_cast<std::int64_t>(list.neighbour.size()));
   }
-  return list;
+  SharedNeighbours shared;
+  std::vector<LocalIndex> found_at;  // by row
+  shared.row_of.assign(slot_of(n_points), -1);
+  shared.points.reserve(slot_of(n_points));
+  shared.begin.assign(1, 0);
+  shared.list.offset.assign(1, 0);
+  for (std::size_t i = 0; i < shared.row_of.size(); ++i) {
+    if (shared.row_of[i] >= 0) continue;
+    const FoundRow& row = found[slot_of(found_of[i])];
+    for (LocalIndex k = 0; k < row.size.n_points; ++k) {
+      shared.points.push_back(row.points[k]);
+      shared.row_of[slot_of(row.points[k])] = static_cast<LocalIndex>(found_at.size());
+    }
+    shared.begin.push_back(static_cast<LocalIndex>(shared.points.size()));
+    shared.list.offset.push_back(shared.list.offset.back() + row.size.length);
+    found_at.push_back(found_of[i]);
+  }
+  shared.list.neighbour.reserve(slot_of(shared.list.offset.back()) + 2 * kLanes);  // to be filled up
+  shared.list.neighbour.resize(slot_of(shared.list.offset.back()));
+#pragma omp parallel for schedule(static) if (found_at.size() > 1024)
+  for (std::size_t row = 0; row < found_at.size(); ++row) {
+    const FoundRow& from = found[slot_of(found_at[row])];
+    std::copy_n(from.neighbours, from.size.length,
+                shared.list.neighbour.begin() + shared.list.offset[row]);
+  }
+  return shared;
 }
 
 }  // namespace
 
 template <int Dim>
-NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
-                                std::span<const Label> label, Real skin, LocalIndex n_rows,
-                                SearchMode mode) {
+SharedNeighbours shared_neighbours(std::span<const Vec<Dim>> x, std::span<const Real> reach,
+                                   std::span<const Label> label, Real skin, LocalIndex n_rows,
+                                   std::size_t most, SearchMode mode) {
   const PointQuery<Dim> q{x, reach, label, skin, n_rows};
-  if (mode == SearchMode::brute) return all_neighbours(q);
+  if (mode == SearchMode::brute) {
+    RowChunk all;
+    for (LocalIndex i = 0; i < n_rows; ++i) append_own_row(q, i, all);
+    return assemble({&all, 1}, n_rows);
+  }
   std::vector<Real> extent(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) extent[i] = 2 * reach[i] + skin;
   const CellGrid<Dim> grid(x, extent);
@@ -274,32 +355,44 @@ NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Rea
   for (LocalIndex cell = 0; cell < grid.n_cells(); ++cell) {
     bounds[cell] = bounds_of(q, grid.members(cell));
   }
-  NeighbourList list;
-  list.offset.assign(slot_of(n_rows) + 1, 0);
-  const std::span<std::int64_t> count(list.offset.data() + 1, slot_of(n_rows));
   constexpr LocalIndex kChunk = 64;
   const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
   std::vector<RowChunk> chunks(slot_of(n_chunks) + 1);
 #pragma omp parallel if (n_chunks > 4)
   {
     Candidates<Dim> candidates;
+    OrderInCell<Dim> order;
 #pragma omp for schedule(dynamic, 1)
     for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
       const LocalIndex end = std::min(grid.n_cells(), (chunk + 1) * kChunk);
       for (LocalIndex cell = chunk * kChunk; cell < end; ++cell) {
-        append_rows_of_cell<Dim>(q, grid, bounds, cell, candidates, count, chunks[chunk]);
+        append_rows_of_cell<Dim>(q, grid, bounds, cell, candidates, order, most, chunks[chunk]);
       }
     }
   }
-  append_oversize_rows(q, grid, count, chunks.back());
-  assemble(chunks, list);
-  return list;
+  for (const LocalIndex i : grid.oversize()) {
+    if (i < n_rows) append_own_row(q, i, chunks.back());
+  }
+  return assemble(chunks, n_rows);
 }
 
-template NeighbourList neighbours_within<2>(std::span<const Vec<2>>, std::span<const Real>,
-                                            std::span<const Label>, Real, LocalIndex, SearchMode);
-template NeighbourList neighbours_within<3>(std::span<const Vec<3>>, std::span<const Real>,
-                                            std::span<const Label>, Real, LocalIndex, SearchMode);
+template <int Dim>
+NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
+                                std::span<const Label> label, Real skin, LocalIndex n_rows,
+                                SearchMode mode) {
+  return shared_neighbours<Dim>(x, reach, label, skin, n_rows, 1, mode).list;
+}
+
+#define BRUNT_NEIGHBOURS(Dim)                                                                     \
+  template SharedNeighbours shared_neighbours<Dim>(std::span<const Vec<Dim>>,                     \
+                                                   std::span<const Real>, std::span<const Label>, \
+                                                   Real, LocalIndex, std::size_t, SearchMode);    \
+  template NeighbourList neighbours_within<Dim>(std::span<const Vec<Dim>>, std::span<const Real>, \
+                                                std::span<const Label>, Real, LocalIndex,         \
+                                                SearchMode);
+BRUNT_NEIGHBOURS(2)
+BRUNT_NEIGHBOURS(3)
+#undef BRUNT_NEIGHBOURS
 
 }  // namespace brunt
 // Tested by tests/unit/core/search_test.cpp.
