@@ -35,6 +35,16 @@ bool erodes(const Deck& deck) {
     return !body.rigid && body.element.erosion.has_value();
   });
 }
+
+bool stops(const deck::Stop& stop) { return stop.at_rest || stop.beyond || !stop.when.empty(); }
+
+/// Whether a third, finer rehearsal is worth its time: how thin an element gets before it erodes
+/// depends on its size, and coarse bodies may slide for ever where finer ones come to rest.
+bool needs_finer(const Deck& deck, const std::vector<Rehearsal>& done) {
+  const bool none_stopped =
+      std::ranges::all_of(done, [](const auto& one) { return one.share == 1; });
+  return erodes(deck) || (stops(deck.stop) && none_stopped);
+}
 }  // namespace
 
 Real expected_growth(const std::vector<Rehearsal>& rehearsals) {
@@ -56,9 +66,9 @@ Real expected_share(const std::vector<Rehearsal>& rehearsals) {
 std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::string>& overrides,
                                 const LoadedDeck& loaded, const Calibration& measured,
                                 Real seconds) {
-  constexpr Real kEroding = 1.5, kFactors[] = {3, 2, kEroding};
-  constexpr Real kPart = 0.25, kPartEroding = 0.4;
-  constexpr Real kLeast = 20, kMost = 60, kLeastEroding = 40, kMostEroding = 120;  // [s]
+  constexpr Real kFiner = 1.5, kFactors[] = {3, 2, kFiner};
+  constexpr Real kPart = 0.25, kPartFiner = 0.4;
+  constexpr Real kLeast = 20, kMost = 60, kLeastFiner = 40, kMostFiner = 120;  // [s]
   std::vector<Rehearsal> done;
   const bool solid = loaded.deck.geometry == Geometry::three_d;
   if (seconds < kShortRun) {
@@ -74,8 +84,8 @@ std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::
   Real last = 0;  // [s] what the one before took
   Real size = kFactors[0];
   for (const Real factor : kFactors) {
-    const bool eroding = factor == kEroding;
-    if (eroding && !erodes(loaded.deck)) break;
+    const bool finer = factor == kFiner;
+    if (finer && !needs_finer(loaded.deck, done)) break;
     auto coarser = overrides;
     for (const auto& change : lever.at(loaded, factor)) coarser.push_back(change);
     const auto coarse = resized_deck(deck, coarser, loaded);
@@ -83,8 +93,8 @@ std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::
     const Real growth =
         done.empty() ? flattening_of(loaded.deck).most_steps() : expected_growth(done);
     const Real before = processor_seconds();
-    const Real part = eroding ? kPartEroding : kPart;
-    const Real least = eroding ? kLeastEroding : kLeast, most = eroding ? kMostEroding : kMost;
+    const Real part = finer ? kPartFiner : kPart;
+    const Real least = finer ? kLeastFiner : kLeast, most = finer ? kMostFiner : kMost;
     const Real left = std::clamp(part * growth * seconds, least, most) - (before - begun);
     if (last * std::pow(size / factor, solid ? 4 : 3) > left) break;  // more points and steps
     const auto run = solid ? run_whole<3>(*coarse, left, measured.reached)

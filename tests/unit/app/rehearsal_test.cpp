@@ -16,7 +16,7 @@ TEST(Rehearsals, ExpectTheGrowthOfTheFinestAndHalfOfItsLead) {
   EXPECT_EQ(expected_growth({{3, 8}}), 8);
   EXPECT_EQ(expected_growth({{3, 8}, {2, 12}}), 14);
   EXPECT_EQ(expected_growth({{3, 12}, {2, 8}}), 8);           // no trend to go on with
-  EXPECT_EQ(expected_growth({{3, 2}, {2, 4}, {1.5, 6}}), 6);  // where elements erode
+  EXPECT_EQ(expected_growth({{3, 2}, {2, 4}, {1.5, 6}}), 6);  // a third, where there is one
 }
 
 // A bar of eight elements across that strikes a wall: with four, and with three, the foot flattens
@@ -61,6 +61,17 @@ TEST(Rehearsals, SeeWhereStopEndsARun) {
   ASSERT_EQ(rehearsals.size(), 1U);
   EXPECT_NEAR(rehearsals[0].share, 0.348, 0.03);
   EXPECT_NEAR(expected_share(rehearsals), 0.348, 0.03);
+}
+
+// Coarse cylinders slide off each other where finer ones come to rest (decision 203): if none of
+// two sizes stops, a third is tried. Here none does, for the deck ends too early.
+TEST(Rehearsals, LookCloserWhereNoneStops) {
+  const std::string cylinders = test::source_path("decks/hertz/cylinders.yaml");
+  const std::vector<std::string> early{"time.end=20 us"};
+  EXPECT_EQ(rehearse(cylinders, early, load_deck(cylinders, early), kMeasured, 1000).size(), 3U);
+  const std::string balls = test::source_path("decks/hertz/pressed.yaml");
+  const std::vector<std::string> coarse{"parameters.cells=18"};
+  EXPECT_EQ(rehearse(balls, coarse, load_deck(balls, coarse), kMeasured, 1000).size(), 2U);
 }
 
 }  // namespace

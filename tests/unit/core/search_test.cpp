@@ -3,7 +3,9 @@
 #include "core/search/search.hpp"
 
 #include <gtest/gtest.h>
+
 #include <omp.h>
+#include <set>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +46,35 @@ Cloud<Dim> random_cloud(int n, Real smallest, Real largest, unsigned seed) {
   return cloud;
 }
 
+/// Rows of up to eight of one label: what each of them needs, and themselves; in the order of the
+/// first of them.
+template <int Dim>
+void expect_shared_as_brute(const Cloud<Dim>& cloud, Real skin, const NeighbourList& brute) {
+  const auto n_rows = static_cast<LocalIndex>(brute.offset.size() - 1);
+  const auto shared =
+      shared_neighbours<Dim>(cloud.x, cloud.reach, cloud.label, skin, n_rows, 8, SearchMode::grid);
+  ASSERT_EQ(shared.row_of.size(), slot_of(n_rows));
+  std::size_t n_points = 0;
+  LocalIndex before = -1;
+  for (std::size_t row = 0; row < shared.n_rows(); ++row) {
+    const auto members = shared.points_of(row);
+    ASSERT_TRUE(!members.empty() && members.size() <= 8);
+    std::set<LocalIndex> needed;
+    for (const LocalIndex i : members) {
+      EXPECT_EQ(slot_of(shared.row_of[slot_of(i)]), row);
+      EXPECT_EQ(cloud.label[slot_of(i)], cloud.label[slot_of(members.front())]);
+      if (members.size() > 1) needed.insert(i);
+      const auto begin = brute.neighbour.begin();
+      needed.insert(begin + brute.offset[slot_of(i)], begin + brute.offset[slot_of(i) + 1]);
+    }
+    EXPECT_TRUE(std::ranges::equal(shared.neighbours_of(row), needed));
+    const LocalIndex first = *std::ranges::min_element(members);
+    EXPECT_GT(first, before);
+    before = first, n_points += members.size();
+  }
+  EXPECT_EQ(n_points, slot_of(n_rows));
+}
+
 template <int Dim>
 void expect_as_brute(const Cloud<Dim>& cloud, Real skin) {
   for (const LocalIndex n_rows : {cloud.size(), cloud.size() / 3, 0}) {
@@ -52,6 +83,7 @@ void expect_as_brute(const Cloud<Dim>& cloud, Real skin) {
     EXPECT_EQ(grid.offset, brute.offset);
     EXPECT_EQ(grid.neighbour, brute.neighbour);
     EXPECT_EQ(grid.offset.size(), static_cast<std::size_t>(n_rows) + 1);
+    expect_shared_as_brute(cloud, skin, brute);
   }
 }
 

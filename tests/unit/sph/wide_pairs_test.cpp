@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <numeric>
 #include <random>
 
 #include "core/wide_lanes.hpp"
@@ -48,30 +49,51 @@ struct Cloud {
   ForceRecords<Dim> records() const { return {motion.data(), stress.data(), artificial.data()}; }
 };
 
-/// A row as NeighbourRows pads it, with the bits of its candidates.
+/// A row as NeighbourRows pads it.
 struct Selected {
   std::vector<LocalIndex> row;
-  std::vector<std::uint8_t> bits;
   int count = 0;
   bool operator==(const Selected&) const = default;
 };
 
 template <int Dim, class P>
-Selected selected(const Cloud<Dim>& cloud, const std::vector<LocalIndex>& candidates) {
-  Selected found{std::vector<LocalIndex>(candidates.size() + 16),
-                 std::vector<std::uint8_t>(candidates.size() / 8 + 1), 0};
+Selected selected(const Cloud<Dim>& cloud, LocalIndex i,
+                  const std::vector<LocalIndex>& candidates) {
+  Selected found{std::vector<LocalIndex>(candidates.size() + 16), 0};
   const auto n = static_cast<int>(candidates.size());
-  const int count = select_neighbours<Dim, P>(cloud.motion.data(), 0, candidates.data(), n,
-                                              found.row.data(), found.bits.data());
-  found.count = count;
-  found.row.resize(slot_of((count + 7) / 8 * 8));
-  std::fill(found.row.begin() + count, found.row.end(), 0);
-  if (Dim == 3) {
-    std::vector<LocalIndex> again(candidates.size() + 16);
-    EXPECT_EQ(expand_bits<P>(0, candidates.data(), n, found.bits.data(), again.data()), count);
-    EXPECT_TRUE(std::equal(found.row.begin(), found.row.begin() + count, again.begin()));
-  }
+  found.count =
+      select_neighbours<Dim, P>(cloud.motion.data(), i, candidates.data(), n, found.row.data());
+  found.row.resize(slot_of((found.count + 7) / 8 * 8));
+  std::fill(found.row.begin() + found.count, found.row.end(), i);
   return found;
+}
+
+/// All particles but i.
+std::vector<LocalIndex> all_but(LocalIndex i, std::size_t n) {
+  std::vector<LocalIndex> others;
+  for (LocalIndex j = 0; slot_of(j) < n; ++j) {
+    if (j != i) others.push_back(j);
+  }
+  return others;
+}
+
+/// Eight that share all particles as candidates have the rows that each has alone.
+template <int Dim, class P>
+void expect_rows_of_group(const Cloud<Dim>& cloud, const ParticleGroup& group) {
+  const std::size_t n = cloud.motion.size();
+  std::vector<LocalIndex> candidates(n + kByte);
+  std::iota(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(n), 0);
+  std::vector<std::uint64_t> words((n + kByte - 1) / kByte);
+  select_neighbours_of<Dim, P>(cloud.motion.data(), group, candidates.data(), static_cast<int>(n),
+                               words.data());
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
+  for (std::size_t m = 0; m < group.size(); ++m) {
+    const Selected alone = selected<Dim, DoublePairs>(cloud, group[m], all_but(group[m], n));
+    std::vector<LocalIndex> row(n + 24);
+    const int count = expand_bits<P>(candidates.data(), static_cast<int>(n), bytes + m, row.data());
+    ASSERT_EQ(count, alone.count);
+    EXPECT_TRUE(std::equal(row.begin(), row.begin() + count, alone.row.begin()));
+  }
 }
 
 template <class Sums>
@@ -83,8 +105,8 @@ std::vector<std::uint64_t> bits_of_sums(const Sums& sums) {
 
 template <int Dim, class Kernel>
 void expect_bits_of_four(const Cloud<Dim>& cloud, const std::vector<LocalIndex>& candidates) {
-  const Selected four = selected<Dim, DoublePairs>(cloud, candidates);
-  ASSERT_EQ(four, (selected<Dim, WidePairs>(cloud, candidates)));
+  const Selected four = selected<Dim, DoublePairs>(cloud, 0, candidates);
+  ASSERT_EQ(four, (selected<Dim, WidePairs>(cloud, 0, candidates)));
   const auto row = std::span<const LocalIndex>(four.row);
   std::vector<Real> weights(row.size()), wide_weights(row.size());
   const auto gradients =
@@ -111,8 +133,7 @@ void expect_bits_of_four() {
   for (const std::size_t n : {1, 2, 5, 9, 17, 60, 150, 300, 900}) {
     for (const Real tense : {0.0, 0.1, 1.0}) {
       const Cloud<Dim> cloud(n, 5e-4, tense, random);
-      std::vector<LocalIndex> candidates;
-      for (std::size_t j = 1; j < n; ++j) candidates.push_back(static_cast<LocalIndex>(j));
+      const auto candidates = all_but(0, n);
       expect_bits_of_four<Dim, CubicKernel>(cloud, candidates);
       expect_bits_of_four<Dim, QuadraticKernel>(cloud, candidates);
       expect_bits_of_four<Dim, HyperbolicKernel>(cloud, candidates);
@@ -120,6 +141,32 @@ void expect_bits_of_four() {
       expect_bits_of_four<Dim, WendlandC4Kernel>(cloud, candidates);
     }
   }
+}
+
+template <int Dim>
+void expect_rows_of_groups() {
+  std::mt19937 random(11);
+  for (const std::size_t n : {1, 2, 7, 8, 9, 16, 17, 60, 300, 900}) {
+    const Cloud<Dim> cloud(n, 5e-4, 0, random);
+    ParticleGroup group;
+    for (auto& one : group) one = static_cast<LocalIndex>(random() % n);
+    expect_rows_of_group<Dim, DoublePairs>(cloud, group);
+    if (can_run_wide()) expect_rows_of_group<Dim, WidePairs>(cloud, group);
+  }
+}
+TEST(WidePairs, GroupsFindWhatEachFindsAlone) {
+  expect_rows_of_groups<2>();
+  expect_rows_of_groups<3>();
+}
+
+// Two at one place are neighbours of each other, and none of itself.
+TEST(WidePairs, ParticlesAtOnePlaceAreNeighbours) {
+  std::mt19937 random(3);
+  Cloud<3> cloud(9, 5e-4, 0, random);
+  cloud.motion[4] = cloud.motion[0];
+  expect_rows_of_group<3, DoublePairs>(cloud, {0, 1, 2, 3, 4, 5, 6, 7});
+  const Selected row = selected<3, DoublePairs>(cloud, 0, all_but(0, 9));
+  EXPECT_EQ(std::count(row.row.begin(), row.row.begin() + row.count, 4), 1);
 }
 
 TEST(WidePairs, SumsInThePlaneHaveTheBitsOfFour) {
@@ -136,9 +183,7 @@ TEST(WidePairs, SumsAreNotEmpty) {
   if (!can_run_wide()) GTEST_SKIP() << "no AVX-512 here";
   std::mt19937 random(7);
   const Cloud<3> cloud(200, 5e-4, 1.0, random);
-  std::vector<LocalIndex> candidates(199);
-  for (std::size_t j = 0; j < 199; ++j) candidates[j] = static_cast<LocalIndex>(j + 1);
-  const Selected found = selected<3, WidePairs>(cloud, candidates);
+  const Selected found = selected<3, WidePairs>(cloud, 0, all_but(0, 200));
   EXPECT_GT(found.row.size(), 20U);
   const auto records = cloud.records();
   const ForceRecords<3, WidePairs> wide{records.motion, records.stress, records.artificial};
