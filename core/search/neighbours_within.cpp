@@ -324,7 +324,8 @@ SharedNeighbours assemble(std::span<const RowChunk> chunks, LocalIndex n_points)
     shared.list.offset.push_back(shared.list.offset.back() + row.size.length);
     found_at.push_back(found_of[i]);
   }
-  shared.list.neighbour.reserve(slot_of(shared.list.offset.back()) + 2 * kLanes);  // to be filled up
+  constexpr std::size_t kRoom = 2 * kLanes;  // for who fills up the last row
+  shared.list.neighbour.reserve(slot_of(shared.list.offset.back()) + kRoom);
   shared.list.neighbour.resize(slot_of(shared.list.offset.back()));
 #pragma omp parallel for schedule(static) if (found_at.size() > 1024)
   for (std::size_t row = 0; row < found_at.size(); ++row) {
