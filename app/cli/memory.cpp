@@ -139,14 +139,14 @@ Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
 template <int Dim>
 Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
   constexpr Real kId = 1, kMaterial = 14;
-  constexpr Real kStateValues = sizeof(ParticleState<Dim>) / sizeof(Real);
+  constexpr std::size_t kStateValues = sizeof(ParticleState<Dim>) / sizeof(Real);
   const auto particles = static_cast<Real>(scene.n_particles());
   const auto elements = static_cast<Real>(scene.n_elements());
   const Real tables[] = {
       static_cast<Real>(scene.n_points()) * (5 * Dim + 3 + kId),
       elements * (Shape<Dim>::kCorners * Dim + 6 + kId),
       elements * gauss * (kMaterial + kId),
-      particles * (kStateValues + kId),
+      particles * (static_cast<Real>(kStateValues) + kId),
       particles * (kMaterial + kId),
       scene.contact ? particles * (3 * Dim + 3 + kId) : 0.0,
   };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/search/cell_grid.hpp"
+#include "core/search/found_rows.hpp"
 #include "core/search/search.hpp"
 #include "core/simd.hpp"
 
@@ -177,22 +178,6 @@ void sort_indices(std::vector<LocalIndex>& index, std::vector<LocalIndex>& spare
   }
 }
 
-/// Rows of a run of cells, one after the other, and the points of each.
-struct RowChunk {
-  struct Row {
-    LocalIndex n_points, length;
-  };
-  std::vector<Row> rows;
-  std::vector<LocalIndex> points;
-  std::vector<LocalIndex> neighbours;
-
-  void append(std::span<const LocalIndex> group, std::span<const LocalIndex> row) {
-    rows.push_back({static_cast<LocalIndex>(group.size()), static_cast<LocalIndex>(row.size())});
-    points.insert(points.end(), group.begin(), group.end());
-    neighbours.insert(neighbours.end(), row.begin(), row.end());
-  }
-};
-
 /// Points of a cell in the order of their labels, and of each label along a curve through the cell,
 /// so that those that follow each other lie side by side.
 template <int Dim>
@@ -284,58 +269,6 @@ void append_own_row(const PointQuery<Dim>& q, LocalIndex i, RowChunk& chunk) {
   }
   chunk.append({&i, 1}, row);
 }
-
-/// A row as it was found.
-struct FoundRow {
-  const LocalIndex* points;
-  const LocalIndex* neighbours;
-  RowChunk::Row size;
-};
-
-/// Puts the rows of all chunks into the order of their first points.
-SharedNeighbours assemble(std::span<const RowChunk> chunks, LocalIndex n_points) {
-  std::vector<FoundRow> found;
-  std::vector<LocalIndex> found_of(slot_of(n_points));
-  for (const auto& chunk : chunks) {
-    const LocalIndex* point = chunk.points.data();
-    const LocalIndex* neighbour = chunk.neighbours.data();
-    for (const auto& row : chunk.rows) {
-      for (LocalIndex k = 0; k < row.n_points; ++k) {
-        found_of[slot_of(point[k])] = static_cast<LocalIndex>(found.size());
-      }
-      found.push_back({point, neighbour, row});
-      point += row.n_points, neighbour += row.length;
-    }
-  }
-  SharedNeighbours shared;
-  std::vector<LocalIndex> found_at;  // by row
-  shared.row_of.assign(slot_of(n_points), -1);
-  shared.points.reserve(slot_of(n_points));
-  shared.begin.assign(1, 0);
-  shared.list.offset.assign(1, 0);
-  for (std::size_t i = 0; i < shared.row_of.size(); ++i) {
-    if (shared.row_of[i] >= 0) continue;
-    const FoundRow& row = found[slot_of(found_of[i])];
-    for (LocalIndex k = 0; k < row.size.n_points; ++k) {
-      shared.points.push_back(row.points[k]);
-      shared.row_of[slot_of(row.points[k])] = static_cast<LocalIndex>(found_at.size());
-    }
-    shared.begin.push_back(static_cast<LocalIndex>(shared.points.size()));
-    shared.list.offset.push_back(shared.list.offset.back() + row.size.length);
-    found_at.push_back(found_of[i]);
-  }
-  constexpr std::size_t kRoom = 2 * kLanes;  // for who fills up the last row
-  shared.list.neighbour.reserve(slot_of(shared.list.offset.back()) + kRoom);
-  shared.list.neighbour.resize(slot_of(shared.list.offset.back()));
-#pragma omp parallel for schedule(static) if (found_at.size() > 1024)
-  for (std::size_t row = 0; row < found_at.size(); ++row) {
-    const FoundRow& from = found[slot_of(found_at[row])];
-    std::copy_n(from.neighbours, from.size.length,
-                shared.list.neighbour.begin() + shared.list.offset[row]);
-  }
-  return shared;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -346,7 +279,7 @@ SharedNeighbours shared_neighbours(std::span<const Vec<Dim>> x, std::span<const 
   if (mode == SearchMode::brute) {
     RowChunk all;
     for (LocalIndex i = 0; i < n_rows; ++i) append_own_row(q, i, all);
-    return assemble({&all, 1}, n_rows);
+    return in_order({&all, 1}, n_rows);
   }
   std::vector<Real> extent(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) extent[i] = 2 * reach[i] + skin;
@@ -374,7 +307,7 @@ SharedNeighbours shared_neighbours(std::span<const Vec<Dim>> x, std::span<const 
   for (const LocalIndex i : grid.oversize()) {
     if (i < n_rows) append_own_row(q, i, chunks.back());
   }
-  return assemble(chunks, n_rows);
+  return in_order(chunks, n_rows);
 }
 
 template <int Dim>
@@ -384,16 +317,16 @@ NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Rea
   return shared_neighbours<Dim>(x, reach, label, skin, n_rows, 1, mode).list;
 }
 
-#define BRUNT_NEIGHBOURS(Dim)                                                                     \
-  template SharedNeighbours shared_neighbours<Dim>(std::span<const Vec<Dim>>,                     \
-                                                   std::span<const Real>, std::span<const Label>, \
-                                                   Real, LocalIndex, std::size_t, SearchMode);    \
-  template NeighbourList neighbours_within<Dim>(std::span<const Vec<Dim>>, std::span<const Real>, \
-                                                std::span<const Label>, Real, LocalIndex,         \
-                                                SearchMode);
-BRUNT_NEIGHBOURS(2)
-BRUNT_NEIGHBOURS(3)
-#undef BRUNT_NEIGHBOURS
+template SharedNeighbours shared_neighbours<2>(std::span<const Vec<2>>, std::span<const Real>,
+                                               std::span<const Label>, Real, LocalIndex,
+                                               std::size_t, SearchMode);
+template SharedNeighbours shared_neighbours<3>(std::span<const Vec<3>>, std::span<const Real>,
+                                               std::span<const Label>, Real, LocalIndex,
+                                               std::size_t, SearchMode);
+template NeighbourList neighbours_within<2>(std::span<const Vec<2>>, std::span<const Real>,
+                                            std::span<const Label>, Real, LocalIndex, SearchMode);
+template NeighbourList neighbours_within<3>(std::span<const Vec<3>>, std::span<const Real>,
+                                            std::span<const Label>, Real, LocalIndex, SearchMode);
 
 }  // namespace brunt
 // Tested by tests/unit/core/search_test.cpp.
