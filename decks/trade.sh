@@ -44,10 +44,10 @@ Tables and plots of [decks/trade.sh](../decks/trade.sh), which makes them anew; 
 
 ## What they say
 
-Found on 2026-11-27, with the tables below:
+Found on 2026-11-28, with the tables below:
 
 - `q1p0` is on the front of both copper bars, `one-point` at half its size is not: at 1.27 mm the foot in 3D is 0.8 % off
-  the finest run for 1.5 s, with `one-point` at 0.635 mm 2.6 % for 12 s. `full` locks: 20 to 29 %.
+  the finest run for 0.9 s, with `one-point` at 0.635 mm 2.6 % for 5.2 s. `full` locks: 20 to 29 %.
 - A contact twice as stiff as the elements of both sides in series (`stiffness: 2`; the default is 0.5) halves the error of Hertz' pressure
   (5.4 % against 12.5 % at 24 cells) for 0.4 to 13 % more steps. 8 gains another third for 70 % more.
 - `quality: careful` (stiffness 2, q1p0 in metals) halves the error of the wall at 8.3 mm for 9 % more steps; of the
@@ -60,7 +60,7 @@ Found on 2026-11-27, with the tables below:
 - Particles, one lever at a time: a hexagonal lattice brings 76 % more points at the same spacing and half the error in
   strain, where a finer spacing would cost eight times as much. `correction: false` is a third cheaper and twice as
   wrong. The three kernels differ by less than the spacing does; `pair_precision: single` changes no digit that is shown
-  and takes 4 % less time.
+  and takes as long, where eight pairs in double are formed at a time.
 - Hourglass control: half of the default viscosity is nearer to `q1p0` in every measure (foot -0.4 instead of -0.6 %) for
   no more time; twice as much is worse (-1.0 %).
 - Contact of equal bars: the default damping of 0.1 costs 0.2 % of the speed that is handed on, 1 costs 1.2 %, none
