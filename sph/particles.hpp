@@ -178,9 +178,9 @@ class SphParticles final : public Solid<Dim> {
   template <class P>
   ForceRecords<Dim, P> pair_records() const;
   void take_gradients(const ParticleBlock& block, LocalIndex i, const GradientSums<Dim>& sums);
-  unsigned computed_of(const ParticleBlock& block, std::size_t group) const;
-  template <class P>
-  void find_neighbours(const ParticleBlock& block);
+  enum class LeftOut { too, not_now };  ///< particles that a step leaves out
+  unsigned members_of(const ParticleBlock& block, std::size_t group, LeftOut left_out) const;
+  void find_neighbours(const ParticleBlock& block, LeftOut left_out);
   template <class P>
   void find_gradients(const ParticleBlock& block);
   void add_directions(LocalIndex i, std::span<const LocalIndex> row, const Real* weights,

@@ -104,26 +104,29 @@ void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
   correct_turn<Dim>(sums.rate, plain, state.velocity_gradient);
 }
 
-/// The members of a group that are of a block and are computed, a bit each.
+/// The members of a group that are of a block, a bit each; those that are left out or without them.
 template <int Dim>
-unsigned SphParticles<Dim>::computed_of(const ParticleBlock& block, std::size_t group) const {
-  unsigned computed = 0, bit = 1;
+unsigned SphParticles<Dim>::members_of(const ParticleBlock& block, std::size_t group,
+                                       LeftOut left_out) const {
+  unsigned members = 0, bit = 1;
   for (const LocalIndex i : rows_.members(group)) {
     const bool own = &blocks_[block_of_[slot_of(i)]] == &block;
-    if (own && !is_left_out(block, i)) computed |= bit;
+    if (own && (left_out == LeftOut::too || !is_left_out(block, i))) members |= bit;
     bit <<= 1;
   }
-  return computed;
+  return members;
 }
 
-/// The true neighbours of the particles of a block that are computed.
+/// The true neighbours of the particles of a block, always by the arithmetic of its precision: at
+/// the rim of a support it decides who is one, and what is left out keeps its row.
 template <int Dim>
-template <class P>
-void SphParticles<Dim>::find_neighbours(const ParticleBlock& block) {
-  const auto* motion = pair_records<P>().motion;
-  for_each(rows_.n_groups(), [&](std::size_t group) {
-    const unsigned computed = computed_of(block, group);
-    if (computed != 0) rows_.template find<P>(motion, group, computed);
+void SphParticles<Dim>::find_neighbours(const ParticleBlock& block, LeftOut left_out) {
+  in_precision_of(block, [&]<class P>(P) {
+    const auto* motion = pair_records<P>().motion;
+    for_each(rows_.n_groups(), [&](std::size_t group) {
+      const unsigned wanted = members_of(block, group, left_out);
+      if (wanted != 0) rows_.template find<P>(motion, group, wanted);
+    });
   });
 }
 
@@ -132,7 +135,7 @@ template <int Dim>
 template <class P>
 void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
   if (!block.set.options.correction) plain_.resize(n_owned());
-  find_neighbours<P>(block);
+  find_neighbours(block, LeftOut::not_now);
   const auto records = pair_records<P>();
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
@@ -288,8 +291,8 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
   if (rides()) give_forces_to_nodes();
 }
 
-template void SphParticles<2>::find_neighbours<DoublePairs>(const ParticleBlock&);
-template void SphParticles<3>::find_neighbours<DoublePairs>(const ParticleBlock&);
+template void SphParticles<2>::find_neighbours(const ParticleBlock&, LeftOut);
+template void SphParticles<3>::find_neighbours(const ParticleBlock&, LeftOut);
 template bool SphParticles<2>::any_single() const;
 template bool SphParticles<3>::any_single() const;
 template Real SphParticles<2>::least_single_spacing() const;

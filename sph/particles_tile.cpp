@@ -269,7 +269,7 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
     const Real strength = block.set.options.xsph;
     if (strength == 0) continue;
     shift.resize(state_.size(), Vec<Dim>::Zero());
-    find_neighbours<DoublePairs>(block);
+    find_neighbours(block, LeftOut::too);  // what moves beside them is not known yet
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
