@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <numeric>
 
 #include "app/watch/history_columns.hpp"
 #include "contact/search/candidates.hpp"
@@ -135,23 +134,22 @@ Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
          static_cast<Real>(cells) * (kCellValues * sizeof(Real) + corners * sizeof(std::int64_t));
 }
 
-/// A checkpoint holds the state of all entities as tables, and the one that is being written twice.
+/// A checkpoint holds the state of all entities as tables, and a part of it twice while it is
+/// written, table by table: 1.2 and 1.3 times in runs of 152,400 hexes, 1.5 times in one of 131,544
+/// particles, most of whose state is in one table.
 template <int Dim>
 Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
-  constexpr Real kId = 1, kMaterial = 14;
+  constexpr Real kPoint = 5 * Dim + 3, kContactNode = 3 * Dim + 3;
+  constexpr Real kMaterial = 14;
+  constexpr Real kElement = Shape<Dim>::kCorners * Dim + 6;
   constexpr std::size_t kStateValues = sizeof(ParticleState<Dim>) / sizeof(Real);
+  constexpr Real kParticle = static_cast<Real>(kStateValues + 1) + kMaterial;
+  constexpr Real kTwice = 1.25, kTwiceParticle = 1.5;
   const auto particles = static_cast<Real>(scene.n_particles());
-  const auto elements = static_cast<Real>(scene.n_elements());
-  const Real tables[] = {
-      static_cast<Real>(scene.n_points()) * (5 * Dim + 3 + kId),
-      elements * (Shape<Dim>::kCorners * Dim + 6 + kId),
-      elements * gauss * (kMaterial + kId),
-      particles * (static_cast<Real>(kStateValues) + kId),
-      particles * (kMaterial + kId),
-      scene.contact ? particles * (3 * Dim + 3 + kId) : 0.0,
-  };
-  const Real all = std::accumulate(std::begin(tables), std::end(tables), 0.0);
-  return sizeof(Real) * (all + *std::max_element(std::begin(tables), std::end(tables)));
+  const Real of_elements = static_cast<Real>(scene.n_points()) * kPoint +
+                           static_cast<Real>(scene.n_elements()) * (kElement + gauss * kMaterial);
+  const Real of_particles = particles * (kParticle + (scene.contact ? kContactNode : 0));
+  return sizeof(Real) * (kTwice * of_elements + kTwiceParticle * of_particles);
 }
 }  // namespace
 
