@@ -1,7 +1,7 @@
 #include "sph/neighbour_rows.hpp"
 
 #include <algorithm>
-
+#include <bit>
 #include <utility>
 
 #include "sph/pair_passes.hpp"
@@ -34,36 +34,12 @@ std::uint64_t bytes_of(unsigned bits) {
   }
   return bytes;
 }
-
-/// Bits that are set in each byte of a word, a byte each.
-std::uint64_t counts_of_bytes(std::uint64_t x) {
-  x -= x >> 1 & 0x5555555555555555ULL;
-  x = (x & 0x3333333333333333ULL) + (x >> 2 & 0x3333333333333333ULL);
-  return (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0FULL;
-}
-
-/// Bits that are set in each byte of some words.
-std::array<int, kByte> counts_of(std::span<const std::uint64_t> words) {
-  constexpr std::uint64_t kEven = 0x00FF00FF00FF00FFULL;
-  std::uint64_t even = 0, odd = 0;  // sixteen bits each: enough for 65,535 candidates
-  for (const std::uint64_t word : words) {
-    const std::uint64_t counts = counts_of_bytes(word);
-    even += counts & kEven, odd += counts >> 8 & kEven;
-  }
-  std::array<int, kByte> all;
-  for (int m = 0; m < kByte; ++m) {
-    all[slot_of(m)] = static_cast<int>((m % 2 == 0 ? even : odd) >> (16 * (m / 2)) & 0xFFFF);
-  }
-  return all;
-}
 }  // namespace
 
 template <int Dim>
 void NeighbourRows<Dim>::assign(SharedNeighbours shared) {
   shared_ = std::move(shared);
   if (!kKeepsRows) shared_.list.neighbour.resize(shared_.list.neighbour.size() + kByte);  // read on
-  const std::size_t n = shared_.row_of.size();
-  count_.assign(n, 0);
   auto& first = kKeepsRows ? first_ : first_word_;  // of rows of one in the plane
   first.resize(n_groups());
   std::int64_t next = 0;
@@ -74,12 +50,13 @@ void NeighbourRows<Dim>::assign(SharedNeighbours shared) {
         kKeepsRows ? whole_packs(static_cast<std::int64_t>(most), kSingleLanes) : words_of(most);
   }
   if (kKeepsRows) {
+    count_.assign(n_groups(), 0);
     near_.resize(slot_of(next));
     weight_.resize(slot_of(next));
     return;
   }
   inside_.assign(slot_of(next), 0);
-  member_.resize(n);
+  member_.resize(shared_.row_of.size());
   for (std::size_t group = 0; group < n_groups(); ++group) {
     std::uint8_t m = 0;
     for (const LocalIndex i : members(group)) member_[slot_of(i)] = m++;
@@ -121,24 +98,37 @@ void NeighbourRows<Dim>::find(const MotionRecord<Dim, typename P::Stored>* recor
   const std::uint64_t taken = bytes_of(wanted);
   std::uint64_t* word = inside_.data() + first_word_[group];
   for (std::size_t w = 0; w < n_words; ++w) word[w] = (word[w] & ~taken) | (found[w] & taken);
-  const auto counts = counts_of({word, n_words});
-  for (std::size_t m = 0; m < some.size(); ++m) count_[slot_of(some[m])] = counts[m];
+}
+
+template <int Dim>
+const std::uint8_t* NeighbourRows<Dim>::bytes(LocalIndex i) const {
+  const auto group = slot_of(shared_.row_of[slot_of(i)]);
+  // Words may be read as bytes; the first is the lowest (x86, and what else brunt runs on).
+  const auto* first = reinterpret_cast<const std::uint8_t*>(inside_.data() + first_word_[group]);
+  return first + member_[slot_of(i)];
 }
 
 template <int Dim>
 template <class P>
 std::span<const LocalIndex> NeighbourRows<Dim>::row(LocalIndex i) const {
-  const std::size_t size = slot_of(whole_packs(count_[slot_of(i)], P::kLanes));
-  if constexpr (kKeepsRows) return {near_.data() + first_[i], size};
-  const auto group = slot_of(shared_.row_of[slot_of(i)]);
-  const auto candidate = shared_.neighbours_of(group);
+  const auto padded = [](int found) { return slot_of(whole_packs(found, P::kLanes)); };
+  if constexpr (kKeepsRows) return {near_.data() + first_[i], padded(count_[slot_of(i)])};
+  const auto candidate = shared_.neighbours_of(slot_of(shared_.row_of[slot_of(i)]));
   const auto n = static_cast<int>(candidate.size());
   LocalIndex* out = room_for(n);
-  // Bytes may be read as such; the first of a word is its lowest (x86, and what else brunt runs
-  // on).
-  const auto* byte = reinterpret_cast<const std::uint8_t*>(inside_.data() + first_word_[group]);
-  pad(out, expand_bits<P>(candidate.data(), n, byte + member_[slot_of(i)], out), i);
-  return {out, size};
+  const int found = expand_bits<P>(candidate.data(), n, bytes(i), out);
+  pad(out, found, i);
+  return {out, padded(found)};
+}
+
+template <int Dim>
+int NeighbourRows<Dim>::count(LocalIndex i) const {
+  if (kKeepsRows) return count_[slot_of(i)];
+  const std::size_t n = shared_.neighbours_of(slot_of(shared_.row_of[slot_of(i)])).size();
+  const std::uint8_t* byte = bytes(i);
+  int all = 0;
+  for (std::size_t c = 0; c < n; c += kByte) all += std::popcount(byte[c]);
+  return all;
 }
 
 #define BRUNT_ROWS(Dim, P)                                                                    \

@@ -41,18 +41,22 @@ class NeighbourRows {
 
   /// Room for the weights of each pair of the row [1/m^2], in the plane; else null.
   Real* weights(LocalIndex i) { return weight_.empty() ? nullptr : weight_.data() + first_[i]; }
-  int count(LocalIndex i) const { return count_[i]; }
+  /// True neighbours of i, as they were found last.
+  int count(LocalIndex i) const;
 
  private:
   static constexpr bool kKeepsRows = Dim == 2;
 
+  /// In space: every eighth byte from here on is of i.
+  const std::uint8_t* bytes(LocalIndex i) const;
+
   SharedNeighbours shared_;
-  std::vector<int> count_;  // of true neighbours
   // In space: of each group a word every eight candidates, with a byte of each member.
   std::vector<std::uint64_t> inside_;
   std::vector<std::int64_t> first_word_;  // of each group
   std::vector<std::uint8_t> member_;      // number of each particle in its group
   // In the plane.
+  std::vector<int> count_;           // of true neighbours
   std::vector<std::int64_t> first_;  // start of each padded row
   std::vector<LocalIndex> near_;
   std::vector<Real> weight_;  // [1/m^2]

@@ -178,9 +178,9 @@ class SphParticles final : public Solid<Dim> {
   template <class P>
   ForceRecords<Dim, P> pair_records() const;
   void take_gradients(const ParticleBlock& block, LocalIndex i, const GradientSums<Dim>& sums);
-  enum class LeftOut { too, not_now };  ///< particles that a step leaves out
-  unsigned members_of(const ParticleBlock& block, std::size_t group, LeftOut left_out) const;
-  void find_neighbours(const ParticleBlock& block, LeftOut left_out);
+  /// Those of XSPH with what a step leaves out: what moves beside that is not known before.
+  enum class Wanted { computed, of_xsph };
+  void find_neighbours(Wanted wanted);
   template <class P>
   void find_gradients(const ParticleBlock& block);
   void add_directions(LocalIndex i, std::span<const LocalIndex> row, const Real* weights,

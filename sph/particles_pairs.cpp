@@ -104,30 +104,31 @@ void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
   correct_turn<Dim>(sums.rate, plain, state.velocity_gradient);
 }
 
-/// The members of a group that are of a block, a bit each; those that are left out or without them.
+/// Finds true neighbours, always by the arithmetic of the pair precision of a body: at the rim of a
+/// support it decides who is one, and what a step leaves out keeps its row.
 template <int Dim>
-unsigned SphParticles<Dim>::members_of(const ParticleBlock& block, std::size_t group,
-                                       LeftOut left_out) const {
-  unsigned members = 0, bit = 1;
-  for (const LocalIndex i : rows_.members(group)) {
-    const bool own = &blocks_[block_of_[slot_of(i)]] == &block;
-    if (own && (left_out == LeftOut::too || !is_left_out(block, i))) members |= bit;
-    bit <<= 1;
-  }
-  return members;
-}
-
-/// The true neighbours of the particles of a block, always by the arithmetic of its precision: at
-/// the rim of a support it decides who is one, and what is left out keeps its row.
-template <int Dim>
-void SphParticles<Dim>::find_neighbours(const ParticleBlock& block, LeftOut left_out) {
-  in_precision_of(block, [&]<class P>(P) {
+void SphParticles<Dim>::find_neighbours(Wanted wanted) {
+  const auto wants = [&](const ParticleBlock& block, LocalIndex i) {
+    return wanted == Wanted::of_xsph ? block.set.options.xsph != 0 : !is_left_out(block, i);
+  };
+  const auto find = [&]<class P>(P) {
     const auto* motion = pair_records<P>().motion;
     for_each(rows_.n_groups(), [&](std::size_t group) {
-      const unsigned wanted = members_of(block, group, left_out);
-      if (wanted != 0) rows_.template find<P>(motion, group, wanted);
+      unsigned members = 0, bit = 1;
+      for (const LocalIndex i : rows_.members(group)) {
+        const ParticleBlock& block = blocks_[block_of_[slot_of(i)]];
+        if (is_single(block) == kIsSingle<P> && wants(block, i)) members |= bit;
+        bit <<= 1;
+      }
+      if (members != 0) rows_.template find<P>(motion, group, members);
     });
-  });
+  };
+  if (any_single()) find(SinglePairs{});
+  if (wide_lanes()) {
+    find(WidePairs{});
+  } else {
+    find(DoublePairs{});
+  }
 }
 
 /// Particle by particle, as they lie in memory: members of a group do not lie side by side there.
@@ -135,7 +136,6 @@ template <int Dim>
 template <class P>
 void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
   if (!block.set.options.correction) plain_.resize(n_owned());
-  find_neighbours(block, LeftOut::not_now);
   const auto records = pair_records<P>();
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
@@ -202,6 +202,7 @@ template <int Dim>
 void SphParticles<Dim>::refresh_gradients() {
   is_thin_.resize(n_owned());
   if (points_.conducts) completeness_.resize(n_owned());
+  find_neighbours(Wanted::computed);
   for (const auto& block : blocks_) {
     in_precision_of(block, [&]<class P>(P) { find_gradients<P>(block); });
   }
@@ -291,8 +292,8 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
   if (rides()) give_forces_to_nodes();
 }
 
-template void SphParticles<2>::find_neighbours(const ParticleBlock&, LeftOut);
-template void SphParticles<3>::find_neighbours(const ParticleBlock&, LeftOut);
+template void SphParticles<2>::find_neighbours(Wanted);
+template void SphParticles<3>::find_neighbours(Wanted);
 template bool SphParticles<2>::any_single() const;
 template bool SphParticles<3>::any_single() const;
 template Real SphParticles<2>::least_single_spacing() const;

@@ -264,12 +264,14 @@ void SphParticles<Dim>::publish(ParticleBlock& block, std::size_t first, const T
 /// docs/theory/sph.md (S20).
 template <int Dim>
 void SphParticles<Dim>::move_with_neighbours(Real dt) {
-  std::vector<Vec<Dim>> shift;
+  const bool any_moves = std::any_of(blocks_.begin(), blocks_.end(),
+                                     [](const auto& block) { return block.set.options.xsph != 0; });
+  if (!any_moves) return;
+  find_neighbours(Wanted::of_xsph);
+  std::vector<Vec<Dim>> shift(state_.size(), Vec<Dim>::Zero());
   for (const auto& block : blocks_) {
     const Real strength = block.set.options.xsph;
     if (strength == 0) continue;
-    shift.resize(state_.size(), Vec<Dim>::Zero());
-    find_neighbours(block, LeftOut::too);  // what moves beside them is not known yet
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
@@ -280,10 +282,6 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
       });
     });
   }
-  const bool any_moves = std::any_of(blocks_.begin(), blocks_.end(),
-                                     [](const auto& block) { return block.set.options.xsph != 0; });
-  if (!any_moves) return;
-  shift.resize(state_.size(), Vec<Dim>::Zero());
   for_each(n_owned(), [&](std::size_t i) { points_.move(i, shift[i]); });
   refresh_ghost_positions();
   renew_lists();

@@ -44,10 +44,6 @@ PairHeat sum_heat_by(const HeatRecords<Dim>& records, LocalIndex i, std::span<co
 template int expand_row_by<Wide>(const LocalIndex*, int, const std::uint8_t*, LocalIndex*);
 template int select_row_by<2, Wide>(const MotionRecord<2>*, LocalIndex, const LocalIndex*, int,
                                     LocalIndex*);
-template int select_row_by<3, Wide>(const MotionRecord<3>*, LocalIndex, const LocalIndex*, int,
-                                    LocalIndex*);
-template void select_group_by<2, Wide>(const MotionRecord<2>*, const ParticleGroup&,
-                                       const LocalIndex*, int, std::uint64_t*);
 template void select_group_by<3, Wide>(const MotionRecord<3>*, const ParticleGroup&,
                                        const LocalIndex*, int, std::uint64_t*);
 

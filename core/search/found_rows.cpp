@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/simd.hpp"
-
 namespace brunt {
 
 namespace {
@@ -46,7 +44,7 @@ SharedNeighbours in_order(std::span<const RowChunk> chunks, LocalIndex n_points)
     shared.list.offset.push_back(shared.list.offset.back() + row.size.length);
     found_at.push_back(found_of[i]);
   }
-  constexpr std::size_t kRoom = 2 * kLanes;  // for who fills up the last row
+  constexpr std::size_t kRoom = 8;  // so that who reads the last row in eights need not copy all
   shared.list.neighbour.reserve(slot_of(shared.list.offset.back()) + kRoom);
   shared.list.neighbour.resize(slot_of(shared.list.offset.back()));
 #pragma omp parallel for schedule(static) if (found_at.size() > 1024)

@@ -63,15 +63,6 @@ struct NeighbourList {
   std::vector<LocalIndex> neighbour;
 };
 
-/// Full lists of the first n_rows points: j, any point, is in the row of i if
-/// |x_i - x_j| <= reach_i + reach_j + skin, i != j and both have the same label. Boundary cases are
-/// decided by the same expression in both modes.
-/// reach, skin  [m], not negative
-template <int Dim>
-NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
-                                std::span<const Label> label, Real skin, LocalIndex n_rows,
-                                SearchMode mode);
-
 /// Rows that points side by side have in common.
 struct SharedNeighbours {
   NeighbourList list;
@@ -89,9 +80,12 @@ struct SharedNeighbours {
   }
 };
 
-/// As neighbours_within, but up to `most` points of one label that lie side by side share a row: of
-/// each it holds all neighbours, what only the others need, and the point itself unless it is
-/// alone. Eight points that fill a cube have in common two thirds of what each needs alone.
+/// Full lists of the first n_rows points: j, any point, is a neighbour of i if
+/// |x_i - x_j| <= reach_i + reach_j + skin, i != j and both have the same label. Boundary cases are
+/// decided by the same expression in both modes. Up to `most` points of one label that lie side by
+/// side share a row: it holds what any of them needs, and the points themselves unless there is but
+/// one. Rows are in the order of their first points. Brute force shares none.
+/// reach, skin  [m], not negative;  most  1: a row for each point
 template <int Dim>
 SharedNeighbours shared_neighbours(std::span<const Vec<Dim>> x, std::span<const Real> reach,
                                    std::span<const Label> label, Real skin, LocalIndex n_rows,

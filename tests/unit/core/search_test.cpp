@@ -28,7 +28,7 @@ struct Cloud {
   LocalIndex size() const { return static_cast<LocalIndex>(x.size()); }
   NeighbourList find(Real skin, SearchMode mode) const { return find(skin, mode, size()); }
   NeighbourList find(Real skin, SearchMode mode, LocalIndex n_rows) const {
-    return neighbours_within<Dim>(x, reach, label, skin, n_rows, mode);
+    return shared_neighbours<Dim>(x, reach, label, skin, n_rows, 1, mode).list;
   }
 };
 

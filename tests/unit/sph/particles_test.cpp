@@ -46,8 +46,9 @@ void expect_skin_adds_nothing() {
     }
     std::vector<Real> reach(points.x.size(), h);
     const std::vector<Label> label(points.x.size(), 0);
-    const auto lists =
-        neighbours_within<Dim>(points.x, reach, label, 0.35 * h, points.n_owned, SearchMode::brute);
+    const auto lists = shared_neighbours<Dim>(points.x, reach, label, 0.35 * h, points.n_owned, 1,
+                                              SearchMode::brute)
+                           .list;
     const auto last_of_row = static_cast<std::size_t>(lists.offset[near.back() + 1] - 1);
     EXPECT_EQ(static_cast<std::size_t>(lists.neighbour[last_of_row]), far.back());
     auto solid = particles<Dim>(std::move(points), kDp, *material, options);

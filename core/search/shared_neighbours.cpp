@@ -310,23 +310,12 @@ SharedNeighbours shared_neighbours(std::span<const Vec<Dim>> x, std::span<const 
   return in_order(chunks, n_rows);
 }
 
-template <int Dim>
-NeighbourList neighbours_within(std::span<const Vec<Dim>> x, std::span<const Real> reach,
-                                std::span<const Label> label, Real skin, LocalIndex n_rows,
-                                SearchMode mode) {
-  return shared_neighbours<Dim>(x, reach, label, skin, n_rows, 1, mode).list;
-}
-
 template SharedNeighbours shared_neighbours<2>(std::span<const Vec<2>>, std::span<const Real>,
                                                std::span<const Label>, Real, LocalIndex,
                                                std::size_t, SearchMode);
 template SharedNeighbours shared_neighbours<3>(std::span<const Vec<3>>, std::span<const Real>,
                                                std::span<const Label>, Real, LocalIndex,
                                                std::size_t, SearchMode);
-template NeighbourList neighbours_within<2>(std::span<const Vec<2>>, std::span<const Real>,
-                                            std::span<const Label>, Real, LocalIndex, SearchMode);
-template NeighbourList neighbours_within<3>(std::span<const Vec<3>>, std::span<const Real>,
-                                            std::span<const Label>, Real, LocalIndex, SearchMode);
 
 }  // namespace brunt
 // Tested by tests/unit/core/search_test.cpp.
