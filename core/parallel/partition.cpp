@@ -86,8 +86,9 @@ Partition make_partition(const Communicator& ranks, std::span<const Vec<Dim>> x,
   Partition partition;
   partition.owner.assign(x.size(), 0);
   if (parts == 0) parts = ranks.size();
-  const bool any = std::any_of(weight.begin(), weight.end(), [](Real one) { return one > 0; });
-  if (parts == 1 || !any) return partition;
+  const auto n_weighed = std::count_if(weight.begin(), weight.end(), [](Real w) { return w > 0; });
+  parts = static_cast<int>(std::min<std::ptrdiff_t>(parts, n_weighed));  // others have nothing
+  if (parts <= 1) return partition;
   start_mpi();
   float version = 0;
   require(Zoltan_Initialize(0, nullptr, &version), "start");

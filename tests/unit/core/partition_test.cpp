@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 #include "core/parallel/boxes.hpp"
 
@@ -48,6 +49,17 @@ TEST(Partition, ForMoreRanksThanThereAreSpreadsTheWeight) {
     // Zoltan is asked for 1 %; each of at most log2(64) cuts may be off by the heaviest point.
     for (const Real one : weight) EXPECT_NEAR(one, sum / parts, 0.01 * sum / parts + 6 * 5);
   }
+}
+
+// Fewer points with weight than parts: each has a part of its own, and the other parts nothing.
+TEST(Partition, OfFewerPointsThanPartsLeavesPartsEmpty) {
+  Cloud cloud = bar(3);
+  cloud.x.emplace_back(0.5, 0.5, 2.5), cloud.weight.push_back(0);
+  const Partition partition = make_partition<3>(session().ranks(), cloud.x, cloud.weight, 5);
+  std::set<int> owners;
+  for (GlobalId i = 0; i < 3; ++i) owners.insert(partition.of(i));
+  EXPECT_EQ(owners.size(), 3U);
+  EXPECT_EQ(owners.count(partition.of(3)), 1U);
 }
 
 TEST(Partition, FirstCutGoesAcrossTheLongestSide) {
