@@ -35,27 +35,31 @@ template <int Dim>
 std::vector<LocalIndex> nodes_of(const std::vector<Cell<Dim>>& cells, const Points<Dim>& points,
                                  std::vector<std::int64_t>& place) {
   place.assign(points.x.size(), -1);
-  std::vector<LocalIndex> nodes;
   for (const Cell<Dim>& cell : cells) {
-    for (const LocalIndex node : cell.block->corners_of(cell.element)) {
-      if (place[node] < 0) nodes.push_back(node);
-      place[node] = 0;
-    }
+    for (const LocalIndex node : cell.block->corners_of(cell.element)) place[node] = 0;
   }
-  std::sort(nodes.begin(), nodes.end(), [&points](LocalIndex a, LocalIndex b) {
+  std::vector<LocalIndex> nodes;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] == 0) nodes.push_back(static_cast<LocalIndex>(i));
+  }
+  const auto ascends = [&points](LocalIndex a, LocalIndex b) {
     return points.id[a] < points.id[b] || (points.id[a] == points.id[b] && a < b);
-  });
+  };
+  if (!std::is_sorted(nodes.begin(), nodes.end(), ascends)) {
+    std::sort(nodes.begin(), nodes.end(), ascends);
+  }
   for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = static_cast<std::int64_t>(k);
   return nodes;
 }
 
 template <int Dim, class Value>
 Field vector_field(const char* name, const std::vector<LocalIndex>& nodes, const Value& value) {
-  Field field{name, 3, {}};
-  field.values.reserve(3 * nodes.size());
+  Field field{name, 3, std::vector<Real>(3 * nodes.size())};
+  Real* to = field.values.data();
   for (const LocalIndex node : nodes) {
     const Vec<Dim> v = value(node);
-    for (int i = 0; i < 3; ++i) field.values.push_back(i < Dim ? v[i] : 0);
+    for (int i = 0; i < Dim; ++i) to[i] = v[i];
+    to += 3;
   }
   return field;
 }
@@ -114,6 +118,7 @@ void add_point_fields(const Points<Dim>& points, const std::vector<LocalIndex>& 
 /// Mean of a quantity of the material points of an element, weighted by their volumes at time 0.
 template <int Dim, class Value>
 Real mean_of(const Cell<Dim>& cell, const Value& value) {
+  if (cell.block->gauss == 1) return value(cell.block->point(cell.element, 0));
   Real sum = 0, weight = 0;
   for (int g = 0; g < cell.block->gauss; ++g) {
     const std::size_t k = cell.block->point(cell.element, g);
@@ -139,14 +144,14 @@ void add_stress_fields(const std::vector<Cell<Dim>>& cells, FieldAdder& fields) 
     return mean_of(cells[c], [&](std::size_t k) { return state.pressure[k]; });
   };
   fields.add("stress", [&](const char* name) {
-    Field stress{name, 6, {}};
-    stress.values.reserve(6 * cells.size());
-    for (std::size_t c = 0; c < cells.size(); ++c) {
+    Field stress{name, 6, std::vector<Real>(6 * cells.size())};
+    Real* to = stress.values.data();
+    for (std::size_t c = 0; c < cells.size(); ++c, to += 6) {
       const MaterialState& state = cells[c].block->state;
       const Real p = pressure(c);
       for (int i = 0; i < 6; ++i) {
         const Real s = mean_of(cells[c], [&](std::size_t k) { return state.deviator[i][k]; });
-        stress.values.push_back(i < 3 ? s - p : s);
+        to[i] = i < 3 ? s - p : s;
       }
     }
     return stress;

@@ -12,10 +12,8 @@ using Square = std::array<std::array<V, Dim>, Dim>;
 template <int Dim>
 using Places = std::array<Vec<Dim>, Shape<Dim>::kCorners>;
 
-/// Where the guard looks: at the corners, between which det(dx/dxi) is linear in 2D, and at the
-/// Gauss points of a hexahedron, which warps such that it has volume at its corners alone.
 template <int Dim>
-inline constexpr int kPlaces = Dim == 3 ? 2 * Shape<3>::kCorners : Shape<2>::kCorners;
+inline constexpr int kPlaces = GuardPlaces<Dim>::kCount;
 
 /// Slopes of shape functions at the places, [place][corner][j].
 template <int Dim>
@@ -26,9 +24,7 @@ constexpr SlopeTable<Dim> make_slopes() {
   constexpr int n = Shape<Dim>::kCorners;
   SlopeTable<Dim> table{};
   for (int p = 0; p < kPlaces<Dim>; ++p) {
-    std::array<Real, Dim> at = gauss_place<Dim>(p % n);
-    for (int j = 0; j < Dim && p < n; ++j) at[j] = Shape<Dim>::kSign[p][j];
-    const auto slope = Shape<Dim>::mode_slopes(at);
+    const auto& slope = kGuardPlaces<Dim>.slope[p];
     for (int I = 0; I < n; ++I) {
       std::array<Real, Dim> corner{};
       for (int j = 0; j < Dim; ++j) corner[j] = Shape<Dim>::kSign[I][j];

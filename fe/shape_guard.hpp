@@ -20,6 +20,9 @@ struct ShapeGuard {
   /// Part of its height, or of h where that is less, that a place may lose in a step: what comes
   /// faster would be through the energy before its steepness bounds the step.
   static constexpr Real kClosing = 0.05;
+  /// So much farther from flat than where the guard may begin to act an element is not looked at:
+  /// no step takes it from there to where it acts, or back.
+  static constexpr Real kOpen = 3;
 };
 
 /// Adds the guard's forces to the corner forces of element e, their work to hourglass_work and
@@ -34,10 +37,73 @@ void guard_shape(ElementBlock<Dim>& block, std::size_t e, const ElementStep<Dim>
 template <int Dim>
 Real guard_reach(CornerPlaces<Dim> x);
 
+/// Slopes of the modes at the places where the guard looks, [place][mode][j]: at the corners,
+/// between which det(dx/dxi) is linear in 2D, and at the Gauss points of a hexahedron, which warps
+/// such that it has volume at its corners alone.
+template <int Dim>
+struct GuardPlaces {
+  static constexpr int kCount = Dim == 3 ? 2 * Shape<3>::kCorners : Shape<2>::kCorners;
+  std::array<std::array<std::array<Real, Dim>, Shape<Dim>::kModes - 1>, kCount> slope{};
+  constexpr GuardPlaces() {
+    for (int p = 0; p < kCount; ++p) {
+      std::array<Real, Dim> at = gauss_place<Dim>(p % Shape<Dim>::kCorners);
+      for (int j = 0; j < Dim && p < Shape<Dim>::kCorners; ++j) at[j] = Shape<Dim>::kSign[p][j];
+      const auto of_modes = Shape<Dim>::mode_slopes(at);
+      for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) slope[p][m] = of_modes[m];
+    }
+  }
+};
+template <int Dim>
+inline constexpr GuardPlaces<Dim> kGuardPlaces;
+
+/// True for those of several elements whose dx/dxi = a is farther from flat than the guard reaches:
+/// |a^-1| reach < 1/kOpen, with |a^-1| = |cof a|/det a.
+template <int Dim, class V>
+BRUNT_INLINE MaskOf<V> is_open(const V (&a)[Dim][Dim], V reach) {
+  V J = broadcast<V>(0), square = broadcast<V>(0);
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) {
+      V cofactor;
+      if constexpr (Dim == 2) {
+        cofactor = (i == j ? 1.0 : -1.0) * a[1 - i][1 - j];
+      } else {
+        const int p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
+        cofactor = a[p][r] * a[q][s] - a[p][s] * a[q][r];
+      }
+      if (i == 0) J += a[0][j] * cofactor;
+      square += cofactor * cofactor;
+    }
+  }
+  return (J > 0) & (J * J > ShapeGuard::kOpen * ShapeGuard::kOpen * reach * square);
+}
+
+/// The same at all places of elements e, e + 1, ...
+template <int Dim, class V>
+__attribute__((noinline)) MaskOf<V> are_open(const ElementBlock<Dim>& block, std::size_t e,
+                                             const ElementStep<Dim>& step) {
+  V node[Shape<Dim>::kCorners][Dim];
+  gather<Dim>(block.corner.data() + e * Shape<Dim>::kCorners, step.x, node);
+  const Modal<Dim, V> c = modes_of<Dim>(node);
+  const V reach = load_as<V>(block.guard_reach.data() + e);
+  auto open = broadcast<V>(0) < broadcast<V>(1);
+  for (const auto& slope : kGuardPlaces<Dim>.slope) {
+    V a[Dim][Dim];
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < Dim; ++j) {
+        a[i][j] = c.m[j][i];
+        for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) a[i][j] += slope[m][j] * c.m[m][i];
+      }
+    }
+    open = open & is_open<Dim, V>(a, reach);
+  }
+  return open;
+}
+
 /// Guards those of four elements that it may act on. mode: the hourglass modes of the positions;
 /// node: forces on the corners.
 /// With s half of the least height of the linear modes and t the most that the others change dx/dxi
-/// by, its least singular value is at least s - t.
+/// by, its least singular value is at least s - t: for most, that is enough. Others are looked at
+/// place by place.
 template <int Dim, class V>
 BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e, const OperatorNorm<V>& norm,
                                const V (*mode)[Dim], const ElementStep<Dim>& step,
@@ -52,8 +118,10 @@ BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e, const Op
   const V reach = load_as<V>(block.guard_reach.data() + e);
   const auto safe = 8.0 * norm.largest * (kOtherModes * square + reach) < kHeightSquare;
   if (!any(~safe)) return;
+  const auto open = are_open<Dim, V>(block, e, step);
+  if (!any(~(safe | open))) return;
   for (int lane = 0; lane < lanes_of<V>; ++lane) {
-    if (lane_of(safe, lane)) continue;
+    if (lane_of(safe | open, lane)) continue;
     guard_shape(block, e + slot_of(lane), step, lane, node);
   }
 }

@@ -5,6 +5,7 @@
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkPointData.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -67,7 +69,7 @@ vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
   if (is_whole_field(field.name)) {
     array = vtkSmartPointer<vtkIdTypeArray>::New();
   } else {
-    array = vtkSmartPointer<vtkDoubleArray>::New();
+    array = vtkSmartPointer<vtkFloatArray>::New();
   }
   array->SetName(field.name.c_str());
   array->SetNumberOfComponents(field.components);
@@ -75,8 +77,8 @@ vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
     array->SetComponentName(c, component_name(field.components, c));
   }
   array->SetNumberOfTuples(static_cast<vtkIdType>(n));
-  if (auto* reals = vtkDoubleArray::SafeDownCast(array)) {
-    std::copy(field.values.begin(), field.values.end(), reals->GetPointer(0));
+  if (auto* singles = vtkFloatArray::SafeDownCast(array)) {
+    std::transform(field.values.begin(), field.values.end(), singles->GetPointer(0), single_of);
   } else {
     auto* whole = static_cast<vtkIdTypeArray*>(array.Get())->GetPointer(0);
     std::transform(field.values.begin(), field.values.end(), whole,
@@ -85,15 +87,26 @@ vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
   return array;
 }
 
+/// In double, as the time: they may be far from the origin.
+vtkSmartPointer<vtkDoubleArray> to_doubles(const char* name, int components,
+                                           const std::vector<Real>& values) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
 vtkSmartPointer<vtkPoints> to_points(const std::vector<Real>& position) {
   if (position.size() % 3 != 0) misfit("position");
   auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(to_array({"Points", 3, position}, position.size() / 3));
+  points->SetData(to_doubles("Points", 3, position));
   return points;
 }
 
 void set_time(vtkDataObject& object, Real time) {
-  object.GetFieldData()->AddArray(to_array({"TimeValue", 1, {time}}, 1));
+  object.GetFieldData()->AddArray(to_doubles("TimeValue", 1, {time}));
 }
 
 /// Cells of `corners` each, with triangles among quads; particles are one vertex a point.

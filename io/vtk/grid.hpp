@@ -4,6 +4,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "core/view.hpp"
 
 namespace brunt {
@@ -30,6 +33,11 @@ vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real tim
 unsigned char vtk_cell_type(int corners, int dimension);
 /// True where a field holds whole numbers: written as such.
 bool is_whole_field(const std::string& name);
+/// A number as frames have it: single, the largest there is where it is larger.
+inline float single_of(Real value) {
+  constexpr Real kMost = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(value, -kMost, kMost));  // of not-a-number itself
+}
 /// "X", "YZ": of a vector or a tensor.
 const char* component_name(int components, int component);
 

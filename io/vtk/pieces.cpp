@@ -18,8 +18,8 @@ namespace {
 /// The kinds of arrays that grid.cpp makes.
 std::string type_word(vtkDataArray& array) {
   switch (array.GetDataType()) {
-    case VTK_DOUBLE:
-      return "Float64";
+    case VTK_FLOAT:
+      return "Float32";
     case VTK_ID_TYPE:
       return "Int64\" IdType=\"1";
     case VTK_INT:

@@ -4,8 +4,9 @@
 #include <vtkNew.h>
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
+#include <limits>
+#include <numeric>
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
@@ -33,29 +34,45 @@ std::string_view bytes_of_values(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// n numbers of another type, made in the room.
-template <class To, class Value>
-std::string_view made(std::string& room, std::size_t n, const Value& value) {
+/// n numbers of another type, made in the room by fill(To* first).
+template <class To, class Fill>
+std::string_view made(std::string& room, std::size_t n, const Fill& fill) {
   room.resize(n * sizeof(To));
-  for (std::size_t i = 0; i < n; ++i) {
-    const To one = static_cast<To>(value(i));
-    std::memcpy(&room[i * sizeof(To)], &one, sizeof one);
-  }
+  fill(reinterpret_cast<To*>(room.data()));
   return room;
 }
 
+/// Whole numbers, the largest of which is given: in 32 bits where it fits, half as many to pack.
+template <class Fill>
+VtuArray whole_numbers(const char* name, std::size_t n, std::size_t largest, const Fill& fill) {
+  if (largest <= std::numeric_limits<std::int32_t>::max()) {
+    return {"Int32", name, 1, n,
+            [n, fill](std::string& room) { return made<std::int32_t>(room, n, fill); }};
+  }
+  return {"Int64", name, 1, n,
+          [n, fill](std::string& room) { return made<std::int64_t>(room, n, fill); }};
+}
+
+/// In double: places, which may be far from the origin, and the time.
 VtuArray reals(const std::string& name, int components, const std::vector<Real>& values) {
   return {"Float64", name, components, values.size(),
           [&values](std::string&) { return bytes_of_values(values); }};
 }
 
+VtuArray singles(const std::string& name, int components, const std::vector<Real>& values) {
+  const auto fill = [&values](float* to) {
+    std::transform(values.begin(), values.end(), to, [](Real value) { return single_of(value); });
+  };
+  return {"Float32", name, components, values.size(),
+          [&values, fill](std::string& room) { return made<float>(room, values.size(), fill); }};
+}
+
 VtuArray array_of(const Field& field) {
-  if (!is_whole_field(field.name)) return reals(field.name, field.components, field.values);
-  return {"Int64\" IdType=\"1", field.name, field.components, field.values.size(),
-          [&field](std::string& room) {
-            return made<std::int64_t>(room, field.values.size(),
-                                      [&](std::size_t i) { return field.values[i]; });
-          }};
+  if (!is_whole_field(field.name)) return singles(field.name, field.components, field.values);
+  const auto& values = field.values;
+  const auto fill = [&values](std::int64_t* to) { std::copy(values.begin(), values.end(), to); };
+  return {"Int64\" IdType=\"1", field.name, field.components, values.size(),
+          [&values, fill](std::string& r) { return made<std::int64_t>(r, values.size(), fill); }};
 }
 
 /// How many corners each cell has: all that a cell of the view may, but for triangles among quads.
@@ -69,36 +86,32 @@ std::size_t corners_in(const BodyView& view, std::size_t first, std::size_t corn
 std::vector<VtuArray> cell_arrays(const BodyView& view, std::size_t n_points) {
   const auto corners = slot_of(std::max(view.corners, 1));
   const std::size_t n = view.corners == 0 ? n_points : view.connectivity.size() / corners;
-  const bool vertices = view.corners == 0;
+  const auto size = [&view, corners](std::size_t c) {
+    return view.corners == 0 ? std::size_t{1} : corners_in(view, c * corners, corners);
+  };
   std::size_t n_corners = 0;
-  for (std::size_t c = 0; c < n; ++c) {
-    n_corners += vertices ? 1 : corners_in(view, c * corners, corners);
-  }
-  const bool all_full = !vertices && n_corners == view.connectivity.size();
-  const auto connectivity = [&view, vertices, all_full, n, corners](std::string& room) {
-    if (all_full) return bytes_of_values(view.connectivity);
-    if (vertices) return made<std::int64_t>(room, n, [](std::size_t i) { return i; });
-    room.clear();
+  for (std::size_t c = 0; c < n; ++c) n_corners += size(c);
+  const auto fill_corners = [&view, n, size, corners](auto* to) {
+    using To = std::remove_pointer_t<decltype(to)>;
+    if (view.corners == 0) return std::iota(to, to + n, To{0});
     for (std::size_t c = 0; c < n; ++c) {
-      const auto* cell = reinterpret_cast<const char*>(&view.connectivity[c * corners]);
-      room.append(cell, corners_in(view, c * corners, corners) * sizeof(std::int64_t));
+      const std::int64_t* cell = &view.connectivity[c * corners];
+      to = std::transform(cell, cell + size(c), to, [](auto at) { return static_cast<To>(at); });
     }
-    return std::string_view(room);
   };
-  const auto size = [&view, vertices, corners](std::size_t c) {
-    return vertices ? std::size_t{1} : corners_in(view, c * corners, corners);
+  const auto fill_ends = [n, size](auto* to) {
+    std::size_t end = 0;
+    for (std::size_t c = 0; c < n; ++c) to[c] = static_cast<decltype(+*to)>(end += size(c));
   };
-  return {{"Int64", "connectivity", 1, n_corners, connectivity},
-          {"Int64", "offsets", 1, n,
-           [n, size](std::string& room) {
-             std::size_t end = 0;
-             return made<std::int64_t>(room, n, [&](std::size_t c) { return end += size(c); });
-           }},
-          {"UInt8", "types", 1, n, [n, size, &view](std::string& room) {
-             return made<std::uint8_t>(room, n, [&](std::size_t c) {
-               return vtk_cell_type(static_cast<int>(size(c)), view.cell_dimension);
-             });
-           }}};
+  const auto fill_types = [&view, n, size](std::uint8_t* to) {
+    for (std::size_t c = 0; c < n; ++c) {
+      to[c] = vtk_cell_type(static_cast<int>(size(c)), view.cell_dimension);
+    }
+  };
+  return {whole_numbers("connectivity", n_corners, n_points, fill_corners),
+          whole_numbers("offsets", n, n_corners, fill_ends),
+          {"UInt8", "types", 1, n,
+           [n, fill_types](std::string& room) { return made<std::uint8_t>(room, n, fill_types); }}};
 }
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -212,7 +225,7 @@ void write_vtu(const std::filesystem::path& path, const BodyView& view) {
   file.text("    </FieldData>\n    <Piece NumberOfPoints=\"" + std::to_string(n_points) +
             "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n      <PointData>\n");
   for (const auto& field : view.point_fields) file.declare(array_of(field), "        ");
-  if (!view.point_radius.empty()) file.declare(reals("radius", 1, view.point_radius), "        ");
+  if (!view.point_radius.empty()) file.declare(singles("radius", 1, view.point_radius), "        ");
   file.text("      </PointData>\n      <CellData>\n");
   for (const auto& field : view.cell_fields) file.declare(array_of(field), "        ");
   file.text("      </CellData>\n      <Points>\n");

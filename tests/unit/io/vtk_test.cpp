@@ -1,6 +1,10 @@
 // Frames as VTK files: what is written reads back through VTK's own readers bit for bit (appended
-// raw doubles, so no tolerance), and frames.pvd never names a file that is not whole.
+// raw numbers, fields in single precision, so no tolerance), and frames.pvd never names a file that
+// is not whole.
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
@@ -24,7 +28,7 @@ BodyView hex_body(Real time) {
   view.position = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1.0 / 3};
   view.connectivity = {0, 1, 2, 3, 4, 5, 6, 7};
   view.corners = 8;
-  view.point_fields = {{"velocity", 3, std::vector<Real>(24, 0.1)},
+  view.point_fields = {{"velocity", 3, std::vector<Real>(24, 0.125)},
                        {"id", 1, {1e15, 2, 3, 4, 5, 6, 7, 8}}};
   view.cell_fields = {{"stress", 6, {1, 2, 3, 4, 5, -6e8}}, {"eps_p", 1, {0.25}}};
   return view;
@@ -64,9 +68,9 @@ ContactView contacts() {
   view.polygon_size = {3, 2, 1};
   view.normal = {0, 0, 1, 0, 1, 0, 1, 0, 0};
   view.pressure = {10, 20, 30};
-  view.penetration = {0.1, 0.2, 0.3};
+  view.penetration = {0.125, 0.25, 0.375};
   view.bonded = {0, 1, 0};
-  view.max_closure = {0, 0.4, 0.5};
+  view.max_closure = {0, 0.25, 0.5};
   view.force = {0, 0, 5, 0, 6, 0, 7, 0, 0};
   view.body_a = {0, 1, 2};
   view.body_b = {3, 4, 5};
@@ -90,6 +94,24 @@ TEST_F(VtkTest, ReadsBackTheSame) {
   EXPECT_EQ(read[3].cell_dimension, 3);
 }
 
+/// Fields have 24 bits, places all of theirs: far from the origin a small body keeps its shape.
+TEST_F(VtkTest, FieldsAreSinglePlacesAreDouble) {
+  BodyView bar = hex_body(0.1);
+  for (Real& x : bar.position) x = 1000 + 1e-9 * x;
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  bar.cell_fields = {{"stress", 6, {0.1, -1e300, nan, 1e-300, 1.0 / 3, -6e8}}};
+  FrameWriter(folder_).write(bar.time, {bar}, nullptr);
+  const auto read = read_frame(folder_, read_frame_index(folder_)[0])[0];
+  EXPECT_EQ(read.position, bar.position);
+  EXPECT_EQ(read.time, 0.1);
+  const auto& stress = read.cell_fields.at(0).values;
+  EXPECT_EQ(stress[0], static_cast<Real>(0.1F));
+  EXPECT_EQ(stress[1], -std::numeric_limits<float>::max());
+  EXPECT_TRUE(std::isnan(stress[2]));
+  EXPECT_EQ(stress[3], 0);
+  EXPECT_NEAR(stress[4], 1.0 / 3, std::ldexp(1.0 / 3, -24));
+}
+
 /// Many packed blocks an array, one of which is not full, of numbers that hardly pack and of such
 /// that do.
 TEST_F(VtkTest, ReadsBackLargeBodies) {
@@ -106,7 +128,7 @@ TEST_F(VtkTest, ReadsBackLargeBodies) {
     quads.connectivity.insert(quads.connectivity.end(), cell.begin(), cell.end());
   }
   quads.cell_fields = {{"pressure", 1, std::vector<Real>(kMany)}};
-  for (Real& value : quads.cell_fields[0].values) value = number();
+  for (Real& value : quads.cell_fields[0].values) value = static_cast<float>(number());
   grains.position.resize(3 * kMany), grains.point_radius.assign(kMany, 0.25);
   for (Real& value : grains.position) value = number();
   grains.point_fields = {{"id", 1, std::vector<Real>(kMany)}};
@@ -129,9 +151,9 @@ TEST_F(VtkTest, WritesContactsWithTheirFields) {
   // VTK keeps points before lines before polygons: the order of the contacts is turned round.
   EXPECT_EQ(read.polygon_size, (std::vector<int>{1, 2, 3}));
   EXPECT_EQ(read.pressure, (std::vector<Real>{30, 20, 10}));
-  EXPECT_EQ(read.penetration, (std::vector<Real>{0.3, 0.2, 0.1}));
+  EXPECT_EQ(read.penetration, (std::vector<Real>{0.375, 0.25, 0.125}));
   EXPECT_EQ(read.bonded, (std::vector<Real>{0, 1, 0}));
-  EXPECT_EQ(read.max_closure, (std::vector<Real>{0.5, 0.4, 0}));
+  EXPECT_EQ(read.max_closure, (std::vector<Real>{0.5, 0.25, 0}));
   EXPECT_EQ(read.normal, (std::vector<Real>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
   EXPECT_EQ(read.force, (std::vector<Real>{7, 0, 0, 0, 6, 0, 0, 0, 5}));
   EXPECT_EQ(read.body_a, (std::vector<Label>{2, 1, 0}));
