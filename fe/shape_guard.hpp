@@ -56,10 +56,10 @@ struct GuardPlaces {
 template <int Dim>
 inline constexpr GuardPlaces<Dim> kGuardPlaces;
 
-/// True for those of several elements whose dx/dxi = a is farther from flat than the guard reaches:
-/// |a^-1| reach < 1/kOpen, with |a^-1| = |cof a|/det a.
+/// True for those of several elements whose dx/dxi = a has |a^-1|^2 needed < 1: with
+/// |a^-1| = |cof a|/det a.
 template <int Dim, class V>
-BRUNT_INLINE MaskOf<V> is_open(const V (&a)[Dim][Dim], V reach) {
+BRUNT_INLINE MaskOf<V> is_open(const V (&a)[Dim][Dim], V needed) {
   V J = broadcast<V>(0), square = broadcast<V>(0);
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j) {
@@ -74,17 +74,38 @@ BRUNT_INLINE MaskOf<V> is_open(const V (&a)[Dim][Dim], V reach) {
       square += cofactor * cofactor;
     }
   }
-  return (J > 0) & (J * J > ShapeGuard::kOpen * ShapeGuard::kOpen * reach * square);
+  return (J > 0) & (J * J > needed * square);
 }
 
-/// The same at all places of elements e, e + 1, ...
+/// Square of the most that |dv/dxi| may be anywhere in an element with these modes of v: each of
+/// its columns is a sum of four modes, two in 2D, with factors of at most 1.
+template <int Dim, class V>
+BRUNT_INLINE V steepest_square(const Modal<Dim, V>& v) {
+  constexpr Real kColumns = Dim == 3 ? 3 : 2;  // in which a mode that is not linear may be
+  V linear = broadcast<V>(0), others = broadcast<V>(0);
+  for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
+    V& sum = m < Dim ? linear : others;
+    for (int i = 0; i < Dim; ++i) sum += v.m[m][i] * v.m[m][i];
+  }
+  return (Dim == 3 ? 4.0 : 2.0) * (linear + kColumns * others);
+}
+
+/// True for those of elements e, e + 1, ... that the guard leaves alone: everywhere kOpen times
+/// farther from flat than where it may begin to act, and with heights that lose no more in a stable
+/// step than they may: of its height a place loses no more than |dv/dxi| |(dx/dxi)^-1| in a second.
 template <int Dim, class V>
 __attribute__((noinline)) MaskOf<V> are_open(const ElementBlock<Dim>& block, std::size_t e,
                                              const ElementStep<Dim>& step) {
+  constexpr Real kRounding = 1.1;  // heights of the guard have a root in them
+  const LocalIndex* corner = block.corner.data() + e * Shape<Dim>::kCorners;
   V node[Shape<Dim>::kCorners][Dim];
-  gather<Dim>(block.corner.data() + e * Shape<Dim>::kCorners, step.x, node);
+  gather<Dim>(corner, step.v, node);
+  const V lost = (kRounding / ShapeGuard::kClosing) * load_as<V>(block.stable_step.data() + e);
+  const V closing = lost * lost * steepest_square(modes_of<Dim>(node));
+  gather<Dim>(corner, step.x, node);
   const Modal<Dim, V> c = modes_of<Dim>(node);
   const V reach = load_as<V>(block.guard_reach.data() + e);
+  const V needed = vmax(ShapeGuard::kOpen * ShapeGuard::kOpen * reach, closing);
   auto open = broadcast<V>(0) < broadcast<V>(1);
   for (const auto& slope : kGuardPlaces<Dim>.slope) {
     V a[Dim][Dim];
@@ -94,7 +115,7 @@ __attribute__((noinline)) MaskOf<V> are_open(const ElementBlock<Dim>& block, std
         for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) a[i][j] += slope[m][j] * c.m[m][i];
       }
     }
-    open = open & is_open<Dim, V>(a, reach);
+    open = open & is_open<Dim, V>(a, needed);
   }
   return open;
 }

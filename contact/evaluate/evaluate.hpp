@@ -29,13 +29,13 @@ struct ParticleLoad {
   int on_faces = 0;       ///< of them
 };
 
-/// Evaluates the candidates and appends a record for each that carries force, in their order.
+/// Evaluates the pairs and appends a record for each that carries force, in their order.
 /// F = k volume + c area closing speed at the centre of pressure, not below 0
 /// (docs/theory/contact.md (C11), (C16)); friction goes on from its past, or from what both faces
 /// carried (docs/theory/contact.md (C31)). No past: no friction. What is left of first touches goes
 /// to part.face_touches, the bounds of what closes in or is deep to part.step_limit.
 template <int Dim>
-void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
+void evaluate_faces(const Entities<Dim>& entities, const FacePairs<Dim>& pairs,
                     const Section& section, const EvaluationStep& step,
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part);
 

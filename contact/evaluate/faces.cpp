@@ -296,18 +296,20 @@ bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const S
 }  // namespace
 
 template <int Dim>
-void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate> candidates,
+void evaluate_faces(const Entities<Dim>& entities, const FacePairs<Dim>& pairs,
                     const Section& section, const EvaluationStep& step,
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
   Planes<Dim> planes;
-  for (const auto& candidate : candidates) {
-    const auto l = slot_of(candidate.lower);
-    const auto u = slot_of(candidate.upper);
+  for (std::size_t k = 0; k < pairs.listed().size(); ++k) {
+    const auto l = slot_of(pairs.listed()[k].lower), u = slot_of(pairs.listed()[k].upper);
+    const bool in_reach = entities.reaches[l].meets(entities.reaches[u]);
+    if (!in_reach && !step.fast && !pairs.options(k).acts_apart) continue;
+    const FaceCandidate candidate = pairs.candidate(k);
     if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
     limit_by_pressed_area<Dim>(entities, candidate, step, part.step_limit);
     BrokenTies<Dim> broken;
     if (held<Dim>(entities, candidate, section, step, broken, part)) continue;
-    if (!entities.reaches[l].meets(entities.reaches[u])) continue;
+    if (!in_reach) continue;
     const auto &lower = entities.planes[l], &upper = entities.planes[u];
     const ContactKey key =
         touch_key(ContactKind::face_face, entities.faces[l].id, entities.faces[u].id);
@@ -356,9 +358,9 @@ void evaluate_faces(const Entities<Dim>& entities, std::span<const FaceCandidate
   }
 }
 
-template void evaluate_faces<2>(const Entities<2>&, std::span<const FaceCandidate>, const Section&,
+template void evaluate_faces<2>(const Entities<2>&, const FacePairs<2>&, const Section&,
                                 const EvaluationStep&, FrictionHistory<2>*, Records<2>::Part&);
-template void evaluate_faces<3>(const Entities<3>&, std::span<const FaceCandidate>, const Section&,
+template void evaluate_faces<3>(const Entities<3>&, const FacePairs<3>&, const Section&,
                                 const EvaluationStep&, FrictionHistory<3>*, Records<3>::Part&);
 
 }  // namespace brunt

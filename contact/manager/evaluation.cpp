@@ -29,13 +29,12 @@ void Evaluation<Dim>::run(const ContactSetup<Dim>& setup, ContactSearch<Dim>& se
                             candidates.speed(),
                             gravity_of(setup.options),
                             candidates.way_of_faces(entities) > 0};
-  const auto on_faces = candidates.faces();
-  if (!on_faces.empty()) entities.refresh_reaches();
-  records_.for_parts(on_faces.size(), kWorthThreads,
-                     [&](std::size_t first, std::size_t last, auto& part) {
-                       evaluate_faces<Dim>(entities, on_faces.subspan(first, last - first),
-                                           setup.section, step, past, part);
-                     });
+  const auto on_faces = candidates.faces(entities);
+  if (candidates.n_faces() > 0) entities.refresh_reaches();
+  records_.for_parts(
+      candidates.n_faces(), kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
+        evaluate_faces<Dim>(entities, on_faces.part(first, last), setup.section, step, past, part);
+      });
   run_particles(setup, search, step, past);
   step_limit_ = ahead.longest;
   step_limit_.take(records_.step_limit());

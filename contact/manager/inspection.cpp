@@ -25,7 +25,7 @@ ContactWork ContactManager<Dim>::work() const {
   const auto& own = *implementation_;
   const auto& candidates = own.search.candidates();
   return {candidates.builds(),
-          candidates.faces().size() + candidates.n_particles() + candidates.pairs().size(),
+          candidates.n_faces() + candidates.n_particles() + candidates.pairs().size(),
           own.evaluation.records().size(), candidates.skin(),
           own.search.entities().near_faces.size()};
 }
@@ -49,7 +49,7 @@ std::vector<std::vector<Real>> ContactManager<Dim>::point_work() const {
     const auto point = slot_of(nodes.point[i]);
     if (point < of_surface.size()) of_surface[point] += cost;
   };
-  for (const auto& pair : candidates.faces()) {
+  for (const auto& pair : candidates.faces(entities).listed()) {
     const auto& face = entities.faces[slot_of(pair.lower)];
     for (int c = 0; c < face.n_nodes; ++c) {
       add(face.node[slot_of(c)], kFacePair / face.n_nodes);
@@ -104,11 +104,12 @@ std::vector<HeldPair> ContactManager<Dim>::held_pairs() const {
     const auto it = find(bodies_of(entities, tie.key, false));
     if (it != by_pair.end()) ++it->second.places;
   }
-  for (const auto& candidate : own.search.candidates().faces()) {
-    const auto* options = candidate.laws.holds;
-    if (options == nullptr || !options->joint) continue;
-    const auto& lower = entities.faces[slot_of(candidate.lower)];
-    const auto& upper = entities.faces[slot_of(candidate.upper)];
+  const FacePairs<Dim> pairs = own.search.candidates().faces(entities);
+  for (std::size_t k = 0; k < pairs.listed().size(); ++k) {
+    const PairOptions* options = pairs.options(k).options;
+    if (!options->joint) continue;
+    const auto& lower = entities.faces[slot_of(pairs.listed()[k].lower)];
+    const auto& upper = entities.faces[slot_of(pairs.listed()[k].upper)];
     const auto it = find(std::minmax(lower.body, upper.body));
     if (it == by_pair.end()) continue;
     const HoldingSpring spring = spring_between(lower, upper, *options);

@@ -33,7 +33,7 @@ ContactReaches<Dim> ContactManager<Dim>::reaches() const {
     one.id = particle.id, one.n_nodes = 1;
     one.node[0] = name_of(entities.nodes, particle.node);
   }
-  for (const auto& pair : own.search.candidates().faces()) {
+  for (const auto& pair : own.search.candidates().faces(entities).listed()) {
     ++all.faces[slot_of(pair.lower)].candidates;
   }
   const ParticleRows rows = own.search.candidates().particle_rows(own.setup.pairs, own.last.ahead);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contact/geometry/particle_face.hpp"
-#include "contact/law/springs.hpp"
 
 namespace brunt {
 
@@ -39,17 +38,6 @@ MotionBounds<Dim> over_ranks(const Communicator& ranks, const MotionBounds<Dim>&
   return all;
 }
 
-template <int Dim>
-bool share_a_node(const ContactFace<Dim>& a, const ContactFace<Dim>& b) {
-  if (a.surface != b.surface) return false;
-  for (int i = 0; i < a.n_nodes; ++i) {
-    for (int j = 0; j < b.n_nodes; ++j) {
-      if (a.node[slot_of(i)] == b.node[slot_of(j)]) return true;
-    }
-  }
-  return false;
-}
-
 /// Particles whose boxes meet the box around all faces: no others are compared, with faces or with
 /// each other. A body far from all walls costs one comparison a particle.
 /// box_of  the box [m] of particle p of n;  faces  not empty
@@ -69,40 +57,6 @@ std::vector<LocalIndex> particles_near(std::size_t n, BoxOf box_of,
   return near;
 }
 
-template <class A, class B>
-bool same_piece(const A& a, const B& b) {
-  return a.body == b.body && a.piece == b.piece;
-}
-
-/// So much sharper is a point or blade than what it digs into.
-constexpr Real kSharper = 0.5;
-
-template <int Dim>
-FaceLaw law_of(const ContactFace<Dim>& a, const ContactFace<Dim>& b, const PairOptions& options,
-               const RestingLayer& rests) {
-  FaceLaw law;
-  const Real both = contact_spring(a.stiffness, a.deforms(), b.stiffness, b.deforms());
-  law.stiffness = options.stiffness * both;
-  law.at_point = options.plane == PlaneRule::point;
-  const Real mass = in_series(a.areal_mass, b.areal_mass);
-  law.damping = damping_coefficient(options.damping, law.stiffness, mass);
-  law.limit = std::min(a.rigid() ? b.depth : a.depth, b.rigid() ? a.depth : b.depth);
-  // The flanks of a thin point or blade that digs into what is blunter go in deeper than it is
-  // wide.
-  const auto &blunt = a.sharpness < b.sharpness ? b : a, &sharp = a.sharpness < b.sharpness ? a : b;
-  if (sharp.sharpness < kSharper * blunt.sharpness) law.leaning = blunt.depth;
-  if (same_piece(a, b)) law.limit *= kDeepestInside, law.leaning = 0;
-  if (options.joint) {
-    law.stiffness = std::min(options.joint->normal, kTiedStiffness * both);
-    law.damping = 0;
-    return law;
-  }
-  if (!rests.acts()) return law;
-  law.layer = rests.over(law.stiffness, law.limit);
-  law.layer_damping =
-      damping_coefficient(RestingLayer::damping_of(options.damping), law.stiffness, mass);
-  return law;
-}
 }  // namespace
 
 template <int Dim>
@@ -183,33 +137,6 @@ SearchBox<Dim> Candidates<Dim>::box_of_particle(const Entities<Dim>& entities,
   return finite_box<Dim>(SearchBox<Dim>::about(x, reach + 0.5 * skin_));
 }
 
-template <int Dim>
-void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable& pairs) {
-  const auto& near = entities.near_faces;
-  faces_.clear();
-  std::vector<SearchBox<Dim>> boxes(near.size());
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    boxes[k] = box_of_face(entities, slot_of(near[k]));
-  }
-  const auto face = [&](LocalIndex k) -> const ContactFace<Dim>& {
-    return entities.faces[slot_of(near[slot_of(k)])];
-  };
-  const auto admits = [&](LocalIndex i, LocalIndex j) {
-    const auto &a = face(i), &b = face(j);
-    if (!a.owned || (a.rigid() && b.rigid())) return false;
-    if (same_piece(a, b) && !(a.deforms() && pairs.touches_itself(a.body))) return false;
-    return !share_a_node(a, b) && !pairs.of(a.body, b.body).ignore;
-  };
-  for (const auto& [i, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
-    const auto &a = face(i), &b = face(j);
-    const PairOptions& options = pairs.of(a.body, b.body);
-    const auto law = law_of(a, b, options, pairs.resting(a.body, b.body));
-    faces_.push_back({near[slot_of(i)], near[slot_of(j)], law,
-                      PairLaws(options, a.capacity > 0 && b.capacity > 0),
-                      options.watched() ? options.stiffness : 0.0});
-  }
-}
-
 /// Beginnings of rows; the particle of each, and the faces of all.
 template <int Dim>
 void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTable& pairs,
@@ -236,7 +163,8 @@ void Candidates<Dim>::find_particles(const Entities<Dim>& entities, const PairTa
     if (p >= n || f < n) return false;
     const auto& face = entities.faces[slot_of(near_faces[f - n])];
     const auto& particle = particles[slot_of(near[p])];
-    return !same_piece(particle, face) && !pairs.of(particle.body, face.body).ignore;
+    return !(particle.body == face.body && particle.piece == face.piece) &&
+           !pairs.of(particle.body, face.body).ignore;
   };
   for (const auto& [k, j] : overlapping_pairs<Dim>(boxes, admits, mode_)) {
     const LocalIndex i = near[slot_of(k)];
@@ -304,7 +232,7 @@ void Candidates<Dim>::choose_skin(const Entities<Dim>& entities) {
     skin_ = kFirst * entities.size;
     return;
   }
-  const auto listed = static_cast<Real>(faces_.size() + n_particles() + pairs_.size());
+  const auto listed = static_cast<Real>(face_pairs_.size() + n_particles() + pairs_.size());
   if (steps_ == 0) return;
   const auto boxes = static_cast<Real>(entities.near_faces.size() + entities.particles.size());
   const Real build = kWorkPerEntity * boxes + kWorkPerListed * listed;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "contact/exchange/imports.hpp"
-#include "contact/law/face_law.hpp"
 #include "contact/search/clearance.hpp"
+#include "contact/search/face_pairs.hpp"
 #include "core/solid.hpp"
 
 namespace brunt {
@@ -20,14 +20,6 @@ SearchBox<Dim> finite_box(SearchBox<Dim> box) {
   }
   return box;
 }
-
-/// Two faces that may touch before the list is rebuilt, lower index first, with their laws.
-struct FaceCandidate {
-  LocalIndex lower = 0, upper = 0;
-  FaceLaw normal{};
-  PairLaws laws{};
-  Real watched = 0;  ///< [1] stiffness of a pair that is watched; else 0
-};
 
 /// Rows of particles beside faces.
 struct ParticleRows {
@@ -70,7 +62,10 @@ class Candidates {
   /// ranks. Collective: one reduction.
   bool complete(const Entities<Dim>& entities, Real longest, const Communicator& ranks);
 
-  std::span<const FaceCandidate> faces() const { return faces_; }
+  FacePairs<Dim> faces(const Entities<Dim>& entities) const {
+    return {entities.faces, face_pairs_, face_options_};
+  }
+  std::size_t n_faces() const { return face_pairs_.size(); }
   /// Particles beside faces, as far as motion has brought them since the lists were built;
   /// longest [s] is the step that speed limits look ahead.
   ParticleRows particle_rows(const PairTable& pairs, Real longest) const;
@@ -106,7 +101,8 @@ class Candidates {
 
   SearchMode mode_;
   std::optional<Real> given_skin_;
-  std::vector<FaceCandidate> faces_;
+  std::vector<ListedFaces> face_pairs_;
+  std::vector<FaceOptions> face_options_;
   std::vector<std::size_t> starts_;  // of rows of particles beside faces
   Clearances clearances_;
   std::vector<Clearance> row_clearances_;
