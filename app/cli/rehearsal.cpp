@@ -36,6 +36,16 @@ bool erodes(const Deck& deck) {
   });
 }
 
+/// Steps that the deck gives in seconds bound those of a coarser run as they bound those of this
+/// one.
+void scale_steps(Deck& deck, Real factor) {
+  for (auto& [name, body] : deck.bodies) {
+    body.element.least_step *= factor;
+    auto& erosion = body.element.erosion;
+    if (erosion && erosion->when.step) *erosion->when.step *= factor;
+  }
+}
+
 bool stops(const deck::Stop& stop) { return stop.at_rest || stop.beyond || !stop.when.empty(); }
 
 /// Whether a third, finer rehearsal is worth its time: how thin an element gets before it erodes
@@ -88,8 +98,9 @@ std::vector<Rehearsal> rehearse(const std::string& deck, const std::vector<std::
     if (finer && !needs_finer(loaded.deck, done)) break;
     auto coarser = overrides;
     for (const auto& change : lever.at(loaded, factor)) coarser.push_back(change);
-    const auto coarse = resized_deck(deck, coarser, loaded);
+    auto coarse = resized_deck(deck, coarser, loaded);
     if (!coarse) continue;
+    scale_steps(coarse->deck, factor);
     const Real growth =
         done.empty() ? flattening_of(loaded.deck).most_steps() : expected_growth(done);
     const Real before = processor_seconds();

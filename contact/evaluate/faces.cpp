@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/evaluate/edges.hpp"
 #include "contact/evaluate/face_notes.hpp"
@@ -317,8 +318,7 @@ void evaluate_faces(const Entities<Dim>& entities, const FacePairs<Dim>& pairs,
     int n = step.touches.time_zero && !candidate.laws.presses_at_once()
                 ? 0
                 : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
-    const bool held = touch.held;
-    touch.held = false;
+    const bool held = std::exchange(touch.held, false);
     const bool new_here = !touch.matters() && !held;
     if (new_here && leave_alone(entities, candidate, planes, n, section, step.dt, touch, part)) {
       n = 0;  // of all planes, or a repeated evaluation would find others than this one

@@ -7,23 +7,23 @@ namespace brunt {
 namespace {
 /// Coordinates of one point, or of four.
 template <class V>
-struct Place {
+struct InPlane {
   V x, y;
 };
 template <class V>
-BRUNT_INLINE Place<V> operator+(const Place<V>& a, const Place<V>& b) {
+BRUNT_INLINE InPlane<V> operator+(const InPlane<V>& a, const InPlane<V>& b) {
   return {a.x + b.x, a.y + b.y};
 }
 template <class V>
-BRUNT_INLINE Place<V> operator-(const Place<V>& a, const Place<V>& b) {
+BRUNT_INLINE InPlane<V> operator-(const InPlane<V>& a, const InPlane<V>& b) {
   return {a.x - b.x, a.y - b.y};
 }
 template <class V>
-BRUNT_INLINE Place<V> operator*(V s, const Place<V>& a) {
+BRUNT_INLINE InPlane<V> operator*(V s, const InPlane<V>& a) {
   return {s * a.x, s * a.y};
 }
 template <class V>
-BRUNT_INLINE V cross(const Place<V>& a, const Place<V>& b) {
+BRUNT_INLINE V cross(const InPlane<V>& a, const InPlane<V>& b) {
   return a.x * b.y - a.y * b.x;
 }
 template <class V>
@@ -34,8 +34,8 @@ BRUNT_INLINE V within_one(V s) {
 
 /// Where p lies in the square [-1, 1]^2, by Newton's steps. A lane that has got there stays.
 template <class V>
-BRUNT_INLINE Place<V> inverse(const Place<V> (&corner)[4], const Place<V>& middle,
-                              const Place<V>& p) {
+BRUNT_INLINE InPlane<V> inverse(const InPlane<V> (&corner)[4], const InPlane<V>& middle,
+                                const InPlane<V>& p) {
   const V quarter = broadcast<V>(0.25);
   const auto along_1 = quarter * ((corner[1] - corner[0]) + (corner[2] - corner[3]));
   const auto along_2 = quarter * ((corner[3] - corner[0]) + (corner[2] - corner[1]));
@@ -56,7 +56,7 @@ BRUNT_INLINE Place<V> inverse(const Place<V> (&corner)[4], const Place<V>& middl
 }
 
 template <class V>
-BRUNT_INLINE void find_weights(const Place<V> (&corner)[4], const Place<V>& p, V (&weight)[4]) {
+BRUNT_INLINE void find_weights(const InPlane<V> (&corner)[4], const InPlane<V>& p, V (&weight)[4]) {
   const auto middle = broadcast<V>(0.25) * ((corner[0] + corner[1]) + (corner[2] + corner[3]));
   const auto [xi, eta] = inverse(corner, middle, p);
   weight[0] = 0.25 * (1.0 - xi) * (1.0 - eta);
@@ -64,7 +64,7 @@ BRUNT_INLINE void find_weights(const Place<V> (&corner)[4], const Place<V>& p, V
   weight[2] = 0.25 * (1.0 + xi) * (1.0 + eta);
   weight[3] = 0.25 * (1.0 - xi) * (1.0 + eta);
   // The couple that is left, carried by forces along the normal: w_a += b . (x_a - mean).
-  Place<V> moment = p - middle;
+  InPlane<V> moment = p - middle;
   V j11 = broadcast<V>(0.0), j12 = j11, j22 = j11;
   for (int a = 0; a < 4; ++a) {
     const auto arm = corner[a] - middle;
@@ -82,7 +82,7 @@ BRUNT_INLINE void find_weights(const Place<V> (&corner)[4], const Place<V>& p, V
 }  // namespace
 
 std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const Vec<2>& p) {
-  Place<Real> place[4];
+  InPlane<Real> place[4];
   for (std::size_t a = 0; a < 4; ++a) place[a] = {corner[a][0], corner[a][1]};
   Real weight[4];
   find_weights(place, {p[0], p[1]}, weight);
@@ -91,7 +91,7 @@ std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const 
 
 std::array<std::array<Real, 4>, 4> bilinear_weights(const std::array<const Polygon*, 4>& face,
                                                     const std::array<Vec<2>, 4>& p) {
-  Place<Pack> place[4], point{};
+  InPlane<Pack> place[4], point{};
   for (int k = 0; k < kLanes; ++k) {
     const auto lane = slot_of(k);
     for (int a = 0; a < 4; ++a) {

@@ -8,9 +8,6 @@
 namespace brunt {
 
 namespace {
-/// A corner counts as convex if its parallelogram has at least this part of the face's area.
-constexpr Real kConvexLimit = 0.02;
-
 void finish(FacePlane<2>& face) {
   const Vec<2> edge = face.corner[1] - face.corner[0];
   face.center = 0.5 * (face.corner[0] + face.corner[1]);

@@ -31,6 +31,9 @@ inline constexpr Real kWarpLimit = 0.12;
 /// the square of its warp (docs/decisions/222-four-triangles-on-rigid-faces.md).
 inline constexpr Real kFlatLimit = 0.005;
 
+/// A corner counts as convex if its parallelogram has at least this part of the face's area.
+inline constexpr Real kConvexLimit = 0.02;
+
 /// Fills all but `corner`, `n_corners`, `borders` and `sharpness`. A face without area or with a
 /// NaN gets area 0.
 template <int Dim>

@@ -5,10 +5,8 @@
 #include <map>
 #include <numeric>
 
-#include "contact/law/springs.hpp"
 #include "contact/surfaces/numbering.hpp"
 #include "contact/surfaces/own_springs.hpp"
-#include "contact/surfaces/start_warp.hpp"
 #include "core/parallel/median.hpp"
 #include "core/parallel/packing.hpp"
 
@@ -48,19 +46,6 @@ Real area_at_start(const ContactFace<Dim>& face, const Points<Dim>& points) {
   }
   refresh(plane);
   return plane.area;
-}
-
-template <int Dim>
-SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, Real gap, const SearchBox<Dim>& box) {
-  SearchBox<Dim> reach;
-  for (int c = 0; c < Dim; ++c) {
-    const auto k = slot_of(c);
-    const Real by = kReachPerDepth * depth * std::fabs(plane.normal[c]) +
-                    kReachPerWarp * plane.warp + 0.5 * gap;
-    reach.lo[k] = box.lo[k] - by;
-    reach.hi[k] = box.hi[k] + by;
-  }
-  return reach;
 }
 
 /// Diameter [m] of the largest particle of each body, over all ranks.
@@ -265,90 +250,6 @@ void Entities<Dim>::read_materials(const std::vector<Surface<Dim>*>& surfaces) {
     materials[f] = surface.facet_material.empty()
                        ? SurfaceMaterial{surface.facets[at].temperature, kInfinity}
                        : surface.facet_material[at];
-  }
-}
-
-template <int Dim>
-void Entities<Dim>::Seen::take(const Seen& other) {
-  step_limit.take(other.step_limit);
-  warped = std::max(warped, other.warped);
-  turned_square = std::max(turned_square, other.turned_square);
-}
-
-template <int Dim>
-void Entities<Dim>::refresh_plane(std::size_t f) {
-  const auto& face = faces[f];
-  auto& plane = planes[f];
-  plane.n_corners = face.n_nodes;
-  plane.borders = face.borders;
-  plane.sharpness = face.sharpness;
-  plane.rigid = !face.deforms();
-  for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
-    const auto k = slot_of(c);
-    const bool there = c < face.n_nodes;
-    plane.corner[k] = there ? nodes.x[slot_of(face.node[k])] : Vec<Dim>::Zero();
-  }
-  refresh(plane);
-  compare_with_start(face, plane);
-  boxes[f] = box_of(plane, 0.0);
-}
-
-template <int Dim>
-void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
-  const auto& plane = planes[f];
-  if (!shapes.empty()) {
-    seen.warped = std::max(seen.warped, plane.warp - shapes[f].warp);
-    const Real turn_square = (plane.normal - shapes[f].normal).squaredNorm();
-    seen.turned_square = std::max(seen.turned_square, turn_square);
-  }
-  const auto& face = faces[f];
-  if (!face.deforms() || face.held || !(face.area_start > 0)) return;
-  const Real area = std::max(plane.area, face.footprint);
-  const Real phi = face.phi_always * recoil_factor(face.recoil) * area / face.area_start;
-  const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
-  seen.step_limit.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
-}
-
-template <int Dim>
-void Entities<Dim>::refresh_planes() {
-  // A few at a time: the roots of a face wait for nothing of its neighbours, and what is looked at
-  // is still in the cache.
-  constexpr std::size_t kBlock = 64;
-  const std::size_t n = near_faces.size();
-  const LocalIndex* const face = near_faces.data();
-  Seen all;
-#pragma omp parallel if (n > kWorthThreads)
-  {
-    Seen part;
-#pragma omp for schedule(static) nowait
-    for (std::size_t first = 0; first < n; first += kBlock) {
-      const std::size_t last = std::min(first + kBlock, n);
-      for (std::size_t k = first; k < last; ++k) refresh_plane(slot_of(face[k]));
-      for (std::size_t k = first; k < last; ++k) look_at(slot_of(face[k]), part);
-    }
-#pragma omp critical(brunt_contact_step_limit)
-    all.take(part);
-  }
-  surface_limit = all.step_limit;
-  warped = all.warped;
-  turned = std::sqrt(all.turned_square);
-}
-
-template <int Dim>
-void Entities<Dim>::mark_planes() {
-  shapes.clear();
-  shapes.reserve(planes.size());
-  for (const auto& plane : planes) shapes.push_back({plane.normal, plane.warp});
-}
-
-template <int Dim>
-void Entities<Dim>::refresh_reaches() {
-#pragma omp parallel for schedule(static) if (near_faces.size() > kWorthThreads)
-  for (std::size_t k = 0; k < near_faces.size(); ++k) {
-    const auto f = slot_of(near_faces[k]);
-    const auto& face = faces[f];
-    const Real depth = face.rigid() ? deepest : face.depth;
-    reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
   }
 }
 

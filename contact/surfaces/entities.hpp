@@ -198,7 +198,9 @@ struct Entities {
   /// Nodes of the corners and particles, which name points until then, and of what has gone.
   void number_nodes(const std::vector<Surface<Dim>*>& surfaces);
   void find_near();
+  void take_corners(std::size_t face);
   void refresh_plane(std::size_t face);
+  void refresh_some_planes(std::span<const LocalIndex> some);
   void look_at(std::size_t face, Seen& seen) const;
 };
 

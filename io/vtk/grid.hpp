@@ -46,3 +46,4 @@ const char* component_name(int components, int component);
 BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body);
 
 }  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

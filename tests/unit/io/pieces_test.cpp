@@ -27,12 +27,12 @@ BodyView whole_bar() {
   Field speed{"velocity", 3, {}}, id{"id", 1, {}};
   for (int i = 0; i < 8; ++i) {
     view.position.insert(view.position.end(), {i % 4 + 1.0 / 3, i / 4 + 0.1, 0});
-    speed.values.insert(speed.values.end(), {0.1 * i, 0.2 * i, 0});
+    speed.values.insert(speed.values.end(), {0.125 * i, 0.25 * i, 0});
     id.values.push_back(10 + i);
   }
   view.connectivity = {0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6};
   view.point_fields = {speed, id};
-  view.cell_fields = {{"eps_p", 1, {0.1, 0.2, 0.3}}, {"id", 1, {0, 1, 2}}};
+  view.cell_fields = {{"eps_p", 1, {0.125, 0.25, 0.375}}, {"id", 1, {0, 1, 2}}};
   return view;
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+#include "contact/geometry/face_plane.hpp"
+#include "contact/geometry/place.hpp"
+
+namespace brunt {
+
+/// What refresh gives of four quads side by side, with the same bits, and their boxes.
+struct FourPlanes {
+  Place<Pack> center, normal;
+  Pack area, warp;
+  PackMask simple, flat;
+  Place<Pack> lo, hi;
+
+  /// corner  [m] c of all four, for c = 0 .. 3; area_start  [m^2] at time 0
+  /// (contact/surfaces/start_warp.hpp)
+  FourPlanes(const std::array<Place<Pack>, 4>& corner, Pack area_start);
+  /// Hands those of one of them over: all that refresh fills.
+  void give(int lane, FacePlane<3>& face) const;
+  SearchBox<3> box(int lane) const;
+};
+
+}  // namespace brunt

@@ -1,0 +1,161 @@
+/// Planes and boxes of the faces at each step, and what they say as a whole.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/geometry/four_planes.hpp"
+#include "contact/law/springs.hpp"
+#include "contact/surfaces/entities.hpp"
+#include "contact/surfaces/start_warp.hpp"
+
+namespace brunt {
+
+namespace {
+template <int Dim>
+SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, Real gap, const SearchBox<Dim>& box) {
+  SearchBox<Dim> reach;
+  for (int c = 0; c < Dim; ++c) {
+    const auto k = slot_of(c);
+    const Real by = kReachPerDepth * depth * std::fabs(plane.normal[c]) +
+                    kReachPerWarp * plane.warp + 0.5 * gap;
+    reach.lo[k] = box.lo[k] - by;
+    reach.hi[k] = box.hi[k] + by;
+  }
+  return reach;
+}
+}  // namespace
+
+template <int Dim>
+void Entities<Dim>::Seen::take(const Seen& other) {
+  step_limit.take(other.step_limit);
+  warped = std::max(warped, other.warped);
+  turned_square = std::max(turned_square, other.turned_square);
+}
+
+template <int Dim>
+void Entities<Dim>::take_corners(std::size_t f) {
+  const auto& face = faces[f];
+  auto& plane = planes[f];
+  plane.n_corners = face.n_nodes;
+  plane.borders = face.borders;
+  plane.sharpness = face.sharpness;
+  plane.rigid = !face.deforms();
+  for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
+    const auto k = slot_of(c);
+    const bool there = c < face.n_nodes;
+    plane.corner[k] = there ? nodes.x[slot_of(face.node[k])] : Vec<Dim>::Zero();
+  }
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_plane(std::size_t f) {
+  take_corners(f);
+  auto& plane = planes[f];
+  refresh(plane);
+  compare_with_start(faces[f], plane);
+  boxes[f] = box_of(plane, 0.0);
+}
+
+/// Quads four at a time.
+template <int Dim>
+void Entities<Dim>::refresh_some_planes(std::span<const LocalIndex> some) {
+  std::size_t k = 0;
+  if constexpr (Dim == 3) {
+    for (; k + kLanes <= some.size(); k += kLanes) {
+      const LocalIndex* f = &some[k];
+      bool quads = true;
+      for (int lane = 0; lane < kLanes; ++lane) {
+        take_corners(slot_of(f[lane]));
+        quads = quads && faces[slot_of(f[lane])].n_nodes == 4;
+      }
+      if (!quads) {
+        for (int lane = 0; lane < kLanes; ++lane) refresh_plane(slot_of(f[lane]));
+        continue;
+      }
+      const auto four = [&](const auto& of) {
+        return Pack{of(slot_of(f[0])), of(slot_of(f[1])), of(slot_of(f[2])), of(slot_of(f[3]))};
+      };
+      std::array<Place<Pack>, 4> corner;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const auto along = [&](int i) {
+          return four([&](std::size_t at) { return planes[at].corner[c][i]; });
+        };
+        corner[c] = {along(0), along(1), along(2)};
+      }
+      const FourPlanes found(corner, four([&](std::size_t at) { return faces[at].area_start; }));
+      for (int lane = 0; lane < kLanes; ++lane) {
+        found.give(lane, planes[slot_of(f[lane])]);
+        boxes[slot_of(f[lane])] = found.box(lane);
+      }
+    }
+  }
+  for (; k < some.size(); ++k) refresh_plane(slot_of(some[k]));
+}
+
+template <int Dim>
+void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
+  const auto& plane = planes[f];
+  if (!shapes.empty()) {
+    seen.warped = std::max(seen.warped, plane.warp - shapes[f].warp);
+    const Real turn_square = (plane.normal - shapes[f].normal).squaredNorm();
+    seen.turned_square = std::max(seen.turned_square, turn_square);
+  }
+  const auto& face = faces[f];
+  if (!face.deforms() || face.held || !(face.area_start > 0)) return;
+  const Real area = std::max(plane.area, face.footprint);
+  const Real phi = face.phi_always * recoil_factor(face.recoil) * area / face.area_start;
+  const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
+  seen.step_limit.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_planes() {
+  // A few at a time: the roots of a face wait for nothing of its neighbours, and what is looked at
+  // is still in the cache.
+  constexpr std::size_t kBlock = 64;
+  const std::size_t n = near_faces.size();
+  const LocalIndex* const face = near_faces.data();
+  Seen all;
+#pragma omp parallel if (n > kWorthThreads)
+  {
+    Seen part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t first = 0; first < n; first += kBlock) {
+      const std::size_t last = std::min(first + kBlock, n);
+      refresh_some_planes({face + first, face + last});
+      for (std::size_t k = first; k < last; ++k) look_at(slot_of(face[k]), part);
+    }
+#pragma omp critical(brunt_contact_step_limit)
+    all.take(part);
+  }
+  surface_limit = all.step_limit;
+  warped = all.warped;
+  turned = std::sqrt(all.turned_square);
+}
+
+template <int Dim>
+void Entities<Dim>::mark_planes() {
+  shapes.clear();
+  shapes.reserve(planes.size());
+  for (const auto& plane : planes) shapes.push_back({plane.normal, plane.warp});
+}
+
+template <int Dim>
+void Entities<Dim>::refresh_reaches() {
+#pragma omp parallel for schedule(static) if (near_faces.size() > kWorthThreads)
+  for (std::size_t k = 0; k < near_faces.size(); ++k) {
+    const auto f = slot_of(near_faces[k]);
+    const auto& face = faces[f];
+    const Real depth = face.rigid() ? deepest : face.depth;
+    reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
+  }
+}
+
+template void Entities<2>::refresh_planes();
+template void Entities<3>::refresh_planes();
+template void Entities<2>::mark_planes();
+template void Entities<3>::mark_planes();
+template void Entities<2>::refresh_reaches();
+template void Entities<3>::refresh_reaches();
+
+}  // namespace brunt
+// Tested by tests/unit/contact/manager_test.cpp.
