@@ -7,6 +7,8 @@
 namespace brunt {
 namespace {
 
+constexpr std::size_t kViewWorthThreads = 2000;  // points or elements
+
 template <int Dim>
 struct Cell {
   const ElementBlock<Dim>* block;
@@ -55,11 +57,10 @@ std::vector<LocalIndex> nodes_of(const std::vector<Cell<Dim>>& cells, const Poin
 template <int Dim, class Value>
 Field vector_field(const char* name, const std::vector<LocalIndex>& nodes, const Value& value) {
   Field field{name, 3, std::vector<Real>(3 * nodes.size())};
-  Real* to = field.values.data();
-  for (const LocalIndex node : nodes) {
-    const Vec<Dim> v = value(node);
-    for (int i = 0; i < Dim; ++i) to[i] = v[i];
-    to += 3;
+#pragma omp parallel for schedule(static) if (nodes.size() > kViewWorthThreads)
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Vec<Dim> v = value(nodes[k]);
+    for (int i = 0; i < Dim; ++i) field.values[3 * k + slot_of(i)] = v[i];
   }
   return field;
 }
@@ -79,6 +80,7 @@ class FieldAdder {
   void add_scalar(const char* name, std::size_t n, const Value& value) {
     if (!wanted_.has(name)) return;
     Field& field = fields_.emplace_back(Field{name, 1, std::vector<Real>(n)});
+#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
     for (std::size_t k = 0; k < n; ++k) field.values[k] = value(k);
   }
 
@@ -145,8 +147,9 @@ void add_stress_fields(const std::vector<Cell<Dim>>& cells, FieldAdder& fields) 
   };
   fields.add("stress", [&](const char* name) {
     Field stress{name, 6, std::vector<Real>(6 * cells.size())};
-    Real* to = stress.values.data();
-    for (std::size_t c = 0; c < cells.size(); ++c, to += 6) {
+#pragma omp parallel for schedule(static) if (cells.size() > kViewWorthThreads)
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      Real* const to = &stress.values[6 * c];
       const MaterialState& state = cells[c].block->state;
       const Real p = pressure(c);
       for (int i = 0; i < 6; ++i) {
@@ -199,15 +202,17 @@ BodyView FiniteElements<Dim>::view(Label body, const WantedFields& wanted) const
   add_state_field("tensile_strength", &MaterialState::tensile_strength, cells, fields);
   if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, fields);
   const std::size_t n = cells.size();
-  view.connectivity.reserve(n * slot_of(view.corners));
-  view.cell_volume.reserve(n);
-  for (const Cell<Dim>& cell : cells) {
-    const ElementBlock<Dim>& block = *cell.block;
-    for (const LocalIndex node : block.corners_of(cell.element)) {
-      view.connectivity.push_back(place[node]);
-    }
-    view.cell_volume.push_back(block.formulation->volume(
-        corner_positions(block, cell.element, points_), false, thickness_));
+  const auto corners = slot_of(view.corners);
+  view.connectivity.resize(n * corners);
+  view.cell_volume.resize(n);
+#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
+  for (std::size_t c = 0; c < n; ++c) {
+    const ElementBlock<Dim>& block = *cells[c].block;
+    const auto nodes = block.corners_of(cells[c].element);
+    std::transform(nodes.begin(), nodes.end(), &view.connectivity[c * corners],
+                   [&place](LocalIndex node) { return place[node]; });
+    view.cell_volume[c] = block.formulation->volume(
+        corner_positions(block, cells[c].element, points_), false, thickness_);
   }
   fields.add_scalar("density", n, [&](std::size_t c) {
     return cells[c].block->mass[cells[c].element] / view.cell_volume[c];

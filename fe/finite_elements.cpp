@@ -228,16 +228,19 @@ void FiniteElements<Dim>::add_totals(Totals<Dim>& totals) const {
   if (erosion_) add_eroded(totals);
 }
 
+/// Elements below which a team of threads costs more than it saves.
+constexpr LocalIndex kCheckWorthThreads = 2000;
+
 template <int Dim>
 void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_names) const {
   const ElementBlock<Dim>* where = nullptr;
   LocalIndex element = 0;
   for (const auto& block : blocks_) {
+#pragma omp parallel for schedule(static) if (block.n > kCheckWorthThreads)
     for (LocalIndex e = 0; e < block.n; ++e) {
-      if (where != nullptr && where->id[element] < block.id[e]) continue;
       if (!element_failure(block, e, points_, thickness_)) continue;
-      where = &block;
-      element = e;
+#pragma omp critical(brunt_element_failure)
+      if (where == nullptr || block.id[e] < where->id[element]) where = &block, element = e;
     }
   }
   if (where == nullptr) return;

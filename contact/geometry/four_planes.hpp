@@ -11,9 +11,9 @@ struct FourPlanes {
   PackMask simple, flat;
   Place<Pack> lo, hi;
 
-  /// corner  [m] c of all four, for c = 0 .. 3; area_start  [m^2] at time 0
+  /// x  [m] corner c of all four, for c = 0 .. 3; area_start  [m^2] at time 0
   /// (contact/surfaces/start_warp.hpp)
-  FourPlanes(const std::array<Place<Pack>, 4>& corner, Pack area_start);
+  FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start);
   /// Hands those of one of them over: all that refresh fills.
   void give(int lane, FacePlane<3>& face) const;
   SearchBox<3> box(int lane) const;

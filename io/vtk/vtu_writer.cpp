@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
@@ -18,6 +19,7 @@ namespace brunt {
 namespace {
 
 constexpr std::size_t kPackedBlock = 1 << 15;  // [byte] VTK's own; a multiple of all numbers
+constexpr std::size_t kPackedAtOnce = 64;      // blocks
 constexpr std::size_t kOffsetRoom = 32;        // characters of ` offset="..."`
 
 /// One array of the file. Its bytes are made when it is written, and gone again after that.
@@ -186,24 +188,39 @@ class VtuFile {
     const std::size_t at = file_.size(), n_blocks = head[0];
     head.resize(3 + n_blocks);
     file_.append(bytes_of_values(head));
-    const std::size_t most = lz4_->GetMaximumCompressionSpace(kPackedBlock);
-    packed_.resize(most);
-    for (std::size_t b = 0; b < n_blocks; ++b) {
-      const std::string_view block = bytes.substr(b * kPackedBlock, kPackedBlock);
-      const std::size_t size =
-          lz4_->Compress(reinterpret_cast<const unsigned char*>(block.data()), block.size(),
-                         reinterpret_cast<unsigned char*>(packed_.data()), most);
-      if (size == 0) throw MachineError("cannot write '" + path_.string() + "': no room to pack");
-      head[3 + b] = size;
-      file_.append(std::string_view(packed_).substr(0, size));
+    for (std::size_t b = 0; b < n_blocks; b += kPackedAtOnce) {
+      const std::size_t n = std::min(kPackedAtOnce, n_blocks - b);
+      pack(bytes.substr(b * kPackedBlock), {&head[3 + b], n});
+      for (std::size_t k = 0; k < n; ++k) {
+        file_.append(std::string_view(packed_).substr(k * room_, head[3 + b + k]));
+      }
     }
     file_.overwrite(at, bytes_of_values(head));
   }
 
+  /// Packs the first blocks of the bytes side by side. size  [byte] out
+  void pack(std::string_view bytes, std::span<std::uint64_t> size) {
+    const std::size_t n = size.size();
+    packed_.resize(n * room_);
+#pragma omp parallel if (n > 1)
+    {
+      vtkNew<vtkLZ4DataCompressor> lz4;
+#pragma omp for schedule(static)
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::string_view block = bytes.substr(k * kPackedBlock, kPackedBlock);
+        size[k] = lz4->Compress(reinterpret_cast<const unsigned char*>(block.data()), block.size(),
+                                reinterpret_cast<unsigned char*>(&packed_[k * room_]), room_);
+      }
+    }
+    if (std::find(size.begin(), size.end(), 0) != size.end()) {
+      throw MachineError("cannot write '" + path_.string() + "': no room to pack");
+    }
+  }
+
   std::filesystem::path path_;
   ReplacedFile file_;
-  vtkNew<vtkLZ4DataCompressor> lz4_;
-  std::string packed_;
+  std::size_t room_ = vtkNew<vtkLZ4DataCompressor>()->GetMaximumCompressionSpace(kPackedBlock);
+  std::string packed_;  // blocks, `room_` apart
   std::vector<VtuArray> arrays_;
   std::vector<std::size_t> places_;  // in the file, of the room for offsets
 };
