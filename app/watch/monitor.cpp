@@ -238,7 +238,8 @@ BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, BodyView view, Real t
   };
   std::erase_if(view.point_fields, dropped);
   std::erase_if(view.cell_fields, dropped);
-  return alone ? view : frame_piece(view, *scene.partition, *scene.ranks);
+  if (alone) return view;
+  return frame_piece(view, *scene.partition, *scene.ranks);
 }
 
 template <int Dim>
