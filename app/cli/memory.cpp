@@ -110,7 +110,7 @@ Real contact_bytes(std::size_t facets, std::size_t particles, bool bricks) {
   // 52,880 faces takes beside its lists.
   constexpr Real kTouching = 2.8e3;
   return static_cast<Real>(facets) *
-             (2 * (face + node) + kLists * sizeof(FaceCandidate) + (bricks ? kTouching : 0.0)) +
+             (2 * (face + node) + kLists * sizeof(ListedFaces) + (bricks ? kTouching : 0.0)) +
          static_cast<Real>(particles) * contact_particle_bytes<Dim>();
 }
 
@@ -174,6 +174,7 @@ MemoryInputs memory_inputs(const Deck& deck, const Scene<Dim>& scene, Real progr
     inputs.bricks |= std::holds_alternative<BrickWall>(body.shape.kind);
     inputs.single |= body.sph.pair_precision == PairPrecision::single_precision;
   }
+  inputs.checkpoints = deck.output.checkpoint || deck.output.checkpoint_steps > 0;
   if (deck.output.history) inputs.rows = deck.time.end / *deck.output.history;
   inputs.columns = HistoryColumns<Dim>(scene).names().size();
   return inputs;
@@ -204,9 +205,10 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
   estimate.passing =
       std::max({particles * search_bytes<Dim>(inputs.smoothing),
                 scene.contact ? particles * contact_particle_bytes<Dim>() : 0.0,
-                building_bytes<Dim>(scene.n_points(), scene.n_elements()),
+                // there is no contact yet
+                building_bytes<Dim>(scene.n_points(), scene.n_elements()) - estimate.contact,
                 frame_bytes(scene.n_points(), scene.n_elements(), Shape<Dim>::kCorners),
-                checkpoint_bytes(scene, inputs.gauss)});
+                inputs.checkpoints ? checkpoint_bytes(scene, inputs.gauss) : 0.0});
   // Beside its values a column has a name and exact sums (decks/masonry-arch: 2,181 columns).
   constexpr Real kColumn = 4e3;
   estimate.rows = (inputs.rows * sizeof(Real) + kColumn) * static_cast<Real>(inputs.columns);

@@ -32,6 +32,7 @@ struct MemoryInputs {
   bool single = false;  ///< some particles have pair_precision: single
   Real rows = 2000;     ///< of the history
   std::size_t columns = 0;
+  bool checkpoints = true;  ///< some are written
 };
 
 /// Resident memory of this process now [byte]; 0 where the system does not say.
