@@ -43,6 +43,25 @@ std::string distortion_advice(const ElementBlock<Dim>& block) {
   return text + ", or `method: sph` where the material shall flow so far";
 }
 
+namespace {
+/// What is infinite or no number wherever a stress of a material point is.
+template <int Dim>
+Real sum_of_stresses(const ElementBlock<Dim>& block, LocalIndex e, int g) {
+  const std::size_t k = block.point(e, g);
+  Real sum = block.viscous_pressure[e] + block.state.pressure[k];
+  for (const auto& component : block.state.deviator) sum += component[k];
+  return sum;
+}
+}  // namespace
+
+template <int Dim>
+bool has_finite_stress(const ElementBlock<Dim>& block, LocalIndex e) {
+  for (int g = 0; g < block.gauss; ++g) {
+    if (!std::isfinite(sum_of_stresses(block, e, g))) return false;
+  }
+  return true;
+}
+
 template <int Dim>
 std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, LocalIndex e,
                                               const Points<Dim>& points,
@@ -64,9 +83,7 @@ std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, Lo
                           "volume", least, distortion_advice(block)};
   }
   for (int g = 0; g < block.gauss; ++g) {
-    const std::size_t k = block.point(e, g);
-    Real sum = block.viscous_pressure[e] + block.state.pressure[k];
-    for (const auto& component : block.state.deviator) sum += component[k];
+    const Real sum = sum_of_stresses(block, e, g);
     if (std::isfinite(sum)) continue;
     return PhysicsFailure{
         0,
@@ -79,6 +96,8 @@ std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, Lo
   return std::nullopt;
 }
 
+template bool has_finite_stress(const ElementBlock<2>&, LocalIndex);
+template bool has_finite_stress(const ElementBlock<3>&, LocalIndex);
 template std::string distortion_advice(const ElementBlock<2>&);
 template std::string distortion_advice(const ElementBlock<3>&);
 template std::optional<PhysicsFailure> element_failure(const ElementBlock<2>&, LocalIndex,

@@ -19,4 +19,9 @@ std::optional<PhysicsFailure> element_failure(const ElementBlock<Dim>& block, Lo
 template <int Dim>
 std::string distortion_advice(const ElementBlock<Dim>& block);
 
+/// True where all stresses of an element are numbers: with volume everywhere
+/// (Formulation::have_volume) it has not failed.
+template <int Dim>
+bool has_finite_stress(const ElementBlock<Dim>& block, LocalIndex e);
+
 }  // namespace brunt

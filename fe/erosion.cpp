@@ -80,17 +80,6 @@ bool has_failed(const ElementBlock<Dim>& block, LocalIndex e) {
 }
 
 template <int Dim>
-bool is_inverted(const ElementBlock<Dim>& block, LocalIndex e, const Points<Dim>& points,
-                 const Thickness& thickness) {
-  const auto x = corner_positions(block, e, points);
-  const Formulation<Dim>& kind = *block.formulation;
-  if (block.gauss == 1) return !(kind.step_volume(x, thickness) > 0);
-  const PartVolumes parts = kind.part_volumes(x, thickness);
-  return !std::all_of(parts.part.begin(), parts.part.begin() + parts.n,
-                      [](Real part) { return part > 0; });
-}
-
-template <int Dim>
 bool ErosionState<Dim>::has_gone(GlobalId element) const {
   const auto at =
       std::lower_bound(eroded.begin(), eroded.end(), element,
@@ -149,8 +138,6 @@ template struct ErosionState<2>;
 template struct ErosionState<3>;
 template bool has_failed(const ElementBlock<2>&, LocalIndex);
 template bool has_failed(const ElementBlock<3>&, LocalIndex);
-template bool is_inverted(const ElementBlock<2>&, LocalIndex, const Points<2>&, const Thickness&);
-template bool is_inverted(const ElementBlock<3>&, LocalIndex, const Points<3>&, const Thickness&);
 template std::unique_ptr<ErosionState<2>> erosion_at_start(const std::vector<ElementBlock<2>>&,
                                                            const Points<2>&, const Surface<2>&);
 template std::unique_ptr<ErosionState<3>> erosion_at_start(const std::vector<ElementBlock<3>>&,

@@ -29,11 +29,6 @@ struct GonePoint {
 template <int Dim>
 bool has_failed(const ElementBlock<Dim>& block, LocalIndex e);
 
-/// True where an element, or a part of it, has no volume at the present positions.
-template <int Dim>
-bool is_inverted(const ElementBlock<Dim>& block, LocalIndex e, const Points<Dim>& points,
-                 const Thickness& thickness);
-
 /// The particle that a node becomes about which no element is left.
 struct FreePoint {
   Real radius = 0;                        ///< [m]

@@ -236,11 +236,17 @@ void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_
   const ElementBlock<Dim>* where = nullptr;
   LocalIndex element = 0;
   for (const auto& block : blocks_) {
+    const LocalIndex n_groups = (block.n + kLanes - 1) / kLanes;
 #pragma omp parallel for schedule(static) if (block.n > kCheckWorthThreads)
-    for (LocalIndex e = 0; e < block.n; ++e) {
-      if (!element_failure(block, e, points_, thickness_)) continue;
+    for (LocalIndex group = 0; group < n_groups; ++group) {
+      const LocalIndex first = group * kLanes;
+      const unsigned sound =
+          block.formulation->have_volume(block, slot_of(first), points_, thickness_);
+      for (LocalIndex e = first; e < std::min(first + kLanes, block.n); ++e) {
+        if ((sound >> (e - first) & 1U) != 0 && has_finite_stress(block, e)) continue;
 #pragma omp critical(brunt_element_failure)
-      if (where == nullptr || block.id[e] < where->id[element]) where = &block, element = e;
+        if (where == nullptr || block.id[e] < where->id[element]) where = &block, element = e;
+      }
     }
   }
   if (where == nullptr) return;

@@ -50,6 +50,10 @@ class Formulation {
   virtual Real volume(CornerPlaces<Dim> x, bool one_point, const Thickness& thickness) const = 0;
   /// That of one material point as steps compute it: to rounding the same.
   virtual Real step_volume(CornerPlaces<Dim> x, const Thickness& thickness) const = 0;
+  /// Bits of the four elements from e on that have volume, as steps measure it, and all of whose
+  /// parts do. What is not a number has none.
+  virtual unsigned have_volume(const ElementBlock<Dim>& block, std::size_t e,
+                               const Points<Dim>& points, const Thickness& thickness) const = 0;
   /// Adds `factor` int N_I dV to the sum of each corner I; returns int dV [m^3].
   virtual Real add_corner_volumes(CornerPlaces<Dim> x, const Thickness& thickness, Real factor,
                                   Real* sum) const = 0;

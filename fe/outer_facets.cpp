@@ -1,6 +1,7 @@
 #include "fe/outer_facets.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/open_surface.hpp"
 #include "fe/conduction.hpp"
@@ -13,7 +14,9 @@ template <int Dim>
 struct Face {
   std::array<LocalIndex, Facet<Dim>::kNodes> sorted;  ///< the key: which nodes
   LocalIndex block = 0, element = 0;
-  int number = 0;
+  LocalIndex next = -1;  ///< among those with the same last node
+  std::uint8_t number = 0;
+  bool is_alone = true;  ///< no other element has it
 };
 
 /// Nodes of face k of an element; -1 behind those of a triangle.
@@ -28,26 +31,48 @@ std::array<LocalIndex, Facet<Dim>::kNodes> nodes_of_face(const ElementType& type
   return nodes;
 }
 
+void sort_nodes(std::array<LocalIndex, 2>& node) {
+  if (node[1] < node[0]) std::swap(node[0], node[1]);
+}
+void sort_nodes(std::array<LocalIndex, 4>& node) {
+  const auto order = [&node](std::size_t a, std::size_t b) {
+    const LocalIndex low = std::min(node[a], node[b]), high = std::max(node[a], node[b]);
+    node[a] = low, node[b] = high;
+  };
+  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+}
+
+/// The faces that one element alone has: each is sought among those with the same last node, of
+/// which there are few.
 template <int Dim>
-std::vector<Face<Dim>> all_faces(const std::vector<ElementBlock<Dim>>& blocks) {
+std::vector<Face<Dim>> free_faces(const std::vector<ElementBlock<Dim>>& blocks,
+                                  std::size_t n_points) {
+  std::size_t n = 0;
+  for (const auto& block : blocks) n += slot_of(block.n) * slot_of(block.formulation->type().faces);
   std::vector<Face<Dim>> faces;
+  faces.reserve(n / 2 + n / 16);
+  std::vector<LocalIndex> last_of(n_points, -1);  // the last face of each node
   for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const ElementType& type = blocks[b].formulation->type();
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
-      const ElementType& type = blocks[b].formulation->type();
       const auto corner = blocks[b].corners_of(e);
       for (int k = 0; k < type.faces; ++k) {
-        Face<Dim> face;
-        face.sorted = nodes_of_face<Dim>(type, k, corner);
-        std::sort(face.sorted.begin(), face.sorted.end());
-        face.block = static_cast<LocalIndex>(b);
-        face.element = e;
-        face.number = k;
+        Face<Dim> face{nodes_of_face<Dim>(type, k, corner), static_cast<LocalIndex>(b), e};
+        sort_nodes(face.sorted);
+        LocalIndex& last = last_of[face.sorted.back()];
+        LocalIndex same = last;
+        while (same >= 0 && faces[same].sorted != face.sorted) same = faces[same].next;
+        if (same >= 0) {
+          faces[same].is_alone = false;
+          continue;
+        }
+        face.next = std::exchange(last, static_cast<LocalIndex>(faces.size()));
+        face.number = static_cast<std::uint8_t>(k);
         faces.push_back(face);
       }
     }
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face<Dim>& a, const Face<Dim>& b) { return a.sorted < b.sorted; });
+  std::erase_if(faces, [](const Face<Dim>& face) { return !face.is_alone; });
   return faces;
 }
 
@@ -167,21 +192,15 @@ template <int Dim>
 std::vector<Facet<Dim>> outer_facets(const std::vector<ElementBlock<Dim>>& blocks,
                                      const Points<Dim>& points,
                                      const std::vector<LocalIndex>& axis) {
-  const std::vector<Face<Dim>> faces = all_faces(blocks);
   const auto varying = materials_that_vary(blocks);
+  const auto on_axis = [&axis](LocalIndex node) {
+    return std::binary_search(axis.begin(), axis.end(), node);
+  };
   std::vector<Outer<Dim>> outer;
-  for (std::size_t k = 0; k < faces.size();) {
-    std::size_t end = k + 1;
-    while (end < faces.size() && faces[end].sorted == faces[k].sorted) ++end;
-    const auto on_axis = [&axis](LocalIndex node) {
-      return std::binary_search(axis.begin(), axis.end(), node);
-    };
-    const bool inner = std::all_of(faces[k].sorted.begin(), faces[k].sorted.end(), on_axis);
-    if (end == k + 1 && !inner) {
-      const auto& block = blocks[faces[k].block];
-      outer.push_back(outer_of(block, faces[k], facet_of(block, faces[k], points, varying)));
-    }
-    k = end;
+  for (const Face<Dim>& face : free_faces(blocks, points.x.size())) {
+    if (std::all_of(face.sorted.begin(), face.sorted.end(), on_axis)) continue;
+    const auto& block = blocks[face.block];
+    outer.push_back(outer_of(block, face, facet_of(block, face, points, varying)));
   }
   std::sort(outer.begin(), outer.end(),
             [](const auto& a, const auto& b) { return a.facet.id < b.facet.id; });

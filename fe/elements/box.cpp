@@ -20,16 +20,26 @@ Modal<Dim, Real> modes_at(CornerPlaces<Dim> x) {
 
 /// Volume of Gauss point g [m^3], by the arithmetic of the kernels: an element that has not moved
 /// has to the last bit the volume it began with.
-template <int Dim>
-Real gauss_volume(const Modal<Dim, Real>& c, int g, const Thickness& thickness) {
-  Real J[Dim][Dim], cof[Dim][Dim];
+template <int Dim, class V>
+V gauss_volume(const Modal<Dim, V>& c, int g, const Thickness& thickness) {
+  V J[Dim][Dim], cof[Dim][Dim];
   slopes(c, g, J);
   cofactors(J, cof);
-  const Real determinant = determinant_of<Dim>(J, cof);
+  const V determinant = determinant_of<Dim>(J, cof);
   if constexpr (Dim == 3) return determinant;
   if constexpr (Dim == 2) {
     return determinant * (thickness.constant + thickness.radial * radius_at(c, g));
   }
+}
+
+/// Volume [m^3] from its gradient.
+template <int Dim, class V>
+V whole_volume(const Modal<Dim, V>& c, const Thickness& thickness) {
+  V E[Shape<Dim>::kActive][Dim];
+  volume_gradient(c, E);
+  const V size = measure<Dim, V>(c, E);
+  if constexpr (Dim == 3) return size;
+  return size * (thickness.constant + thickness.radial * c.m[Shape<Dim>::kModes - 1][0]);
 }
 
 /// sum_I B_iI B_iI / V^2 [1/m^2], what gradients of an element's corners are like.
@@ -155,6 +165,16 @@ class BoxFormulation final : public Formulation<Dim> {
   Real step_volume(CornerPlaces<Dim> x, const Thickness& thickness) const override {
     return one_point_volume<Dim>(x, thickness);
   }
+  unsigned have_volume(const ElementBlock<Dim>& block, std::size_t e, const Points<Dim>& points,
+                       const Thickness& thickness) const override {
+    Pack node[kCorners][Dim];
+    gather<Dim>(block.corner.data() + e * kCorners, points.x.data(), node);
+    const Modal<Dim, Pack> c = modes_of<Dim>(node);
+    if (block.gauss == 1) return mask_bits(whole_volume<Dim>(c, thickness) > 0);
+    PackMask all = gauss_volume<Dim>(c, 0, thickness) > 0;
+    for (int g = 1; g < kGauss<Dim>; ++g) all = all & (gauss_volume<Dim>(c, g, thickness) > 0);
+    return mask_bits(all);
+  }
   Real add_corner_volumes(CornerPlaces<Dim> x, const Thickness& thickness, Real factor,
                           Real* sum) const override {
     const auto volume = gauss_volumes<Dim>(x, thickness);
@@ -254,12 +274,7 @@ Real element_volume(CornerPlaces<Dim> x, bool one_point, const Thickness& thickn
 
 template <int Dim>
 Real one_point_volume(CornerPlaces<Dim> x, const Thickness& thickness) {
-  const Modal<Dim, Real> modes = modes_at<Dim>(x);
-  Real E[Shape<Dim>::kActive][Dim];
-  volume_gradient(modes, E);
-  const Real size = measure<Dim, Real>(modes, E);
-  if constexpr (Dim == 3) return size;
-  return size * (thickness.constant + thickness.radial * modes.m[Shape<Dim>::kModes - 1][0]);
+  return whole_volume<Dim>(modes_at<Dim>(x), thickness);
 }
 
 const Formulation<2>& formulation(Quad4) {
