@@ -253,9 +253,14 @@ void shift(std::vector<Real>& position, const Vec<Dim>& origin) {
 }  // namespace
 
 template <int Dim>
-BodyView Scene<Dim>::own_view(Label body, const WantedFields& wanted) const {
-  WantedFields fields = wanted;
+WantedFields Scene<Dim>::with_ids(WantedFields fields) const {
   if (fields.names && !ranks->alone()) fields.names->push_back("id");
+  return fields;
+}
+
+template <int Dim>
+BodyView Scene<Dim>::own_view(Label body, const WantedFields& wanted) const {
+  const WantedFields fields = with_ids(wanted);
   BodyView view;
   for (const auto& solid : solids) {
     const auto& bodies = solid->points().body;
@@ -269,13 +274,14 @@ BodyView Scene<Dim>::own_view(Label body, const WantedFields& wanted) const {
 }
 
 template <int Dim>
-BodyView Scene<Dim>::own_converted(Label body) const {
+BodyView Scene<Dim>::own_converted(Label body, const WantedFields& wanted) const {
+  const WantedFields fields = with_ids(wanted);
   BodyView view;
   for (const auto& solid : solids) {
     const auto& bodies = solid->points().body;
     if (!solid->rides()) continue;
     if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) continue;
-    view = solid->view(body);
+    view = solid->view(body, fields);
     break;
   }
   view.body = body_names[body] + ".particles";

@@ -94,7 +94,7 @@ struct Scene {
   BodyView own_view(Label body, const WantedFields& wanted = {}) const;
   /// The same of the particles that elements of the body have become, with the name
   /// "BODY.particles".
-  BodyView own_converted(Label body) const;
+  BodyView own_converted(Label body, const WantedFields& wanted = {}) const;
   ContactView own_contacts() const;
   /// Tables of all that goes on from step to step.
   void save_state(std::vector<StateTable>& tables) const;
@@ -109,6 +109,8 @@ struct Scene {
  private:
   /// What this rank's part of a check finds. Not collective.
   std::optional<PhysicsFailure> own_failure(Real time) const;
+  /// Several ranks want `id` besides: views of theirs are merged by it.
+  WantedFields with_ids(WantedFields fields) const;
 };
 
 }  // namespace brunt

@@ -249,14 +249,16 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   const PhaseTimer timer(scene.phases, Phase::output);
   std::vector<BodyView> views;
   const auto& wanted = deck_.output.bodies;
+  WantedFields fields;
+  if (!deck_.output.fields.empty()) fields.names = deck_.output.fields;
   for (std::size_t b = 0; b < body_names_.size(); ++b) {
     const bool left_out =
         !wanted.empty() && std::find(wanted.begin(), wanted.end(), body_names_[b]) == wanted.end();
     if (left_out) continue;
     const auto body = static_cast<Label>(b);
-    views.push_back(frame_part(scene, scene.own_view(body), time));
+    views.push_back(frame_part(scene, scene.own_view(body, fields), time));
     if (scene.converts[b] != 0) {
-      views.push_back(frame_part(scene, scene.own_converted(body), time));
+      views.push_back(frame_part(scene, scene.own_converted(body, fields), time));
     }
   }
   ContactView contact;
