@@ -224,21 +224,12 @@ bool Monitor<Dim>::wants_hash(const Clock& clock) const {
          multiples(clock.time(), frame_every_) > frames_due_;
 }
 
-/// What this rank writes of a view, with the fields that the deck names. Several ranks write `id`
-/// besides, for pieces are merged by it.
+/// What this rank writes of a view.
 template <int Dim>
 BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, BodyView view, Real time) const {
   view.time = time;
   real_.make_real(view);
-  const bool alone = scene.ranks->alone();
-  const auto& fields = deck_.output.fields;
-  const auto dropped = [&](const Field& field) {
-    if (!alone && field.name == "id") return false;
-    return !fields.empty() && std::find(fields.begin(), fields.end(), field.name) == fields.end();
-  };
-  std::erase_if(view.point_fields, dropped);
-  std::erase_if(view.cell_fields, dropped);
-  if (alone) return view;
+  if (scene.ranks->alone()) return view;
   return frame_piece(view, *scene.partition, *scene.ranks);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/geometry/place.hpp"
+#include "contact/geometry/four_planes.hpp"
 
 namespace brunt {
 
@@ -24,23 +24,12 @@ void finish_triangle(FacePlane<3>& face) {
   face.normal = twice / norm;
 }
 
+/// One formula for a quad by itself and for four side by side.
 void finish_quad(FacePlane<3>& face) {
   const auto& x = face.corner;
-  face.center = 0.25 * ((x[0] + x[1]) + (x[2] + x[3]));
-  const Vec3 twice = (x[2] - x[0]).cross(x[3] - x[1]);
-  const Real norm = twice.norm();
-  face.area = 0.5 * norm;
-  face.normal = twice / norm;
-  // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
-  face.warp = 0.25 * std::fabs(((x[0] - x[1]) + (x[2] - x[3])).dot(face.normal));
-  const Real width = std::sqrt(face.area);
-  face.simple = face.warp <= kWarpLimit * width;
-  face.flat = face.warp <= kFlatLimit * width;
-  const Place<Pack> from = corners(x), edge = next(from) - from;
-  const Pack turns = dot(cross(edge, next(edge)), everywhere(face.normal));  // left at each corner
-  const unsigned convex = mask_bits(turns >= broadcast<Pack>(kConvexLimit * face.area));
-  face.simple = face.simple && convex == 0b1111;
-  face.flat = face.flat && face.simple;
+  const Pack no_start = broadcast<Pack>(0);
+  FourPlanes({everywhere(x[0]), everywhere(x[1]), everywhere(x[2]), everywhere(x[3])}, no_start)
+      .give(0, face);
 }
 }  // namespace
 

@@ -15,12 +15,14 @@ FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
   const Pack norm = vsqrt(dot(twice, twice));
   area = 0.5 * norm;
   normal = {twice.x / norm, twice.y / norm, twice.z / norm};
+  // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
   warp = 0.25 * vabs(dot((x[0] - x[1]) + (x[2] - x[3]), normal));
   const Pack width = vsqrt(area), width_start = vsqrt(area_start);
   simple = warp <= kWarpLimit * width;
   flat = warp <= kFlatLimit * width;
   const Pack least = kConvexLimit * area;
   Place<Pack> edge = x[1] - x[0], first = edge;
+  // It is convex where it turns left at each corner.
   for (std::size_t c = 1; c <= 4; ++c) {
     const Place<Pack> following = c == 4 ? first : x[(c + 1) % 4] - x[c];
     simple = simple & (dot(cross(edge, following), normal) >= least);

@@ -1,5 +1,6 @@
 /// Four quads side by side have the planes and boxes that each of them has by itself, bit for bit:
-/// which faces stand side by side depends on ranks and on what is near, and must not be seen.
+/// which faces stand side by side depends on ranks and on what is near, and must not be seen. To
+/// rounding, 1e-12, they are those of the diagonals, by Eigen.
 #include "contact/geometry/four_planes.hpp"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,17 @@ void expect_same_as_alone(const std::array<Quad, 4>& quads) {
     FacePlane<3> alone, four;
     alone.corner = four.corner = quad.corner;
     refresh(alone);
+    const auto& x = quad.corner;
+    const Vec3 twice = (x[2] - x[0]).cross(x[3] - x[1]);
+    if (alone.area > 0) {
+      const Real scale = (x[2] - x[0]).norm() * (x[3] - x[1]).norm();
+      EXPECT_NEAR(alone.area, 0.5 * twice.norm(), 1e-12 * scale);
+      EXPECT_NEAR((alone.area * alone.normal - 0.5 * twice).norm(), 0, 1e-12 * scale);
+      for (const Vec3& at : x) {
+        const Real over = std::fabs((at - alone.center).dot(alone.normal));
+        EXPECT_NEAR(over, alone.warp, 1e-12 * (at - Vec3::Zero()).norm());
+      }
+    }
     ContactFace<3> face;
     face.area_start = quad.area_start;
     compare_with_start(face, alone);
