@@ -153,4 +153,71 @@ BRUNT_INLINE Wide vsqrt(Wide a) {
 #endif
 }
 
+/// a b + c, rounded once: one instruction where the processor has it (all of x86-64-v3), the same
+/// bits where it has not. Products and sums are fused where the source says so, and nowhere else.
+BRUNT_INLINE Real vfma(Real a, Real b, Real c) {
+#if defined(__AVX2__)
+  // By name: compilers are told not to fuse (docs/decisions/225-fused-by-name.md).
+  asm("vfmadd231sd %2, %1, %0" : "+x"(c) : "x"(a), "xm"(b));
+  return c;
+#else
+  return std::fma(a, b, c);
+#endif
+}
+BRUNT_INLINE Pack vfma(Pack a, Pack b, Pack c) {
+#if defined(__AVX2__)
+  asm("vfmadd231pd %2, %1, %0" : "+x"(c) : "x"(a), "xm"(b));
+  return c;
+#else
+  return Pack{std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1]), std::fma(a[2], b[2], c[2]),
+              std::fma(a[3], b[3], c[3])};
+#endif
+}
+BRUNT_INLINE Wide vfma(Wide a, Wide b, Wide c) {
+#ifdef BRUNT_WIDE
+  return _mm512_fmadd_pd(a, b, c);
+#else
+  return joined_wide(vfma(low_half(a), low_half(b), low_half(c)),
+                     vfma(high_half(a), high_half(b), high_half(c)));
+#endif
+}
+/// c - a b, rounded once.
+BRUNT_INLINE Real vfnma(Real a, Real b, Real c) {
+#if defined(__AVX2__)
+  asm("vfnmadd231sd %2, %1, %0" : "+x"(c) : "x"(a), "xm"(b));
+  return c;
+#else
+  return std::fma(-a, b, c);
+#endif
+}
+BRUNT_INLINE Pack vfnma(Pack a, Pack b, Pack c) {
+#if defined(__AVX2__)
+  asm("vfnmadd231pd %2, %1, %0" : "+x"(c) : "x"(a), "xm"(b));
+  return c;
+#else
+  return vfma(-a, b, c);
+#endif
+}
+BRUNT_INLINE Wide vfnma(Wide a, Wide b, Wide c) {
+#ifdef BRUNT_WIDE
+  return _mm512_fnmadd_pd(a, b, c);
+#else
+  return vfma(-a, b, c);
+#endif
+}
+/// at_0 + slope x, rounded once.
+template <class V>
+BRUNT_INLINE V line_at(V x, Real at_0, Real slope) {
+  return vfma(x, broadcast<V>(slope), broadcast<V>(at_0));
+}
+/// a b + c d and a b - c d: the second product is rounded, their sum once.
+template <class V>
+BRUNT_INLINE V sum_of_products(V a, V b, V c, V d) {
+  return vfma(a, b, c * d);
+}
+template <class V>
+BRUNT_INLINE V difference_of_products(V a, V b, V c, V d) {
+  return vfma(a, b, -(c * d));
+}
+
 }  // namespace brunt

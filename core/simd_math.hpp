@@ -1,6 +1,7 @@
 #pragma once
 /// exp, log and pow on V = Real, Pack or Wide, with the same bits for a Real and for each lane
-/// on every instruction set: additions, products, divisions and bits alone, in one fixed order.
+/// on every instruction set: additions, products, fused or not by name, divisions and bits alone,
+/// in one fixed order.
 #include <bit>
 #include <type_traits>
 
@@ -39,17 +40,19 @@ BRUNT_INLINE V power_of_two(V k) {
 template <class V>
 BRUNT_INLINE V vexp(V x) {
   const V in_range = vmin(broadcast<V>(710.0), vmax(broadcast<V>(-746.0), x));
-  const V k = (in_range * 1.44269504088896340736 + detail::kRound) - detail::kRound;
-  const V r = (in_range - k * detail::kLn2High) - k * detail::kLn2Low;
+  const V k = line_at(in_range, detail::kRound, 1.44269504088896340736) - detail::kRound;
+  const V r = vfma(k, broadcast<V>(-detail::kLn2Low), in_range - k * detail::kLn2High);
   // Taylor to degree 13 on |r| <= ln(2)/2, summed in pairs (Estrin); 1 + r comes last
   const V r2 = r * r, r4 = r2 * r2;
-  const V a = 1.0 / 2 + r * (1.0 / 6), b = 1.0 / 24 + r * (1.0 / 120);
-  const V c = 1.0 / 720 + r * (1.0 / 5040), d = 1.0 / 40320 + r * (1.0 / 362880);
-  const V e = 1.0 / 3628800 + r * (1.0 / 39916800), f = 1.0 / 479001600 + r * (1.0 / 6227020800.0);
-  const V series = (a + r2 * b) + r4 * ((c + r2 * d) + r4 * (e + r2 * f));
-  const V result = 1.0 + (r + r2 * series);
+  const V a = line_at(r, 1.0 / 2, 1.0 / 6), b = line_at(r, 1.0 / 24, 1.0 / 120);
+  const V c = line_at(r, 1.0 / 720, 1.0 / 5040), d = line_at(r, 1.0 / 40320, 1.0 / 362880);
+  const V e = line_at(r, 1.0 / 3628800, 1.0 / 39916800);
+  const V f = line_at(r, 1.0 / 479001600, 1.0 / 6227020800.0);
+  const V high = vfma(r4, vfma(r2, f, e), vfma(r2, d, c));
+  const V series = vfma(r4, high, vfma(r2, b, a));
+  const V result = 1.0 + vfma(r2, series, r);
   // two factors, so that 2^1024 and 2^-1074 are reached
-  const V half = (k * 0.5 + detail::kRound) - detail::kRound;
+  const V half = line_at(k, detail::kRound, 0.5) - detail::kRound;
   return (result * detail::power_of_two(half)) * detail::power_of_two(k - half);
 }
 
@@ -69,10 +72,12 @@ BRUNT_INLINE V log_of_normal(V x, V shift) {
   // ln m = 2 artanh(s), s = (m - 1)/(m + 1), |s| < 0.1716; = f - s (f - 2 z (1/3 + z/5 + ...))
   const V f = mantissa - 1.0;
   const V s = f / (mantissa + 1.0), z = s * s, z2 = z * z, z4 = z2 * z2;
-  const V a = 2.0 / 3 + z * (2.0 / 5), b = 2.0 / 7 + z * (2.0 / 9), c = 2.0 / 11 + z * (2.0 / 13);
-  const V d = 2.0 / 15 + z * (2.0 / 17), e = 2.0 / 19 + z * (2.0 / 21);
-  const V series = z * ((a + z2 * b) + z4 * ((c + z2 * d) + z4 * e));
-  return exponent * kLn2High - ((s * (f - series) - exponent * kLn2Low) - f);
+  const V a = line_at(z, 2.0 / 3, 2.0 / 5), b = line_at(z, 2.0 / 7, 2.0 / 9);
+  const V c = line_at(z, 2.0 / 11, 2.0 / 13), d = line_at(z, 2.0 / 15, 2.0 / 17);
+  const V e = line_at(z, 2.0 / 19, 2.0 / 21);
+  const V series = z * vfma(z4, vfma(z4, e, vfma(z2, d, c)), vfma(z2, b, a));
+  const V rest = vfma(s, f - series, exponent * -kLn2Low);
+  return vfma(exponent, broadcast<V>(kLn2High), f - rest);
 }
 }  // namespace detail
 

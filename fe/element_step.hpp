@@ -1,8 +1,7 @@
 #pragma once
-/// What the kernels of all formulations share: the arguments of a step, moving nodal values in and
-/// corner forces out, and the bound on the time step.
+/// What the kernels of all formulations share: the arguments of a step, and the bound on it.
+#include "fe/corner_values.hpp"
 #include "fe/element_block.hpp"
-#include "fe/force_chunks.hpp"
 #include "fe/gradient.hpp"
 
 namespace brunt {
@@ -30,87 +29,6 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
 template <int Dim>
 void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& step);
 
-/// Two values side by side.
-using HalfPack = Real __attribute__((vector_size(16)));
-BRUNT_INLINE HalfPack load_half(const Real* p) {
-  HalfPack r;
-  std::memcpy(&r, p, sizeof r);
-  return r;
-}
-
-/// Values of a nodal field at the corners of four elements.
-template <int Dim, int N>
-BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Pack (&node)[N][Dim]) {
-  constexpr int n = N;
-  for (int I = 0; I < n; ++I) {
-    const Real* a = field[corner[I]].data();
-    const Real* b = field[corner[n + I]].data();
-    const Real* c = field[corner[2 * n + I]].data();
-    const Real* d = field[corner[3 * n + I]].data();
-    const Pack ac = __builtin_shufflevector(load_half(a), load_half(c), 0, 1, 2, 3);
-    const Pack bd = __builtin_shufflevector(load_half(b), load_half(d), 0, 1, 2, 3);
-    node[I][0] = __builtin_shufflevector(ac, bd, 0, 4, 2, 6);
-    node[I][1] = __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
-    if constexpr (Dim == 3) node[I][2] = Pack{a[2], b[2], c[2], d[2]};
-  }
-}
-
-/// Adds the corner values of the four elements from e on to rows of nodes, element by element.
-template <int N>
-BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][3], std::size_t e, const CornerSums& sums) {
-  const std::uint16_t* place = sums.place + (e - sums.first) * N;
-  Pack row[kLanes][N];
-  for (int I = 0; I < N; ++I) {
-    const Pack none{};
-    const Pack xy02 = __builtin_shufflevector(node[I][0], node[I][1], 0, 4, 2, 6);
-    const Pack xy13 = __builtin_shufflevector(node[I][0], node[I][1], 1, 5, 3, 7);
-    const Pack z02 = __builtin_shufflevector(node[I][2], none, 0, 4, 2, 6);
-    const Pack z13 = __builtin_shufflevector(node[I][2], none, 1, 5, 3, 7);
-    row[0][I] = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
-    row[1][I] = __builtin_shufflevector(xy13, z13, 0, 1, 4, 5);
-    row[2][I] = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
-    row[3][I] = __builtin_shufflevector(xy13, z13, 2, 3, 6, 7);
-  }
-  for (int lane = 0; lane < kLanes; ++lane) {
-    for (int I = 0; I < N; ++I) {
-      Real* to = sums.row + place[lane * N + I];
-      store(to, load(to) + row[lane][I]);
-    }
-  }
-}
-template <int N>
-BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][2], std::size_t e, const CornerSums& sums) {
-  const std::uint16_t* place = sums.place + (e - sums.first) * N;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    for (int I = 0; I < N; ++I) {
-      Real* to = sums.row + place[lane * N + I];
-      to[0] += node[I][0][lane], to[1] += node[I][1][lane];
-    }
-  }
-}
-
-/// The same of eight elements: of four and of four.
-template <int Dim, int N>
-BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Wide (&node)[N][Dim]) {
-  Pack low[N][Dim], high[N][Dim];
-  gather(corner, field, low);
-  gather(corner + kLanes * N, field, high);
-  for (int I = 0; I < N; ++I) {
-    for (int i = 0; i < Dim; ++i) node[I][i] = joined_wide(low[I][i], high[I][i]);
-  }
-}
-template <int N, int Dim>
-BRUNT_INLINE void add_to_nodes(const Wide (&node)[N][Dim], std::size_t e, const CornerSums& sums) {
-  Pack low[N][Dim], high[N][Dim];
-  for (int I = 0; I < N; ++I) {
-    for (int i = 0; i < Dim; ++i) {
-      low[I][i] = low_half(node[I][i]), high[I][i] = high_half(node[I][i]);
-    }
-  }
-  add_to_nodes(low, e, sums);
-  add_to_nodes(high, e + kLanes, sums);
-}
-
 /// Components of a symmetric tensor that are not zero by symmetry of the geometry.
 template <int Dim>
 inline constexpr int kTensorSize = Dim == 3 ? 6 : 4;
@@ -122,9 +40,22 @@ BRUNT_INLINE void load_tensor(const std::array<std::vector<Real>, 6>& from, std:
   for (int k = kTensorSize<Dim>; k < 6; ++k) s[k] = broadcast<V>(0);
 }
 
-/// Largest eigenvalue of a symmetric positive matrix, from above to round-off (1e-8 at a double
-/// root). 3 x 3: mean + r y, y^3 - 3 y = det(deviator)/r^3 by Newton steps, which come down from
-/// above.
+/// 2 cos(2/3 arccos(s/2)), 0 <= s <= 2: the largest root y of y^3 - 3 y = s^2 - 2. From above, by
+/// at most 1.4e-8: a sum of Chebyshev polynomials up to the 8th, which has the error 6.52e-9 on
+/// both sides, lifted by as much. The function is smooth but at s = -2.
+template <class V>
+BRUNT_INLINE V largest_root(V s) {
+  constexpr Real kLift = 6.6e-9;
+  const V z = s - 1.0, z2 = z * z, z4 = z2 * z2;
+  const V low = vfma(line_at(z, -0.0310183376327174, 0.004933347985785019), z2,
+                     line_at(z, 1.5320888854456332 + kLift, 0.494818083847365));
+  const V high = vfma(line_at(z, -5.699346794477478e-05, 1.7975453238285864e-05), z2,
+                      line_at(z, -0.0010085588731993235, 0.00023058702637549722));
+  return vfma(vfma(broadcast<V>(-4.9946435034797785e-06), z4, high), z4, low);
+}
+
+/// Largest eigenvalue of a symmetric positive matrix, from above to 1.4e-8 (round-off is 1e-8 at a
+/// double root). 3 x 3: mean + r y, y^3 - 3 y = det(deviator)/r^3.
 template <class V>
 BRUNT_INLINE V largest_eigenvalue(const V (&g)[3][3]) {
   const V mean = (1.0 / 3) * (g[0][0] + g[1][1] + g[2][2]);
@@ -137,9 +68,7 @@ BRUNT_INLINE V largest_eigenvalue(const V (&g)[3][3]) {
   const V two = broadcast<V>(2);
   const V cubic = select(isotropic, two, determinant / select(isotropic, two, r2 * r));
   const V target = vmin(vmax(cubic, -two), two);
-  V y = 1.0001 + 0.5 * vsqrt(target + 2.0);
-  for (int k = 0; k < 3; ++k) y = y - (y * (y * y - 3.0) - target) / (3.0 * (y * y - 1.0));
-  return mean + r * y;
+  return mean + r * largest_root(vsqrt(target + 2.0));
 }
 template <class V>
 BRUNT_INLINE V largest_eigenvalue(const V (&g)[2][2]) {
@@ -158,16 +87,17 @@ struct OperatorNorm {
     return vsqrt(Element::kHeightSquare / largest);
   }
 };
+/// inverse  of the volume, in 2D of the area
 template <int Dim, class V>
-BRUNT_INLINE OperatorNorm<V> operator_norm(const V (&E)[Shape<Dim>::kActive][Dim], V measure,
+BRUNT_INLINE OperatorNorm<V> operator_norm(const V (&E)[Shape<Dim>::kActive][Dim], V inverse,
                                            V hoop_gradient) {
   constexpr Real corners = Shape<Dim>::kCorners;
-  const V scale = corners / (measure * measure);
+  const V scale = corners * (inverse * inverse);
   V g[Dim][Dim];
   for (int i = 0; i < Dim; ++i) {
     for (int j = i; j < Dim; ++j) {
       V sum = E[0][i] * E[0][j];
-      for (int m = 1; m < Shape<Dim>::kActive; ++m) sum += E[m][i] * E[m][j];
+      for (int m = 1; m < Shape<Dim>::kActive; ++m) sum = vfma(E[m][i], E[m][j], sum);
       g[i][j] = g[j][i] = scale * sum;
     }
   }
@@ -189,18 +119,17 @@ inline constexpr Real kTensionOfSafety = 0.02;
 /// times sqrt(1 + Q^2) - Q with Q = Q1 + Q2 l |D|/c in compression and in tension alike, so that
 /// the step does not follow the signs of round-off. Tension t [Pa] pulls more as an element grows,
 /// by t ((tr L)^2 - tr(L L)): it adds to lambda and takes from 2 mu.
-template <class Element, class V>
-BRUNT_INLINE V stable_step(const BulkViscosity& option, const OperatorNorm<V>& norm, V rho, V bulk,
-                           Real shear, V rate, V tension) {
-  constexpr Real corners = Element::kCorners;
+/// height  as of the norm;  slowness [s/m] 1/c
+template <class V>
+BRUNT_INLINE V stable_step(const BulkViscosity& option, const OperatorNorm<V>& norm, int corners,
+                           V height, V slowness, V rho, V bulk, Real shear, V rate, V tension) {
   const V zero = broadcast<V>(0), modulus = bulk + (4.0 / 3) * shear;
   const V t = vmax(tension - kTensionOfSafety * modulus, zero);
   const V lambda = vmax(bulk - (2.0 / 3) * shear + t, zero);
   const V stiffness = lambda * (norm.trace + norm.hoop) +
                       vmax(2.0 * shear - t, zero) * vmax(norm.largest, norm.hoop);
-  const V c = vsqrt(modulus / rho);
-  const V Q = option.linear + option.quadratic * norm.template height<Element>() * vabs(rate) / c;
-  return 2.0 * vsqrt(rho / (corners * stiffness)) * (vsqrt(1.0 + Q * Q) - Q);
+  const V Q = option.linear + option.quadratic * height * vabs(rate) * slowness;
+  return 2.0 * vsqrt(rho / (static_cast<Real>(corners) * stiffness)) * (vsqrt(1.0 + Q * Q) - Q);
 }
 
 /// Stores the stable steps of the elements from e on. Viscous hourglass control damps its
@@ -208,18 +137,19 @@ BRUNT_INLINE V stable_step(const BulkViscosity& option, const OperatorNorm<V>& n
 /// the true limit 2 being for undistorted elements.
 template <class Element, class V>
 BRUNT_INLINE void store_stable_step(ElementBlock<Element::kDim>& block, std::size_t e,
-                                    const OperatorNorm<V>& norm, V rho, V bulk, V rate) {
+                                    const OperatorNorm<V>& norm, V height, V rho, V bulk, V rate) {
   const Real shear = block.material->shear;
   const Real* pressure = block.state.pressure.data() + block.point(static_cast<LocalIndex>(e), 0);
   V tension = -load_as<V>(pressure);
   for (int g = 1; g < block.gauss; ++g) tension = vmax(tension, -load_as<V>(pressure + kGroup * g));
-  V dt = stable_step<Element>(block.options.bulk_viscosity, norm, rho, bulk, shear, rate, tension);
+  const V slowness = vsqrt(rho / (bulk + (4.0 / 3) * shear));
+  V dt = stable_step(block.options.bulk_viscosity, norm, Element::kCorners, height, slowness, rho,
+                     bulk, shear, rate, tension);
   const auto* viscous = std::get_if<ViscousHourglass>(&block.options.hourglass);
   if (Element::kHourglass > 0 && block.gauss == 1 && viscous != nullptr) {
-    constexpr Real corners = Element::kCorners;
-    const V c = vsqrt((bulk + (4.0 / 3) * shear) / rho);
     const V size = load_as<V>(block.reference_size.data() + e);
-    dt = vmin(dt, (0.8 / corners) * size / (viscous->coefficient * c));
+    const Real factor = 0.8 / (Element::kCorners * viscous->coefficient);
+    dt = vmin(dt, factor * size * slowness);
   }
   store(block.stable_step.data() + e, dt);
 }

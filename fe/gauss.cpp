@@ -31,12 +31,13 @@ void refresh_box_steps(ElementBlock<Dim>& block, int index, const ElementStep<Di
         const Thickness& option = step.thickness;
         hoop = 0.5 * option.radial / (option.constant + option.radial * w.c.m[3][0]);
       }
-      w.norm = operator_norm<Dim, Pack>(E, size, hoop);
+      w.norm = operator_norm<Dim, Pack>(E, 1.0 / size, hoop);
     }
     w.rho = load(block.mass.data() + e) / load(block.element_volume.data() + e);
     const Pack bulk =
         block.gauss == 1 ? load(block.state.bulk.data() + e) : gauss::largest_bulk(group);
-    store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, bulk, (1.0 / step.dt) * trace(G) / size);
+    store_stable_step<Shape<Dim>>(block, e, w.norm, w.norm.template height<Shape<Dim>>(), w.rho,
+                                  bulk, (1.0 / step.dt) * trace(G) / size);
   }
 }
 

@@ -32,6 +32,7 @@ struct GaussWork {
   Modal<Dim, V> c, u;  ///< [m] position at n+1, displacement of the step
   GaussPoint<Dim, V> now[kGauss<Dim>];
   OperatorNorm<V> norm;
+  V height;                     ///< [m] of the norm
   V rho, rate, q;               ///< [kg/m^3], [1/s], [Pa] as in one_point.cpp
   V stress_work, viscous_work;  ///< [J]
 };
@@ -175,7 +176,7 @@ BRUNT_INLINE OperatorNorm<V> gauss_norm(const Modal<Dim, V>& c, V square, const 
   V E[Shape<Dim>::kActive][Dim];
   volume_gradient(c, E);
   const V size = measure<Dim, V>(c, E);
-  OperatorNorm<V> norm = operator_norm<Dim, V>(E, size, broadcast<V>(0));
+  OperatorNorm<V> norm = operator_norm<Dim, V>(E, 1.0 / size, broadcast<V>(0));
   const V scale =
       vmax(broadcast<V>(1), square / (static_cast<Real>(Shape<Dim>::kCorners) * size * norm.trace));
   norm.trace *= scale;
@@ -208,9 +209,9 @@ BRUNT_INLINE void kinematics(const Group<Dim, V>& group, MaterialTile& tile, Gau
   w.rate = (1.0 / group.step.dt) * (sums.mid_dilatation / sums.mid_volume);
   w.rho = load_as<V>(block.mass.data() + group.e) / sums.volume;
   w.norm = gauss_norm(w.c, sums.square, group.step.thickness);
+  w.height = w.norm.template height<Shape<Dim>>();
   const V speed = vsqrt((largest_bulk(group) + (4.0 / 3) * block.material->shear) / w.rho);
-  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Shape<Dim>>(),
-                       speed, w.rate);
+  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.height, speed, w.rate);
   w.viscous_work -= w.q * sums.dilatation;
   const V heat = 0.5 * w.viscous_work * (1.0 / load_as<V>(block.element_volume.data() + group.e));
   for (int g = 0; g < kGauss<Dim>; ++g) store(tile.viscous_work + group.at + kGroup * g, heat);
@@ -274,13 +275,18 @@ BRUNT_INLINE void dynamics(const Group<Dim, V>& group, GaussWork<Dim, V>& w) {
   add_half(block.stress_work, group.e, w.stress_work + pressure.work());
   add_half(block.viscous_work, group.e, w.viscous_work);
   store(block.viscous_pressure.data() + group.e, w.q);
-  store_stable_step<Shape<Dim>>(block, group.e, w.norm, w.rho, largest_bulk(group), w.rate);
+  store_stable_step<Shape<Dim>>(block, group.e, w.norm, w.height, w.rho, largest_bulk(group),
+                                w.rate);
   V node[Shape<Dim>::kCorners][Dim];
   for (auto& mode : f.m) {
     for (int i = 0; i < Dim; ++i) mode[i] = (1.0 / Shape<Dim>::kCorners) * mode[i];
   }
   for (int i = 0; i < Dim; ++i) to_corners(f, i, node);
-  guard_shapes<Dim>(block, group.e, w.norm, w.c.m + Dim, group.step, node);
+  V mode_square = broadcast<V>(0);
+  for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) {
+    for (int i = 0; i < Dim; ++i) mode_square += w.c.m[m][i] * w.c.m[m][i];
+  }
+  guard_shapes<Dim>(block, group.e, w.norm, mode_square, group.step, node);
   add_to_nodes(node, group.e, group.step.sums);
 }
 

@@ -20,8 +20,10 @@ BRUNT_INLINE PlaneRotation<V> step_rotation(const V (&L)[2][2]) {
 /// s : G; in 2D without the zz component.
 template <class V>
 BRUNT_INLINE V double_dot(const V (&s)[6], const V (&G)[3][3]) {
-  return s[xx] * G[0][0] + s[yy] * G[1][1] + s[zz] * G[2][2] + s[xy] * (G[0][1] + G[1][0]) +
-         s[yz] * (G[1][2] + G[2][1]) + s[zx] * (G[2][0] + G[0][2]);
+  const V normal = vfma(s[zz], G[2][2], vfma(s[yy], G[1][1], s[xx] * G[0][0]));
+  const V shear =
+      vfma(s[zx], G[2][0] + G[0][2], vfma(s[yz], G[1][2] + G[2][1], s[xy] * (G[0][1] + G[1][0])));
+  return normal + shear;
 }
 template <class V>
 BRUNT_INLINE V double_dot(const V (&s)[6], const V (&G)[2][2]) {

@@ -14,16 +14,15 @@ constexpr Real kRootCorners = Dim == 3 ? 2.82842712474619009760 : 2.0;
 template <int Dim, class V>
 BRUNT_INLINE void hourglass_amplitudes(const OnePointConfiguration<Dim, V>& at,
                                        const Modal<Dim, V>& u, HourglassModes<Dim, V>& q) {
-  const V inverse = 1.0 / at.measure;
   V L[Dim][Dim];
   for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) L[i][j] = at.G[i][j] * inverse;
+    for (int j = 0; j < Dim; ++j) L[i][j] = at.G[i][j] * at.inverse;
   }
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
     for (int i = 0; i < Dim; ++i) {
-      V linear = L[i][0] * at.mode[a][0];
-      for (int j = 1; j < Dim; ++j) linear += L[i][j] * at.mode[a][j];
-      q[a][i] = kRootCorners<Dim> * (u.m[Dim + a][i] - linear);
+      V rest = u.m[Dim + a][i];
+      for (int j = 0; j < Dim; ++j) rest = vfnma(L[i][j], at.mode[a][j], rest);
+      q[a][i] = kRootCorners<Dim> * rest;
     }
   }
 }
@@ -35,7 +34,7 @@ template <int Dim, class V>
 BRUNT_INLINE V dot(const HourglassModes<Dim, V>& Q, const HourglassModes<Dim, V>& q) {
   V sum = broadcast<V>(0);
   for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
-    for (int i = 0; i < Dim; ++i) sum += Q[a][i] * q[a][i];
+    for (int i = 0; i < Dim; ++i) sum = vfma(Q[a][i], q[a][i], sum);
   }
   return sum;
 }
@@ -44,20 +43,22 @@ BRUNT_INLINE V dot(const HourglassModes<Dim, V>& Q, const HourglassModes<Dim, V>
 template <int Dim, class V>
 BRUNT_INLINE void set_hourglass_forces(const OnePointConfiguration<Dim, V>& at,
                                        const HourglassModes<Dim, V>& Q, OnePointWork<Dim, V>& w) {
-  const V k = kRootCorners<Dim> / at.measure;
+  const V k = kRootCorners<Dim> * at.inverse;
   for (int i = 0; i < Dim; ++i) {
     V moment[Dim];
     for (int j = 0; j < Dim; ++j) {
       moment[j] = Q[0][i] * at.mode[0][j];
-      for (int a = 1; a < Shape<Dim>::kHourglass; ++a) moment[j] += Q[a][i] * at.mode[a][j];
+      for (int a = 1; a < Shape<Dim>::kHourglass; ++a) {
+        moment[j] = vfma(Q[a][i], at.mode[a][j], moment[j]);
+      }
       moment[j] *= k;
     }
     for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
       V force = broadcast<V>(0);
+      if (m >= Dim) force = (-1.0 / kRootCorners<Dim>)*Q[m - Dim][i];
       if (m < Shape<Dim>::kActive) {
-        for (int j = 0; j < Dim; ++j) force += moment[j] * at.E[m][j];
+        for (int j = 0; j < Dim; ++j) force = vfma(moment[j], at.E[m][j], force);
       }
-      if (m >= Dim) force -= (1.0 / kRootCorners<Dim>)*Q[m - Dim][i];
       w.hourglass[m][i] = force;
     }
   }
@@ -71,11 +72,7 @@ template <int Dim, class V>
 BRUNT_INLINE V most_rate_stiffness(const OnePointLane<Dim, V>& lane,
                                    const OnePointWork<Dim, V>& w) {
   constexpr Real corners = Shape<Dim>::kCorners;
-  V square = broadcast<V>(0);
-  for (const auto& mode : w.now.mode) {
-    for (int i = 0; i < Dim; ++i) square += mode[i] * mode[i];
-  }
-  const V gamma_square = 1.0 + corners * w.norm.largest * square;
+  const V gamma_square = 1.0 + corners * w.norm.largest * w.mode_square;
   const Real dt = lane.step.dt;
   return (kStableRates / (corners * dt * dt)) * load_as<V>(lane.block.mass.data() + lane.e) /
          gamma_square;
@@ -113,7 +110,7 @@ BRUNT_INLINE void resist_rates(const OnePointLane<Dim, V>& lane, Real coefficien
   // Q . q on the present positions is minus the work of these forces.
   V sum = w.hourglass[0][0] * u.m[0][0];
   for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
-    for (int i = m == 0 ? 1 : 0; i < Dim; ++i) sum += w.hourglass[m][i] * u.m[m][i];
+    for (int i = m == 0 ? 1 : 0; i < Dim; ++i) sum = vfma(w.hourglass[m][i], u.m[m][i], sum);
   }
   constexpr Real corners = Shape<Dim>::kCorners;
   add_half(block.hourglass_work, lane.e, old_work - corners * sum);

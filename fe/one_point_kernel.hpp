@@ -48,12 +48,11 @@ template <int Dim, class V>
 BRUNT_INLINE void deform(const OnePointLane<Dim, V>& lane, const OnePointConfiguration<Dim, V>& mid,
                          int at, MaterialTile& tile, OnePointWork<Dim, V>& w) {
   ElementBlock<Dim>& block = lane.block;
-  const V inverse = 1.0 / mid.measure;
   V L[Dim][Dim], hoop = broadcast<V>(0);
   for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) L[i][j] = mid.G[i][j] * inverse;
+    for (int j = 0; j < Dim; ++j) L[i][j] = mid.G[i][j] * mid.inverse;
   }
-  if constexpr (Dim == 2) hoop = inverse * mid.G_hoop / mid.thickness;
+  if constexpr (Dim == 2) hoop = mid.inverse * mid.G_hoop / mid.thickness;
   store_strain<Dim>(L, hoop, at, tile);
 
   const auto rotation = step_rotation(L);
@@ -65,8 +64,7 @@ BRUNT_INLINE void deform(const OnePointLane<Dim, V>& lane, const OnePointConfigu
   w.rate = (1.0 / lane.step.dt) * (trace(L) + hoop);
   const V bulk = load_as<V>(block.state.bulk.data() + lane.e);
   w.speed = vsqrt((bulk + (4.0 / 3) * block.material->shear) / w.rho);
-  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.template height<Shape<Dim>>(),
-                       w.speed, w.rate);
+  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.height, w.speed, w.rate);
 }
 
 /// Strain, rotation and ratios of four elements for the material; works of the old forces.
@@ -79,16 +77,17 @@ BRUNT_INLINE void kinematics(const OnePointLane<Dim, V>& lane, int at, MaterialT
   load_modes(lane, c, u);
   evaluate(c, u, thickness, w.now);
   OnePointConfiguration<Dim, V> old, mid;
-  evaluate(moved_back<Dim>(c, u, 1.0), u, thickness, old);
   evaluate(moved_back<Dim>(c, u, 0.5), u, thickness, mid);
+  evaluate_start(moved_back<Dim>(c, u, 1.0), u, w.now, mid, thickness, old);
   book_old_forces(lane, old, w);
 
   const V reference = load_as<V>(block.element_volume.data() + lane.e);
-  const V volume = w.now.volume();
   store(tile.ratio_old + at, old.volume() / reference);
-  store(tile.ratio + at, volume / reference);
-  w.rho = load_as<V>(block.mass.data() + lane.e) / volume;
-  w.norm = operator_norm<Dim, V>(w.now.E, w.now.measure, w.now.hoop_gradient(thickness));
+  store(tile.ratio + at, w.now.volume() / reference);
+  w.rho = load_as<V>(block.mass.data() + lane.e) * w.now.inverse_volume();
+  w.norm = operator_norm<Dim, V>(w.now.E, w.now.inverse, w.now.hoop_gradient(thickness));
+  w.height = w.norm.template height<Shape<Dim>>();
+  w.mode_square = dot<Dim>(w.now.mode, w.now.mode);
   deform(lane, mid, at, tile, w);
   resist_hourglasses(lane, old, mid, c, u, w);
   w.viscous_work -= w.q * w.now.dilatation();
@@ -111,7 +110,7 @@ BRUNT_INLINE void corner_forces(const OnePointWork<Dim, V>& w, const V (&s)[6], 
     for (int i = 0; i < Dim; ++i) {
       f.m[m][i] = m < Shape<Dim>::kModes - 1 ? w.hourglass[m][i] : broadcast<V>(0);
       if (m >= Shape<Dim>::kActive) continue;
-      for (int j = 0; j < Dim; ++j) f.m[m][i] -= sigma[i][j] * w.now.E[m][j];
+      for (int j = 0; j < Dim; ++j) f.m[m][i] = vfnma(sigma[i][j], w.now.E[m][j], f.m[m][i]);
     }
   }
   if constexpr (Dim == 2) {
@@ -131,11 +130,11 @@ BRUNT_INLINE void dynamics(const OnePointLane<Dim, V>& lane, OnePointWork<Dim, V
   add_half(block.stress_work, e, w.stress_work + w.now.work(s, p));
   add_half(block.viscous_work, e, w.viscous_work);
   store(block.viscous_pressure.data() + e, w.q);
-  store_stable_step<Shape<Dim>>(block, e, w.norm, w.rho, load_as<V>(block.state.bulk.data() + e),
-                                w.rate);
+  store_stable_step<Shape<Dim>>(block, e, w.norm, w.height, w.rho,
+                                load_as<V>(block.state.bulk.data() + e), w.rate);
   V node[Shape<Dim>::kCorners][Dim];
   corner_forces(w, s, p + w.q, lane.step.thickness, node);
-  guard_shapes<Dim>(block, e, w.norm, w.now.mode, lane.step, node);
+  guard_shapes<Dim>(block, e, w.norm, w.mode_square, lane.step, node);
   add_to_nodes(node, e, lane.step.sums);
 }
 

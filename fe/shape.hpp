@@ -74,16 +74,22 @@ BRUNT_INLINE void to_corners(const Modal<2, V>& c, int i, V (&node)[4][2]) {
 }
 
 template <class V>
-BRUNT_INLINE void add_cross(const V (&a)[3], const V (&b)[3], Real factor, V (&r)[3]) {
-  r[0] += factor * (a[1] * b[2] - a[2] * b[1]);
-  r[1] += factor * (a[2] * b[0] - a[0] * b[2]);
-  r[2] += factor * (a[0] * b[1] - a[1] * b[0]);
+BRUNT_INLINE void set_cross(const V (&a)[3], const V (&b)[3], V (&r)[3]) {
+  r[0] = difference_of_products(a[1], b[2], a[2], b[1]);
+  r[1] = difference_of_products(a[2], b[0], a[0], b[2]);
+  r[2] = difference_of_products(a[0], b[1], a[1], b[0]);
 }
 template <class V>
-BRUNT_INLINE void set_cross(const V (&a)[3], const V (&b)[3], V (&r)[3]) {
-  r[0] = a[1] * b[2] - a[2] * b[1];
-  r[1] = a[2] * b[0] - a[0] * b[2];
-  r[2] = a[0] * b[1] - a[1] * b[0];
+BRUNT_INLINE void add_cross(const V (&a)[3], const V (&b)[3], V (&r)[3]) {
+  r[0] = vfma(a[1], b[2], vfnma(a[2], b[1], r[0]));
+  r[1] = vfma(a[2], b[0], vfnma(a[0], b[2], r[1]));
+  r[2] = vfma(a[0], b[1], vfnma(a[1], b[0], r[2]));
+}
+template <class V>
+BRUNT_INLINE void add_cross(const V (&a)[3], const V (&b)[3], Real factor, V (&r)[3]) {
+  V product[3];
+  set_cross(a, b, product);
+  for (int i = 0; i < 3; ++i) r[i] = vfma(broadcast<V>(factor), product[i], r[i]);
 }
 
 /// E of a hexahedron [m^2]. V/8 = [L1 L2 L3] + ([L1 H3 H2] + [H3 L2 H1] + [H2 H1 L3])/3 with L the
@@ -100,9 +106,9 @@ BRUNT_INLINE void volume_gradient(const Modal<3, V>& c, V (&E)[6][3]) {
   set_cross(L2, L3, E[0]), add_cross(H3, H2, third, E[0]);
   set_cross(L3, L1, E[1]), add_cross(H1, H3, third, E[1]);
   set_cross(L1, L2, E[2]), add_cross(H2, H1, third, E[2]);
-  set_cross(H3, L2, E[3]), add_cross(L3, H2, 1, E[3]);
-  set_cross(L1, H3, E[4]), add_cross(H1, L3, 1, E[4]);
-  set_cross(H2, L1, E[5]), add_cross(L2, H1, 1, E[5]);
+  set_cross(H3, L2, E[3]), add_cross(L3, H2, E[3]);
+  set_cross(L1, H3, E[4]), add_cross(H1, L3, E[4]);
+  set_cross(H2, L1, E[5]), add_cross(L2, H1, E[5]);
   for (int m = 3; m < 6; ++m) {
     for (int j = 0; j < 3; ++j) E[m][j] = third * E[m][j];
   }
@@ -117,8 +123,24 @@ BRUNT_INLINE void volume_gradient(const Modal<2, V>& c, V (&E)[2][2]) {
 template <int Dim, class V>
 BRUNT_INLINE V measure(const Modal<Dim, V>& c, const V (&E)[Shape<Dim>::kActive][Dim]) {
   V sum = c.m[0][0] * E[0][0];
-  for (int m = 1; m < Shape<Dim>::kActive; ++m) sum += c.m[m][0] * E[m][0];
+  for (int m = 1; m < Shape<Dim>::kActive; ++m) sum = vfma(c.m[m][0], E[m][0], sum);
   return static_cast<Real>(Shape<Dim>::kCorners) * sum;
+}
+/// Volume [m^3] of the positions with modes c: eight times the sum over m of c_xm E_xm.
+template <class V>
+BRUNT_INLINE V volume_of(const Modal<3, V>& c) {
+  const auto minor = [&](int a, int b) {
+    return difference_of_products(c.m[a][1], c.m[b][2], c.m[a][2], c.m[b][1]);
+  };
+  V linear = c.m[0][0] * minor(1, 2);
+  linear = vfma(c.m[1][0], minor(2, 0), vfma(c.m[2][0], minor(0, 1), linear));
+  V others = c.m[0][0] * minor(5, 4);
+  others = vfma(c.m[1][0], minor(3, 5), others);
+  others = vfma(c.m[2][0], minor(4, 3), others);
+  others = vfma(c.m[3][0], minor(5, 1) + minor(2, 4), others);
+  others = vfma(c.m[4][0], minor(0, 5) + minor(3, 2), others);
+  others = vfma(c.m[5][0], minor(4, 0) + minor(1, 3), others);
+  return 8.0 * (linear + (1.0 / 3) * others);
 }
 /// G_ij = sum_I u_iI B_jI of a field with modes u.
 template <int Dim, class V>
@@ -128,7 +150,7 @@ BRUNT_INLINE void volume_times_gradient(const Modal<Dim, V>& u,
   for (int i = 0; i < Dim; ++i) {
     for (int j = 0; j < Dim; ++j) {
       V sum = u.m[0][i] * E[0][j];
-      for (int m = 1; m < Shape<Dim>::kActive; ++m) sum += u.m[m][i] * E[m][j];
+      for (int m = 1; m < Shape<Dim>::kActive; ++m) sum = vfma(u.m[m][i], E[m][j], sum);
       G[i][j] = corners * sum;
     }
   }

@@ -120,22 +120,18 @@ __attribute__((noinline)) MaskOf<V> are_open(const ElementBlock<Dim>& block, std
   return open;
 }
 
-/// Guards those of four elements that it may act on. mode: the hourglass modes of the positions;
-/// node: forces on the corners.
+/// Guards those of several elements that it may act on. square: the sum of the squares of the
+/// hourglass modes of the positions; node: forces on the corners.
 /// With s half of the least height of the linear modes and t the most that the others change dx/dxi
 /// by, its least singular value is at least s - t: for most, that is enough. Others are looked at
 /// place by place.
 template <int Dim, class V>
 BRUNT_INLINE void guard_shapes(ElementBlock<Dim>& block, std::size_t e, const OperatorNorm<V>& norm,
-                               const V (*mode)[Dim], const ElementStep<Dim>& step,
+                               V square, const ElementStep<Dim>& step,
                                V (&node)[Shape<Dim>::kCorners][Dim]) {
   if (block.guard_reach.empty()) return;
   constexpr Real kHeightSquare = Dim == 3 ? 0.5 : 1.0;  // times the largest eigenvalue
   constexpr Real kOtherModes = Dim == 3 ? 9 : 2;        // t^2 over the sum of their squares
-  V square = broadcast<V>(0);
-  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
-    for (int i = 0; i < Dim; ++i) square += mode[a][i] * mode[a][i];
-  }
   const V reach = load_as<V>(block.guard_reach.data() + e);
   const auto safe = 8.0 * norm.largest * (kOtherModes * square + reach) < kHeightSquare;
   if (!any(~safe)) return;

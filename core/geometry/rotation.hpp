@@ -49,12 +49,12 @@ BRUNT_INLINE void rotate_symmetric(const Rotation<V>& rotation, V* s) {
   for (int i = 0; i < 3; ++i) {
     const V* r = rotation.row[i];
     for (int j = 0; j < 3; ++j) {
-      half[i][j] = r[0] * full[0][j] + r[1] * full[1][j] + r[2] * full[2][j];
+      half[i][j] = vfma(r[2], full[2][j], vfma(r[1], full[1][j], r[0] * full[0][j]));
     }
   }
   const auto entry = [&](int i, int j) {
     const V* r = rotation.row[j];
-    return half[i][0] * r[0] + half[i][1] * r[1] + half[i][2] * r[2];
+    return vfma(half[i][2], r[2], vfma(half[i][1], r[1], half[i][0] * r[0]));
   };
   s[xx] = entry(0, 0), s[yy] = entry(1, 1), s[zz] = entry(2, 2);
   s[xy] = entry(0, 1), s[yz] = entry(1, 2), s[zx] = entry(2, 0);

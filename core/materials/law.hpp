@@ -95,7 +95,7 @@ BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, Real exponent
   V series = broadcast<V>(1.0);
   for (int k = 7; k >= 1; --k) {
     const Real factor = (exponent - (k - 1)) * (1.0 / k);  // a division costs as much as the series
-    series = 1.0 + (x * factor) * series;
+    series = vfma(x * factor, series, broadcast<V>(1.0));
   }
   const V close = power * series;
   const auto is_close = vabs(x) < 0.02;  // false where the reference alone is 0

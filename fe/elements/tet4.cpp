@@ -71,6 +71,7 @@ BRUNT_INLINE void move_back(const Pack (&x)[3][3], const Pack (&u)[3][3], Real p
 struct TetWork {
   Pack B[kCorners][3], G[3][3];  ///< at n+1
   OperatorNorm<Pack> norm;
+  Pack height;
   Pack rho, rate, q;               ///< [kg/m^3], [1/s], [Pa]
   Pack stress_work, viscous_work;  ///< [J] halves of the old forces
 };
@@ -132,7 +133,8 @@ BRUNT_INLINE void kinematics(const Lane& lane, int at, MaterialTile& tile, TetWo
   w.rate = (1.0 / lane.step.dt) * dilatation;
   const Pack bulk = load(block.state.bulk.data() + lane.e);
   const Pack speed = vsqrt((bulk + (4.0 / 3) * block.material->shear) / w.rho);
-  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.norm.height<Tet4>(), speed, w.rate);
+  w.height = w.norm.height<Tet4>();
+  w.q = bulk_viscosity(block.options.bulk_viscosity, w.rho, w.height, speed, w.rate);
   w.viscous_work -= w.q * trace(now.G);
   const Pack inverse_reference = 1.0 / load(block.element_volume.data() + lane.e);
   store(tile.viscous_work + at, 0.5 * w.viscous_work * inverse_reference);
@@ -152,7 +154,8 @@ BRUNT_INLINE void dynamics(const Lane& lane, const TetWork& w) {
   add_half(block.stress_work, e, w.stress_work + double_dot(s, w.G) - p * trace(w.G));
   add_half(block.viscous_work, e, w.viscous_work);
   store(block.viscous_pressure.data() + e, w.q);
-  store_stable_step<Tet4>(block, e, w.norm, w.rho, load(block.state.bulk.data() + e), w.rate);
+  store_stable_step<Tet4>(block, e, w.norm, w.height, w.rho, load(block.state.bulk.data() + e),
+                          w.rate);
   stress_matrix(s, p + w.q, sigma);
   for (int I = 0; I < kCorners; ++I) {
     for (int i = 0; i < 3; ++i) {
@@ -249,7 +252,9 @@ class TetFormulation final : public Formulation<3> {
       gather_edges(corner, step.v, step.dt, u);
       const Configuration now(x, u);
       const Pack rho = load(block.mass.data() + e) / load(block.element_volume.data() + e);
-      store_stable_step<Tet4>(block, e, now.norm(), rho, load(block.state.bulk.data() + e),
+      const OperatorNorm<Pack> norm = now.norm();
+      store_stable_step<Tet4>(block, e, norm, norm.height<Tet4>(), rho,
+                              load(block.state.bulk.data() + e),
                               (1.0 / step.dt) * trace(now.G) / now.volume);
     }
   }

@@ -7,8 +7,13 @@
 ///   tested.) Tolerance 1e-12 of the stress: round-off of some 100 operations on strains of 1e-2.
 /// - Rigid spin: a prestressed body turned by hand, 10 turns of 360 steps, changes |sigma|
 ///   by round-off only: 3600 rotations, orthogonal to 1e-15 each, and strains of 1e-16/step.
+/// - The start of a step: what is found from its middle and end is what its positions give, for
+///   displacements of up to half an element's size, whatever their modes.
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "fe/one_point_kinematics.hpp"
 #include "fe_scene.hpp"
 
 namespace brunt {
@@ -227,6 +232,47 @@ TEST(kinematics, viscous_hourglass_force) {
     // the cube is distorted by dt w = 1e-6 of its size, and gamma with it
     EXPECT_NEAR(body->points().f[k][2], -sign[k] * expected, 1e-5 * expected);
   }
+}
+
+template <int Dim>
+void expect_start_from_middle_and_end(const Thickness& thickness) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<Real> part(-0.5, 0.5);
+  for (int round = 0; round < 100; ++round) {
+    Modal<Dim, Real> c, u, start, middle;
+    for (int m = 0; m < Shape<Dim>::kModes; ++m) {
+      const bool mean = m == Shape<Dim>::kModes - 1;
+      for (int i = 0; i < Dim; ++i) {
+        c.m[m][i] = 0.2 * part(random) + (m == i ? 1.0 : 0.0) + (mean ? 3.0 : 0.0);
+        u.m[m][i] = part(random);
+        start.m[m][i] = c.m[m][i] - u.m[m][i];
+        middle.m[m][i] = c.m[m][i] - 0.5 * u.m[m][i];
+      }
+    }
+    OnePointConfiguration<Dim, Real> now, mid, expected, old;
+    evaluate(c, u, thickness, now);
+    evaluate(middle, u, thickness, mid);
+    evaluate(start, u, thickness, expected);
+    evaluate_start(start, u, now, mid, thickness, old);
+    // Sums of some twenty terms of the order of 10.
+    constexpr Real kRounding = 1e-13;
+    EXPECT_NEAR(old.measure, expected.measure, kRounding);
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < Dim; ++j) EXPECT_NEAR(old.G[i][j], expected.G[i][j], kRounding);
+      for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+        EXPECT_EQ(old.mode[a][i], expected.mode[a][i]);
+      }
+    }
+    if (Dim == 2) {
+      EXPECT_EQ(old.thickness, expected.thickness);
+      EXPECT_NEAR(old.G_hoop, expected.G_hoop, kRounding);
+    }
+  }
+}
+TEST(kinematics, start_from_middle_and_end) {
+  expect_start_from_middle_and_end<3>({1, 0});
+  expect_start_from_middle_and_end<2>({1, 0});
+  expect_start_from_middle_and_end<2>({0, 1});
 }
 
 }  // namespace
