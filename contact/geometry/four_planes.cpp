@@ -9,14 +9,26 @@ BRUNT_INLINE Place<Pack> keep(PackMask mask, const Place<Pack>& a) {
 }
 }  // namespace
 
-FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
-  center = broadcast<Pack>(0.25) * ((x[0] + x[1]) + (x[2] + x[3]));
+FourMeans::FourMeans(const std::array<Place<Pack>, 4>& x) {
   const Place<Pack> twice = cross(x[2] - x[0], x[3] - x[1]);
   const Pack norm = vsqrt(dot(twice, twice));
   area = 0.5 * norm;
   normal = {twice.x / norm, twice.y / norm, twice.z / norm};
   // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
   warp = 0.25 * vabs(dot((x[0] - x[1]) + (x[2] - x[3]), normal));
+  there = (area > 0) & (dot(normal, normal) > 0.5);
+}
+
+void FourMeans::leave_out() {
+  area = select(there, area, broadcast<Pack>(0));
+  warp = select(there, warp, broadcast<Pack>(0));
+  normal = keep(there, normal);
+}
+
+FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
+  center = broadcast<Pack>(0.25) * ((x[0] + x[1]) + (x[2] + x[3]));
+  FourMeans means(x);
+  area = means.area, warp = means.warp, normal = means.normal;
   const Pack width = vsqrt(area), width_start = vsqrt(area_start);
   simple = warp <= kWarpLimit * width;
   flat = warp <= kFlatLimit * width;
@@ -29,10 +41,9 @@ FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
     edge = following;
   }
   flat = flat & simple;
-  const PackMask there = (area > 0) & (dot(normal, normal) > 0.5);
-  area = select(there, area, broadcast<Pack>(0));
-  warp = select(there, warp, broadcast<Pack>(0));
-  normal = keep(there, normal);
+  means.leave_out();
+  area = means.area, warp = means.warp, normal = means.normal;
+  const PackMask there = means.there;
   const PackMask no_start = ~(area_start > 0);
   simple = (simple | ~there) & (no_start | (warp <= kWarpLimit * width_start));
   flat = (flat | ~there) & (no_start | (warp <= kFlatLimit * width_start));

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/types.hpp"
+#include "core/simd.hpp"
 
 namespace brunt {
 
@@ -40,15 +40,20 @@ inline Real damping_coefficient(Real zeta, Real stiffness, Real mass) {
 }
 
 /// Factor on a stable step 2/omega where damping is evaluated half a step late.
-inline Real lag_factor(Real zeta) { return std::sqrt(1 + zeta * zeta) - zeta; }
+template <class V>
+BRUNT_INLINE V lag_factor(V zeta) {
+  return vsqrt(1.0 + zeta * zeta) - zeta;
+}
 
 /// Stable step over that of the elements behind, h/c, for a surface on a spring of phi M/h: the
 /// mode u_j = (-q)^j of a chain whose end carries half a mass and the spring has 1/q - q = 2 phi,
 /// so omega^2 = 2 (1 + sqrt(1 + phi^2)) c^2/h^2. Its damping ratio is at most zeta sqrt(phi /
 /// (1 + sqrt(1 + phi^2))): all of the mode's mass at the end, where the damper is.
-inline Real surface_step_ratio(Real phi, Real zeta) {
-  const Real root = 1 + std::sqrt(1 + phi * phi);
-  return std::sqrt(2 / root) * lag_factor(zeta * std::sqrt(phi / root));
+template <class V>
+BRUNT_INLINE V surface_step_ratio(V phi, V zeta) {
+  const V root = 1.0 + vsqrt(1.0 + phi * phi);
+  return vsqrt(2.0 / root) * lag_factor(zeta * vsqrt(phi / root));
 }
+inline Real surface_step_ratio(Real phi, Real zeta) { return surface_step_ratio<Real>(phi, zeta); }
 
 }  // namespace brunt

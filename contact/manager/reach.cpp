@@ -14,7 +14,8 @@ ContactNodeName name_of(const ContactNodes<Dim>& nodes, LocalIndex node) {
 
 template <int Dim>
 ContactReaches<Dim> ContactManager<Dim>::reaches() const {
-  const auto& own = *implementation_;
+  auto& own = *implementation_;
+  own.search.entities().refresh_unlisted_planes();
   const auto& entities = own.search.entities();
   ContactReaches<Dim> all;
   for (std::size_t f = 0; f < entities.faces.size(); ++f) {

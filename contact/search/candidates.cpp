@@ -98,7 +98,11 @@ void Candidates<Dim>::build(Entities<Dim>& entities, const PairTable& pairs, Rea
   std::vector<LocalIndex> row_particles, row_faces;
   find_particles(entities, pairs, row_particles, row_faces);
   find_pairs(entities, pairs);
-  entities.mark_planes();
+  std::vector<char> in_lists(entities.faces.size(), 0);
+  for (const auto& pair : face_pairs_)
+    in_lists[slot_of(pair.lower)] = in_lists[slot_of(pair.upper)] = 1;
+  for (const LocalIndex f : row_faces) in_lists[slot_of(f)] = 1;
+  entities.mark_planes(in_lists);
   find_clearances(entities, row_particles, row_faces);
   moved_ = warped_ = turned_ = 0;
   steps_ = 0;

@@ -49,6 +49,17 @@ struct ContactFace {
   LocalIndex facet = -1;           ///< its place in its surface; -1: only another rank has it
 };
 
+/// A quad that is in no list: what of it bounds the step and says how long the lists hold.
+struct UnlistedQuad {
+  std::array<LocalIndex, 4> node{};  ///< in ContactNodes
+  LocalIndex face = 0;
+  Real warp = 0;             ///< [m] when the lists were built
+  Real area_start = 1;       ///< [m^2] at time 0
+  Real footprint = 0;        ///< [m^2] as of its ContactFace
+  Real phi = 0, zeta = 0;    ///< stiffness that bounds the step always, and damping
+  Real longest = kInfinity;  ///< [s] h/c of what is behind; infinite: it bounds no step
+};
+
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.
 template <int Dim>
 struct FaceTraction {
@@ -119,7 +130,9 @@ struct Entities {
   std::vector<ContactParticle> particles;
   std::vector<char> near;                    ///< by body; empty: all are (search/near_bodies.hpp)
   std::vector<LocalIndex> near_faces;        ///< faces of near bodies, ascending
-  std::vector<FacePlane<Dim>> planes;        ///< of each near face, at nodes.x
+  std::vector<LocalIndex> listed_faces;      ///< those of them whose planes are read
+  std::vector<UnlistedQuad> unlisted;        ///< the others
+  std::vector<FacePlane<Dim>> planes;        ///< at nodes.x, of listed faces
   std::vector<FaceShape<Dim>> shapes;        ///< of each face when its lists were built
   Real warped = 0;                           ///< [m] largest growth of a warp since then
   Real turned = 0;                           ///< largest change of a normal since then
@@ -167,11 +180,15 @@ struct Entities {
   /// Leaves bodies that touch nothing alone: those with a 0; with no entry there are none.
   void choose(const std::vector<char>& of_bodies);
   bool is_near(Label body) const { return near.empty() || (body < near.size() && near[body] != 0); }
-  /// Planes and boxes of near faces at nodes.x, and what they say of steps and of motion.
+  /// Planes and boxes of listed faces at nodes.x, and what all near faces say of steps and of
+  /// motion. Until lists are built all are listed.
   void refresh_planes();
-  /// Lists are built now: `shapes` of the planes.
-  void mark_planes();
-  /// `reaches` of near faces, once their planes are there.
+  /// Planes and boxes of the near faces that are not listed, too.
+  void refresh_unlisted_planes();
+  /// Lists are built now: `shapes` of the planes. Faces that are in no list are left alone.
+  /// in_lists  by face
+  void mark_planes(const std::vector<char>& in_lists);
+  /// `reaches` of listed faces, once their planes are there.
   void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
@@ -202,6 +219,7 @@ struct Entities {
   void refresh_plane(std::size_t face);
   void refresh_some_planes(std::span<const LocalIndex> some);
   void look_at(std::size_t face, Seen& seen) const;
+  void look_at_unlisted(std::size_t first, std::size_t last, Seen& seen) const;
 };
 
 }  // namespace brunt

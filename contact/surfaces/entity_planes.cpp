@@ -22,6 +22,12 @@ SearchBox<Dim> grown(const FacePlane<Dim>& plane, Real depth, Real gap, const Se
   }
   return reach;
 }
+
+/// True for faces whose springs bound the step.
+template <int Dim>
+bool bounds_step(const ContactFace<Dim>& face) {
+  return face.deforms() && !face.held && face.area_start > 0;
+}
 }  // namespace
 
 template <int Dim>
@@ -100,11 +106,49 @@ void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
     seen.turned_square = std::max(seen.turned_square, turn_square);
   }
   const auto& face = faces[f];
-  if (!face.deforms() || face.held || !(face.area_start > 0)) return;
+  if (!bounds_step(face)) return;
   const Real area = std::max(plane.area, face.footprint);
   const Real phi = face.phi_always * recoil_factor(face.recoil) * area / face.area_start;
   const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
   seen.step_limit.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
+}
+
+/// Four at a time, with the bits that look_at gives of each.
+template <int Dim>
+void Entities<Dim>::look_at_unlisted(std::size_t first, std::size_t last, Seen& seen) const {
+  if constexpr (Dim == 3) {
+    for (std::size_t k = first; k < last; k += kLanes) {
+      // The last ones are looked at as often as it takes.
+      std::array<const UnlistedQuad*, kLanes> quad;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        quad[lane] = &unlisted[std::min(k + lane, last - 1)];
+      }
+      const auto four = [&](const auto& of) {
+        return Pack{of(*quad[0]), of(*quad[1]), of(*quad[2]), of(*quad[3])};
+      };
+      std::array<Place<Pack>, 4> corner;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const auto along = [&](int i) {
+          return four([&](const UnlistedQuad& one) { return nodes.x[slot_of(one.node[c])][i]; });
+        };
+        corner[c] = {along(0), along(1), along(2)};
+      }
+      FourMeans means(corner);
+      means.leave_out();
+      const Pack grown = means.warp - four([](auto& one) { return one.warp; });
+      const Pack area = vmax(means.area, four([](auto& one) { return one.footprint; }));
+      const Pack phi = four([](auto& one) { return one.phi; }) * area /
+                       four([](auto& one) { return one.area_start; });
+      const Pack limit = four([](auto& one) { return one.longest; }) *
+                         surface_step_ratio(phi, four([](auto& one) { return one.zeta; }));
+      for (int lane = 0; lane < kLanes; ++lane) {
+        seen.warped = std::max(seen.warped, grown[lane]);
+        if (limit[lane] > seen.step_limit.step) continue;
+        const auto& face = faces[slot_of(quad[slot_of(lane)]->face)];
+        seen.step_limit.take({limit[lane], "contact stiffness", face.body, face.id});
+      }
+    }
+  }
 }
 
 template <int Dim>
@@ -112,10 +156,10 @@ void Entities<Dim>::refresh_planes() {
   // A few at a time: the roots of a face wait for nothing of its neighbours, and what is looked at
   // is still in the cache.
   constexpr std::size_t kBlock = 64;
-  const std::size_t n = near_faces.size();
-  const LocalIndex* const face = near_faces.data();
+  const std::size_t n = listed_faces.size(), n_unlisted = unlisted.size();
+  const LocalIndex* const face = listed_faces.data();
   Seen all;
-#pragma omp parallel if (n > kWorthThreads)
+#pragma omp parallel if (n + n_unlisted > kWorthThreads)
   {
     Seen part;
 #pragma omp for schedule(static) nowait
@@ -123,6 +167,10 @@ void Entities<Dim>::refresh_planes() {
       const std::size_t last = std::min(first + kBlock, n);
       refresh_some_planes({face + first, face + last});
       for (std::size_t k = first; k < last; ++k) look_at(slot_of(face[k]), part);
+    }
+#pragma omp for schedule(static) nowait
+    for (std::size_t first = 0; first < n_unlisted; first += kBlock) {
+      look_at_unlisted(first, std::min(first + kBlock, n_unlisted), part);
     }
 #pragma omp critical(brunt_contact_step_limit)
     all.take(part);
@@ -133,17 +181,43 @@ void Entities<Dim>::refresh_planes() {
 }
 
 template <int Dim>
-void Entities<Dim>::mark_planes() {
+void Entities<Dim>::refresh_unlisted_planes() {
+  std::vector<LocalIndex> some;
+  for (const UnlistedQuad& quad : unlisted) some.push_back(quad.face);
+  refresh_some_planes(some);
+}
+
+template <int Dim>
+void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
   shapes.clear();
   shapes.reserve(planes.size());
   for (const auto& plane : planes) shapes.push_back({plane.normal, plane.warp});
+  // What is held by a tie or a joint has its planes read besides.
+  if (Dim == 2 || nodes.holds) return;
+  listed_faces.clear();
+  unlisted.clear();
+  for (const LocalIndex f : near_faces) {
+    const auto& face = faces[slot_of(f)];
+    if (in_lists[slot_of(f)] != 0 || face.n_nodes != 4) {
+      listed_faces.push_back(f);
+      continue;
+    }
+    UnlistedQuad& quad = unlisted.emplace_back();
+    std::copy_n(face.node.begin(), Facet<Dim>::kNodes, quad.node.begin());
+    quad.face = f, quad.warp = planes[slot_of(f)].warp;
+    if (!bounds_step(face)) continue;
+    quad.area_start = face.area_start, quad.footprint = face.footprint;
+    quad.phi = face.phi_always * recoil_factor(face.recoil);
+    quad.zeta = recoil_damping(face.zeta, face.recoil);
+    quad.longest = face.element_step;
+  }
 }
 
 template <int Dim>
 void Entities<Dim>::refresh_reaches() {
-#pragma omp parallel for schedule(static) if (near_faces.size() > kWorthThreads)
-  for (std::size_t k = 0; k < near_faces.size(); ++k) {
-    const auto f = slot_of(near_faces[k]);
+#pragma omp parallel for schedule(static) if (listed_faces.size() > kWorthThreads)
+  for (std::size_t k = 0; k < listed_faces.size(); ++k) {
+    const auto f = slot_of(listed_faces[k]);
     const auto& face = faces[f];
     const Real depth = face.rigid() ? deepest : face.depth;
     reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
@@ -152,8 +226,10 @@ void Entities<Dim>::refresh_reaches() {
 
 template void Entities<2>::refresh_planes();
 template void Entities<3>::refresh_planes();
-template void Entities<2>::mark_planes();
-template void Entities<3>::mark_planes();
+template void Entities<2>::refresh_unlisted_planes();
+template void Entities<3>::refresh_unlisted_planes();
+template void Entities<2>::mark_planes(const std::vector<char>&);
+template void Entities<3>::mark_planes(const std::vector<char>&);
 template void Entities<2>::refresh_reaches();
 template void Entities<3>::refresh_reaches();
 

@@ -21,6 +21,8 @@ void Entities<Dim>::find_near() {
       of_node[slot_of(face.node[c])] = 1;
     }
   }
+  listed_faces = near_faces;
+  unlisted.clear();
   for (const auto& particle : particles) {
     if (is_near(particle.body)) of_node[slot_of(particle.node)] = 1;
   }
