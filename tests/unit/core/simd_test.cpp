@@ -1,4 +1,6 @@
-/// Each lane of a Pack does what a Real does, bit for bit, signs of zero and NaN included.
+/// Each lane of a Pack does what a Real does, bit for bit, signs of zero and NaN included. A fused
+/// product is that of the library, whose own one works without the instruction too: what every
+/// instruction set agrees on.
 #include "core/simd.hpp"
 
 #include "core/simd_single.hpp"
@@ -6,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <random>
 
 namespace brunt {
 namespace {
@@ -38,6 +41,45 @@ TEST(Simd, MinAndMaxTakeTheSecondOfANan) {
   EXPECT_EQ(vmax(kNan, 1.0), 1.0);
   EXPECT_TRUE(std::isnan(vmin(1.0, kNan)));
   EXPECT_EQ(vmin(broadcast<Pack>(kNan), broadcast<Pack>(1.0))[2], 1.0);
+}
+
+void expect_fused(Real a, Real b, Real c) {
+  const auto expect = [](Real got, Real wanted) {
+    EXPECT_TRUE(bits(got) == bits(wanted) || (std::isnan(got) && std::isnan(wanted)))
+        << got << " " << wanted;
+  };
+  const Real sum = std::fma(a, b, c), rest = std::fma(-a, b, c);
+  expect(vfma(a, b, c), sum);
+  expect(vfnma(a, b, c), rest);
+  const Pack x{a, b, 1, a}, y{b, a, c, b}, z{c, c, 0, c};
+  const Pack p = vfma(x, y, z), q = vfnma(x, y, z);
+  const Wide twice = vfma(joined_wide(x, y), joined_wide(y, x), joined_wide(z, z));
+  const Wide less = vfnma(joined_wide(x, y), joined_wide(y, x), joined_wide(z, z));
+  for (const int lane : {0, 1, 3}) {
+    expect(p[lane], sum), expect(twice[lane], sum), expect(twice[lane + kLanes], sum);
+    expect(less[lane], rest), expect(q[lane], rest);
+  }
+  expect(p[2], std::fma(1.0, c, 0.0));
+  expect(line_at(a, c, b), sum);
+}
+
+TEST(Simd, FusedProductsAreRoundedOnce) {
+  // 1 + 2^-30 squared less its own rounding: what rounding the product first would lose.
+  const Real a = 1 + 0x1p-30, square = a * a;
+  EXPECT_EQ(vfma(a, a, -square), 0x1p-60);
+  EXPECT_EQ(vfnma(a, a, square), -0x1p-60);
+  for (const Real x : kValues) {
+    for (const Real y : kValues) {
+      for (const Real z : kValues) expect_fused(x, y, z);
+    }
+  }
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<Real> part(-1, 1);
+  for (int k = 0; k < 10000; ++k) {
+    const Real x = part(random), y = part(random);
+    expect_fused(x, y, -x * y * (1 + 1e-15 * part(random)));
+    expect_fused(x, y, std::ldexp(part(random), static_cast<int>(60 * part(random))));
+  }
 }
 
 TEST(Simd, AnySeesEachLane) {
