@@ -53,14 +53,16 @@ TEST(Rehearsals, AShortRunIsTriedItself) {
   EXPECT_EQ(rehearsals[0].share, 1);
 }
 
-// Balls that are pressed together are at rest after a third of the time that the deck allows.
+// Balls that are pressed together are at rest after a third of the time that the deck allows: these
+// at 0.372 of it. They are coarse, for a rehearsal of a short run has 20 s of the processor, and
+// a build with sanitizers takes thirty times as long.
 TEST(Rehearsals, SeeWhereStopEndsARun) {
   const std::string deck = test::source_path("decks/hertz/pressed.yaml");
-  const std::vector<std::string> coarse{"parameters.cells=18"};
+  const std::vector<std::string> coarse{"parameters.cells=4"};
   const auto rehearsals = rehearse(deck, coarse, load_deck(deck, coarse), kMeasured, 1);
   ASSERT_EQ(rehearsals.size(), 1U);
-  EXPECT_NEAR(rehearsals[0].share, 0.348, 0.03);
-  EXPECT_NEAR(expected_share(rehearsals), 0.348, 0.03);
+  EXPECT_NEAR(rehearsals[0].share, 0.372, 0.03);
+  EXPECT_NEAR(expected_share(rehearsals), 0.372, 0.03);
 }
 
 // Coarse cylinders slide off each other where finer ones come to rest (decision 203): if none of
