@@ -210,11 +210,7 @@ template <class V>
 BRUNT_INLINE V line_at(V x, Real at_0, Real slope) {
   return vfma(x, broadcast<V>(slope), broadcast<V>(at_0));
 }
-/// a b + c d and a b - c d: the second product is rounded, their sum once.
-template <class V>
-BRUNT_INLINE V sum_of_products(V a, V b, V c, V d) {
-  return vfma(a, b, c * d);
-}
+/// a b - c d: the second product is rounded, the difference once.
 template <class V>
 BRUNT_INLINE V difference_of_products(V a, V b, V c, V d) {
   return vfma(a, b, -(c * d));
