@@ -17,9 +17,6 @@ FourMeans::FourMeans(const std::array<Place<Pack>, 4>& x) {
   // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
   warp = 0.25 * vabs(dot((x[0] - x[1]) + (x[2] - x[3]), normal));
   there = (area > 0) & (dot(normal, normal) > 0.5);
-}
-
-void FourMeans::leave_out() {
   area = select(there, area, broadcast<Pack>(0));
   warp = select(there, warp, broadcast<Pack>(0));
   normal = keep(there, normal);
@@ -27,7 +24,7 @@ void FourMeans::leave_out() {
 
 FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
   center = broadcast<Pack>(0.25) * ((x[0] + x[1]) + (x[2] + x[3]));
-  FourMeans means(x);
+  const FourMeans means(x);
   area = means.area, warp = means.warp, normal = means.normal;
   const Pack width = vsqrt(area), width_start = vsqrt(area_start);
   simple = warp <= kWarpLimit * width;
@@ -41,8 +38,6 @@ FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
     edge = following;
   }
   flat = flat & simple;
-  means.leave_out();
-  area = means.area, warp = means.warp, normal = means.normal;
   const PackMask there = means.there;
   const PackMask no_start = ~(area_start > 0);
   simple = (simple | ~there) & (no_start | (warp <= kWarpLimit * width_start));

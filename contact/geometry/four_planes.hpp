@@ -8,12 +8,10 @@ namespace brunt {
 struct FourMeans {
   Place<Pack> normal;
   Pack area, warp;
-  PackMask there;  ///< those that have an area and a normal; what is given of others is nothing
+  PackMask there;  ///< those that have an area and a normal; others have 0 of all
 
   /// x  [m] corner c of all four, for c = 0 .. 3
   explicit FourMeans(const std::array<Place<Pack>, 4>& x);
-  /// Sets to 0 what those have that are not there.
-  void leave_out();
 };
 
 /// What refresh gives of four quads side by side, with the same bits, and their boxes.

@@ -133,8 +133,7 @@ void Entities<Dim>::look_at_unlisted(std::size_t first, std::size_t last, Seen& 
         };
         corner[c] = {along(0), along(1), along(2)};
       }
-      FourMeans means(corner);
-      means.leave_out();
+      const FourMeans means(corner);
       const Pack grown = means.warp - four([](auto& one) { return one.warp; });
       const Pack area = vmax(means.area, four([](auto& one) { return one.footprint; }));
       const Pack phi = four([](auto& one) { return one.phi; }) * area /
