@@ -3,6 +3,7 @@
 /// relative to the scene's origin; the scene adds it.
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,12 @@ struct Field {
   std::string name;  ///< as in core/fields.hpp: "displacement", "stress", "eps_p", ...
   int components = 1;
   std::vector<Real> values;
+  /// Of a field that waits until it is read, and has no values yet: writes those of entities
+  /// first to last - 1. core/view_fields.hpp
+  std::function<void(std::size_t first, std::size_t last, Real* to)> fill = {};
+  std::size_t n_waiting = 0;  ///< entities of a field that waits
+  /// Number of values, of all components.
+  std::size_t size() const { return fill ? n_waiting * slot_of(components) : values.size(); }
 };
 
 /// The field of that name; null where there is none.
@@ -31,6 +38,8 @@ inline const Field* field_named(const std::vector<Field>& fields, std::string_vi
 /// in every view.
 struct WantedFields {
   std::optional<std::vector<std::string>> names;  ///< none: all
+  /// True: fields may wait until they are read, which is before anything moves on.
+  bool may_wait = false;
   bool has(std::string_view name) const {
     return !names || std::find(names->begin(), names->end(), name) != names->end();
   }

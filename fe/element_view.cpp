@@ -1,7 +1,8 @@
 /// FiniteElements::view: fields of one body for output.
 #include <algorithm>
-#include <cmath>
+#include <memory>
 
+#include "core/materials/state_fields.hpp"
 #include "fe/finite_elements.hpp"
 
 namespace brunt {
@@ -54,130 +55,115 @@ std::vector<LocalIndex> nodes_of(const std::vector<Cell<Dim>>& cells, const Poin
   return nodes;
 }
 
-template <int Dim, class Value>
-Field vector_field(const char* name, const std::vector<LocalIndex>& nodes, const Value& value) {
-  Field field{name, 3, std::vector<Real>(3 * nodes.size())};
-#pragma omp parallel for schedule(static) if (nodes.size() > kViewWorthThreads)
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const Vec<Dim> v = value(nodes[k]);
-    for (int i = 0; i < Dim; ++i) field.values[3 * k + slot_of(i)] = v[i];
-  }
-  return field;
-}
-
-/// Adds what is wanted of a list of fields, each only then computed.
-class FieldAdder {
- public:
-  FieldAdder(const WantedFields& wanted, std::vector<Field>& fields)
-      : wanted_(wanted), fields_(fields) {}
-  /// make()  the field, or one of no values where it is not there
-  template <class Make>
-  void add(const char* name, const Make& make) {
-    if (wanted_.has(name)) fields_.push_back(make(name));
-  }
-  /// value(k)  of the k-th of n entities
-  template <class Value>
-  void add_scalar(const char* name, std::size_t n, const Value& value) {
-    if (!wanted_.has(name)) return;
-    Field& field = fields_.emplace_back(Field{name, 1, std::vector<Real>(n)});
-#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
-    for (std::size_t k = 0; k < n; ++k) field.values[k] = value(k);
-  }
-
- private:
-  const WantedFields& wanted_;
-  std::vector<Field>& fields_;
+/// What a view shows of a body, held as long as a field waits for it.
+template <int Dim>
+struct Shown {
+  std::vector<Cell<Dim>> cells;
+  std::vector<LocalIndex> nodes;
+  std::vector<Real> volume;  ///< [m^3] of the cells
 };
+template <int Dim>
+using ShownPointer = std::shared_ptr<const Shown<Dim>>;
 
 template <int Dim>
-void add_point_fields(const Points<Dim>& points, const std::vector<LocalIndex>& nodes,
-                      const WantedFields& wanted, BodyView& view) {
-  view.position = vector_field<Dim>("", nodes, [&](LocalIndex k) { return points.x[k]; }).values;
-  FieldAdder fields(wanted, view.point_fields);
-  const auto add_vector = [&](const char* name, const auto& value) {
-    fields.add(name, [&](const char* of) { return vector_field<Dim>(of, nodes, value); });
-  };
-  add_vector("displacement",
-             [&](LocalIndex k) -> Vec<Dim> { return points.x[k] - points.x_start[k]; });
-  add_vector("velocity", [&](LocalIndex k) { return points.v[k]; });
-  add_vector("acceleration", [&](LocalIndex k) { return points.a[k]; });
-  add_vector("force", [&](LocalIndex k) { return points.f[k]; });
+void add_points(const Points<Dim>& points, const std::vector<LocalIndex>& nodes, BodyView& view) {
   const std::size_t n = nodes.size();
-  fields.add_scalar("id", n, [&](std::size_t k) { return static_cast<Real>(points.id[nodes[k]]); });
-  fields.add_scalar("piece", n,
-                    [&](std::size_t k) { return static_cast<Real>(points.piece[nodes[k]]); });
-  view.point_mass.reserve(n), view.point_owned.reserve(n);
-  for (const LocalIndex node : nodes) {
+  view.position.resize(3 * n), view.point_mass.resize(n), view.point_owned.resize(n);
+#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
+  for (std::size_t k = 0; k < n; ++k) {
+    const LocalIndex node = nodes[k];
+    put_values<Dim>(points.x[node], &view.position[3 * k]);
     // Means over a rigid body, which has no mass, are weighted by heat capacities.
     const bool rigid = points.mass[node] == 0 && points.conducts;
-    view.point_mass.push_back(rigid ? points.capacity[node] : points.mass[node]);
-    view.point_owned.push_back(node < points.n_owned);
+    view.point_mass[k] = rigid ? points.capacity[node] : points.mass[node];
+    view.point_owned[k] = static_cast<char>(node < points.n_owned);
   }
-  if (!points.conducts) return;
-  fields.add_scalar("temperature", n, [&](std::size_t k) { return points.temperature[nodes[k]]; });
+}
+
+template <int Dim>
+void add_point_fields(const Points<Dim>& points, const ShownPointer<Dim>& of, FieldAdder& fields) {
+  const auto add = [&](const char* name, const auto& value) {
+    fields.add(name, of->nodes.size(),
+               [of, &points, value](std::size_t k) { return value(points, of->nodes[k]); });
+  };
+  using Of = const Points<Dim>&;
+  add("displacement", [](Of p, LocalIndex k) -> Vec<Dim> { return p.x[k] - p.x_start[k]; });
+  add("velocity", [](Of p, LocalIndex k) { return p.v[k]; });
+  add("acceleration", [](Of p, LocalIndex k) { return p.a[k]; });
+  add("force", [](Of p, LocalIndex k) { return p.f[k]; });
+  add("id", [](Of p, LocalIndex k) { return static_cast<Real>(p.id[k]); });
+  add("piece", [](Of p, LocalIndex k) { return static_cast<Real>(p.piece[k]); });
+  if (points.conducts) add("temperature", [](Of p, LocalIndex k) { return p.temperature[k]; });
 }
 
 /// Mean of a quantity of the material points of an element, weighted by their volumes at time 0.
 template <int Dim, class Value>
 Real mean_of(const Cell<Dim>& cell, const Value& value) {
-  if (cell.block->gauss == 1) return value(cell.block->point(cell.element, 0));
+  const MaterialState& state = cell.block->state;
+  if (cell.block->gauss == 1) return value(state, cell.block->point(cell.element, 0));
   Real sum = 0, weight = 0;
   for (int g = 0; g < cell.block->gauss; ++g) {
     const std::size_t k = cell.block->point(cell.element, g);
-    sum += cell.block->reference_volume[k] * value(k);
+    sum += cell.block->reference_volume[k] * value(state, k);
     weight += cell.block->reference_volume[k];
   }
   return sum / weight;
 }
 
-Real von_mises(const MaterialState& state, std::size_t k) {
-  Real sum = 0;
-  for (int i = 0; i < 6; ++i) {
-    const Real s = state.deviator[i][k];
-    sum += (i < 3 ? 1.0 : 2.0) * s * s;
+/// Where rings have no part in it steps find the exact volume, for a tenth of the price.
+template <int Dim>
+Real volume_of(const Cell<Dim>& cell, const Points<Dim>& points, const Thickness& thickness) {
+  const auto& formulation = *cell.block->formulation;
+  const auto x = corner_positions(*cell.block, cell.element, points);
+  return thickness.radial == 0 ? formulation.step_volume(x, thickness)
+                               : formulation.volume(x, false, thickness);
+}
+
+/// True where the four cells from c on are four elements side by side.
+template <int Dim>
+bool are_four(const std::vector<Cell<Dim>>& cells, std::size_t c) {
+  if (c + kLanes > cells.size()) return false;
+  const Cell<Dim>* const first = &cells[c];
+  for (LocalIndex k = 1; k < kLanes; ++k) {
+    if (first[k].block != first->block || first[k].element != first->element + k) return false;
   }
-  return std::sqrt(1.5 * sum);
+  return true;
 }
 
+/// [m^3] of the cells.
 template <int Dim>
-void add_stress_fields(const std::vector<Cell<Dim>>& cells, FieldAdder& fields) {
-  const auto pressure = [&](std::size_t c) {
-    const MaterialState& state = cells[c].block->state;
-    return mean_of(cells[c], [&](std::size_t k) { return state.pressure[k]; });
-  };
-  fields.add("stress", [&](const char* name) {
-    Field stress{name, 6, std::vector<Real>(6 * cells.size())};
-#pragma omp parallel for schedule(static) if (cells.size() > kViewWorthThreads)
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      Real* const to = &stress.values[6 * c];
-      const MaterialState& state = cells[c].block->state;
-      const Real p = pressure(c);
-      for (int i = 0; i < 6; ++i) {
-        const Real s = mean_of(cells[c], [&](std::size_t k) { return state.deviator[i][k]; });
-        to[i] = i < 3 ? s - p : s;
-      }
+std::vector<Real> volumes_of(const std::vector<Cell<Dim>>& cells, const Points<Dim>& points,
+                             const Thickness& thickness) {
+  const std::size_t n = cells.size();
+  std::vector<Real> volume(n);
+#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
+  for (std::size_t c = 0; c < n; c += kLanes) {
+    if (thickness.radial == 0 && are_four(cells, c)) {
+      const auto& block = *cells[c].block;
+      const auto four =
+          block.formulation->step_volumes(block, slot_of(cells[c].element), points, thickness);
+      std::copy(four.begin(), four.end(), &volume[c]);
+      continue;
     }
-    return stress;
-  });
-  fields.add_scalar("pressure", cells.size(), pressure);
-  fields.add_scalar("von_mises", cells.size(), [&](std::size_t c) {
-    const MaterialState& state = cells[c].block->state;
-    return mean_of(cells[c], [&](std::size_t k) { return von_mises(state, k); });
-  });
+    for (std::size_t k = c; k < std::min(n, c + kLanes); ++k) {
+      volume[k] = volume_of(cells[k], points, thickness);
+    }
+  }
+  return volume;
 }
 
-/// A state field, where the law of the body's elements has it.
+/// Corners of the cells. place  of nodes in the view
 template <int Dim>
-void add_state_field(const char* name, std::vector<Real> MaterialState::*member,
-                     const std::vector<Cell<Dim>>& cells, FieldAdder& fields) {
-  const bool there = std::none_of(cells.begin(), cells.end(), [&](const Cell<Dim>& cell) {
-    return (cell.block->state.*member).empty();
-  });
-  if (!there) return;
-  fields.add_scalar(name, cells.size(), [&](std::size_t c) {
-    const std::vector<Real>& values = cells[c].block->state.*member;
-    return mean_of(cells[c], [&](std::size_t k) { return values[k]; });
-  });
+void add_corners(const std::vector<Cell<Dim>>& cells, const std::vector<std::int64_t>& place,
+                 BodyView& view) {
+  const auto corners = slot_of(view.corners);
+  view.connectivity.resize(cells.size() * corners);
+#pragma omp parallel for schedule(static) if (cells.size() > kViewWorthThreads)
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto nodes = cells[c].block->corners_of(cells[c].element);
+    std::transform(nodes.begin(), nodes.end(), &view.connectivity[c * corners],
+                   [&place](LocalIndex node) { return place[node]; });
+  }
 }
 
 }  // namespace
@@ -185,44 +171,41 @@ void add_state_field(const char* name, std::vector<Real> MaterialState::*member,
 template <int Dim>
 BodyView FiniteElements<Dim>::view(Label body, const WantedFields& wanted) const {
   BodyView view;
-  std::vector<Cell<Dim>> cells = cells_of(blocks_, body);
+  const auto shown = std::make_shared<Shown<Dim>>();
+  const ShownPointer<Dim> of = shown;
+  auto& cells = shown->cells;
+  cells = cells_of(blocks_, body);
   view.corners = cells.empty() ? Shape<Dim>::kCorners : cells.front().block->corners;
   view.cell_dimension = Dim;
   std::vector<std::int64_t> place;
-  add_point_fields(points_, nodes_of(cells, points_, place), wanted, view);
+  shown->nodes = nodes_of(cells, points_, place);
+  add_points(points_, of->nodes, view);
+  FieldAdder point_fields(wanted, view.point_fields);
+  add_point_fields(points_, of, point_fields);
+
   std::erase_if(cells, [](const Cell<Dim>& cell) { return !cell.block->owned[cell.element]; });
-  FieldAdder fields(wanted, view.cell_fields);
-  add_stress_fields(cells, fields);
-  add_state_field("eps_p", &MaterialState::eps_p, cells, fields);
-  add_state_field("strain_rate", &MaterialState::strain_rate, cells, fields);
-  add_state_field("plastic_volume", &MaterialState::plastic_volume, cells, fields);
-  add_state_field("opening", &MaterialState::opening, cells, fields);
-  add_state_field("damage", &MaterialState::damage, cells, fields);
-  add_state_field("porosity", &MaterialState::porosity, cells, fields);
-  add_state_field("tensile_strength", &MaterialState::tensile_strength, cells, fields);
-  if (!points_.conducts) add_state_field("temperature", &MaterialState::temperature, cells, fields);
+  add_corners(cells, place, view);
   const std::size_t n = cells.size();
-  const auto corners = slot_of(view.corners);
-  view.connectivity.resize(n * corners);
-  view.cell_volume.resize(n);
-#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
-  for (std::size_t c = 0; c < n; ++c) {
-    const ElementBlock<Dim>& block = *cells[c].block;
-    const auto nodes = block.corners_of(cells[c].element);
-    std::transform(nodes.begin(), nodes.end(), &view.connectivity[c * corners],
-                   [&place](LocalIndex node) { return place[node]; });
-    const auto x = corner_positions(block, cells[c].element, points_);
-    // Where rings have no part in it steps find the exact volume, for a tenth of the price.
-    view.cell_volume[c] = thickness_.radial == 0 ? block.formulation->step_volume(x, thickness_)
-                                                 : block.formulation->volume(x, false, thickness_);
-  }
-  fields.add_scalar("density", n, [&](std::size_t c) {
-    return cells[c].block->mass[cells[c].element] / view.cell_volume[c];
+  shown->volume = volumes_of(cells, points_, thickness_);
+  view.cell_volume = shown->volume;
+  FieldAdder fields(wanted, view.cell_fields);
+  add_state_fields(
+      fields, n, [of](std::size_t c, const auto& value) { return mean_of(of->cells[c], value); },
+      [&cells](auto member) {
+        return std::none_of(cells.begin(), cells.end(), [member](const Cell<Dim>& cell) {
+          return (cell.block->state.*member).empty();
+        });
+      },
+      !points_.conducts);
+  const auto add = [&](const char* name, const auto& value) {
+    fields.add(name, n, [of, value](std::size_t c) { return value(of->cells[c]); });
+  };
+  fields.add("density", n, [of](std::size_t c) {
+    return of->cells[c].block->mass[of->cells[c].element] / of->volume[c];
   });
-  fields.add_scalar("piece", n, [&](std::size_t c) {
-    return static_cast<Real>(cells[c].block->piece[cells[c].element]);
-  });
-  fields.add_scalar("id", n, [&](std::size_t c) { return static_cast<Real>(cells[c].id()); });
+  add("piece",
+      [](const Cell<Dim>& cell) { return static_cast<Real>(cell.block->piece[cell.element]); });
+  add("id", [](const Cell<Dim>& cell) { return static_cast<Real>(cell.id()); });
   return view;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
 #include "core/elements/element_type.hpp"
 #include "core/points.hpp"
+#include "core/simd.hpp"
 
 namespace brunt {
 
@@ -50,6 +52,10 @@ class Formulation {
   virtual Real volume(CornerPlaces<Dim> x, bool one_point, const Thickness& thickness) const = 0;
   /// That of one material point as steps compute it: to rounding the same.
   virtual Real step_volume(CornerPlaces<Dim> x, const Thickness& thickness) const = 0;
+  /// The same of the four elements from e on.
+  virtual std::array<Real, kLanes> step_volumes(const ElementBlock<Dim>& block, std::size_t e,
+                                                const Points<Dim>& points,
+                                                const Thickness& thickness) const = 0;
   /// Bits of the four elements from e on that have volume, as steps measure it, and all of whose
   /// parts do. What is not a number has none.
   virtual unsigned have_volume(const ElementBlock<Dim>& block, std::size_t e,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "core/errors.hpp"
@@ -21,10 +22,14 @@ namespace {
 }
 
 /// Number of bytes that could be written; all of them unless errno says why not.
-std::size_t write_all(int descriptor, std::string_view bytes) {
+/// at  where, in a file that can be positioned; where none: behind what was written last
+std::size_t write_all(int descriptor, std::string_view bytes, std::optional<off_t> at = {}) {
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    const char* const from = bytes.data() + done;
+    const std::size_t left = bytes.size() - done;
+    const ssize_t n = at ? ::pwrite(descriptor, from, left, *at + static_cast<off_t>(done))
+                         : ::write(descriptor, from, left);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) break;
     done += slot_of(n);
@@ -55,7 +60,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
-constexpr std::size_t kWaiting = 1 << 20;  // [byte] gathered before they are written
+constexpr std::size_t kWaiting = 1 << 18;  // [byte] gathered before they are written
 
 }  // namespace
 
@@ -104,9 +109,9 @@ void ReplacedFile::overwrite(std::size_t at, std::string_view bytes) {
     return;
   }
   flush();
-  if (::lseek(descriptor_, static_cast<off_t>(at), SEEK_SET) < 0) fail("write", path_, errno);
-  write(bytes);
-  if (::lseek(descriptor_, 0, SEEK_END) < 0) fail("write", path_, errno);
+  if (write_all(descriptor_, bytes, static_cast<off_t>(at)) != bytes.size()) {
+    fail("write", path_, errno);
+  }
 }
 
 void ReplacedFile::finish(bool lasting) {

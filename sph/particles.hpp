@@ -144,8 +144,6 @@ class SphParticles final : public Solid<Dim> {
 
  private:
   struct TileStress;
-  template <class Fields>
-  void add_fields(const ParticleBlock& block, std::size_t slot, Fields& fields) const;
   bool sleeps(std::size_t i) const { return state_[i].start_volume == 0; }
   bool tile_sleeps(const ParticleBlock& block, std::size_t first) const;
   bool is_left_out(const ParticleBlock& block, LocalIndex i) const;

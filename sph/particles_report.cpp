@@ -1,9 +1,13 @@
 /// What the particles show: totals, checks, fields.
 #include <algorithm>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "core/errors.hpp"
+#include "core/materials/state_fields.hpp"
 #include "sph/correction.hpp"
+#include "sph/parallel.hpp"
 #include "sph/particle_values.hpp"
 
 namespace brunt {
@@ -11,75 +15,6 @@ namespace brunt {
 namespace {
 
 bool is_finite(Real value) { return value - value == 0; }
-
-Real von_mises(const MaterialState& state, std::size_t slot) {
-  Real sum = 0;
-  for (std::size_t c = 0; c < 6; ++c) {
-    const Real s = state.deviator[c][slot];
-    sum += (c < 3 ? 1.0 : 2.0) * (s * s);
-  }
-  return std::sqrt(1.5 * sum);
-}
-
-/// Fields of one body while they fill, of those that are wanted.
-class FieldList {
- public:
-  /// most  entities that the fields may have
-  FieldList(const WantedFields& wanted, std::size_t most) : wanted_(wanted), most_(most) {}
-  /// Adds values to the field of this name; the first call of a name makes it.
-  void add(const char* name, std::initializer_list<Real> values) {
-    if (!wanted_.has(name)) return;
-    auto field = std::find_if(fields_.begin(), fields_.end(),
-                              [&](const Field& f) { return f.name == name; });
-    if (field == fields_.end()) {
-      fields_.push_back({name, static_cast<int>(values.size()), {}});
-      field = fields_.end() - 1;
-      field->values.reserve(values.size() * most_);
-    }
-    field->values.insert(field->values.end(), values);
-  }
-  template <int Dim>
-  void add(const char* name, const Vec<Dim>& v) {
-    if constexpr (Dim == 2) {
-      add(name, {v[0], v[1], 0.0});
-    } else {
-      add(name, {v[0], v[1], v[2]});
-    }
-  }
-  std::vector<Field> take() { return std::move(fields_); }
-  /// The fields without their values.
-  void empty() {
-    for (auto& field : fields_) field.values.clear();
-  }
-
- private:
-  const WantedFields& wanted_;
-  std::size_t most_;
-  std::vector<Field> fields_;
-};
-
-void add_material(FieldList& fields, const MaterialState& state, std::size_t slot,
-                  bool has_temperature) {
-  const Real p = state.pressure[slot];
-  const auto& s = state.deviator;
-  fields.add("stress", {s[xx][slot] - p, s[yy][slot] - p, s[zz][slot] - p, s[xy][slot], s[yz][slot],
-                        s[zx][slot]});
-  fields.add("pressure", {p});
-  fields.add("von_mises", {von_mises(state, slot)});
-  if (!state.eps_p.empty()) fields.add("eps_p", {state.eps_p[slot]});
-  if (!state.strain_rate.empty()) fields.add("strain_rate", {state.strain_rate[slot]});
-  if (!state.opening.empty()) {
-    fields.add("plastic_volume", {state.plastic_volume[slot]});
-    fields.add("opening", {state.opening[slot]});
-  }
-  if (!state.damage.empty()) fields.add("damage", {state.damage[slot]});
-  if (!state.porosity.empty()) fields.add("porosity", {state.porosity[slot]});
-  if (!state.tensile_strength.empty()) {
-    fields.add("tensile_strength", {state.tensile_strength[slot]});
-  }
-  if (has_temperature) return;
-  if (!state.temperature.empty()) fields.add("temperature", {state.temperature[slot]});
-}
 
 }  // namespace
 
@@ -216,51 +151,61 @@ void SphParticles<Dim>::check(Real time, const std::vector<std::string>& body_na
   if (first) throw PhysicsError(*first);
 }
 
-template <int Dim>
-template <class Fields>
-void SphParticles<Dim>::add_fields(const ParticleBlock& block, std::size_t slot,
-                                   Fields& fields) const {
-  const auto i = slot_of(block.set.particle[slot]);
-  fields.template add<Dim>("displacement", points_.x[i] - points_.x_start[i]);
-  fields.template add<Dim>("velocity", points_.v[i]);
-  fields.template add<Dim>("acceleration", points_.a[i]);
-  fields.template add<Dim>("force", points_.f[i]);
-  add_material(fields, block.state, slot, points_.conducts);
-  if (points_.conducts) fields.add("temperature", {points_.temperature[i]});
-  fields.add("density", {block.set.material->density / state_[i].ratio});
-  fields.add("id", {static_cast<Real>(points_.id[i])});
-  fields.add("piece", {static_cast<Real>(points_.piece[i])});
-}
-
 /// Without particles that sleep; where all do, the fields are there, and empty.
 template <int Dim>
 BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
-  BodyView view;
-  const auto most = std::count(points_.body.begin(), points_.body.begin() + points_.n_owned, body);
-  FieldList fields(wanted, slot_of(most));
-  view.position.reserve(3 * slot_of(most));
-  view.point_mass.reserve(slot_of(most));
-  view.point_radius.reserve(slot_of(most));
-  const auto visit = [&](const auto& show) {
-    for (const auto& block : blocks_) {
-      for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
-        if (points_.body[block.set.particle[slot]] == body) show(block, slot);
-      }
+  using Shown = std::vector<std::pair<const ParticleBlock*, std::size_t>>;
+  const auto shown = std::make_shared<Shown>();
+  std::vector<const ParticleBlock*> blocks;  // that have any of the body
+  for (const auto& block : blocks_) {
+    for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
+      if (points_.body[block.set.particle[slot]] != body) continue;
+      if (blocks.empty() || blocks.back() != &block) blocks.push_back(&block);
+      if (!sleeps(slot_of(block.set.particle[slot]))) shown->emplace_back(&block, slot);
     }
-  };
-  visit([&](const ParticleBlock& block, std::size_t slot) {
-    const auto i = slot_of(block.set.particle[slot]);
-    if (sleeps(i)) return;
-    for (int d = 0; d < 3; ++d) view.position.push_back(d < Dim ? points_.x[i][d] : 0.0);
-    add_fields(block, slot, fields);
-    view.point_mass.push_back(weighed_mass(i));
-    view.point_radius.push_back(0.5 * state_[i].spacing);
-  });
-  if (view.position.empty()) {
-    visit([&](const ParticleBlock& block, std::size_t slot) { add_fields(block, slot, fields); });
-    fields.empty();
   }
-  view.point_fields = fields.take();
+  BodyView view;
+  const std::size_t n = shown->size();
+  const std::shared_ptr<const Shown> of = shown;
+  const auto particle = [of](std::size_t k) {
+    return slot_of((*of)[k].first->set.particle[(*of)[k].second]);
+  };
+  view.position.resize(3 * n), view.point_mass.resize(n), view.point_radius.resize(n);
+  for_each(n, [&](std::size_t k) {
+    const auto i = particle(k);
+    put_values<Dim>(points_.x[i], &view.position[3 * k]);
+    view.point_mass[k] = weighed_mass(i);
+    view.point_radius[k] = 0.5 * state_[i].spacing;
+  });
+  if (blocks.empty()) return view;
+
+  FieldAdder fields(wanted, view.point_fields);
+  const auto add = [&](const char* name, const auto& value) {
+    fields.add(name, n,
+               [this, particle, value](std::size_t k) { return value(points_, particle(k)); });
+  };
+  using Of = const Points<Dim>&;
+  add("displacement", [](Of p, std::size_t i) -> Vec<Dim> { return p.x[i] - p.x_start[i]; });
+  add("velocity", [](Of p, std::size_t i) { return p.v[i]; });
+  add("acceleration", [](Of p, std::size_t i) { return p.a[i]; });
+  add("force", [](Of p, std::size_t i) { return p.f[i]; });
+  add_state_fields(
+      fields, n,
+      [of](std::size_t k, const auto& value) {
+        return value((*of)[k].first->state, (*of)[k].second);
+      },
+      [&blocks](auto member) {
+        return std::none_of(blocks.begin(), blocks.end(), [member](const ParticleBlock* block) {
+          return (block->state.*member).empty();
+        });
+      },
+      !points_.conducts);
+  if (points_.conducts) add("temperature", [](Of p, std::size_t i) { return p.temperature[i]; });
+  fields.add("density", n, [this, of, particle](std::size_t k) {
+    return (*of)[k].first->set.material->density / state_[particle(k)].ratio;
+  });
+  add("id", [](Of p, std::size_t i) { return static_cast<Real>(p.id[i]); });
+  add("piece", [](Of p, std::size_t i) { return static_cast<Real>(p.piece[i]); });
   return view;
 }
 

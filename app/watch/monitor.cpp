@@ -242,6 +242,7 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   const auto& wanted = deck_.output.bodies;
   WantedFields fields;
   if (!deck_.output.fields.empty()) fields.names = deck_.output.fields;
+  fields.may_wait = scene.ranks->alone();
   for (std::size_t b = 0; b < body_names_.size(); ++b) {
     const bool left_out =
         !wanted.empty() && std::find(wanted.begin(), wanted.end(), body_names_[b]) == wanted.end();

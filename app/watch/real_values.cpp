@@ -3,6 +3,7 @@
 #include "app/deck/columns.hpp"
 #include "app/deck/process_speed.hpp"
 #include "core/fields.hpp"
+#include "core/view_fields.hpp"
 
 namespace brunt {
 
@@ -38,6 +39,7 @@ void RealValues::make_real(BodyView& view) const {
     for (auto& field : *fields) {
       const int power = power_of_field(field.name);
       if (power == 0) continue;
+      make_values(field);
       for (Real& value : field.values) make_real(value, power);
     }
   }

@@ -165,11 +165,22 @@ class BoxFormulation final : public Formulation<Dim> {
   Real step_volume(CornerPlaces<Dim> x, const Thickness& thickness) const override {
     return one_point_volume<Dim>(x, thickness);
   }
-  unsigned have_volume(const ElementBlock<Dim>& block, std::size_t e, const Points<Dim>& points,
-                       const Thickness& thickness) const override {
+  std::array<Real, kLanes> step_volumes(const ElementBlock<Dim>& block, std::size_t e,
+                                        const Points<Dim>& points,
+                                        const Thickness& thickness) const override {
+    std::array<Real, kLanes> volume;
+    store(volume.data(), whole_volume<Dim>(modes_of_four(block, e, points), thickness));
+    return volume;
+  }
+  static Modal<Dim, Pack> modes_of_four(const ElementBlock<Dim>& block, std::size_t e,
+                                        const Points<Dim>& points) {
     Pack node[kCorners][Dim];
     gather<Dim>(block.corner.data() + e * kCorners, points.x.data(), node);
-    const Modal<Dim, Pack> c = modes_of<Dim>(node);
+    return modes_of<Dim>(node);
+  }
+  unsigned have_volume(const ElementBlock<Dim>& block, std::size_t e, const Points<Dim>& points,
+                       const Thickness& thickness) const override {
+    const Modal<Dim, Pack> c = modes_of_four(block, e, points);
     if (block.gauss == 1) return mask_bits(whole_volume<Dim>(c, thickness) > 0);
     PackMask all = gauss_volume<Dim>(c, 0, thickness) > 0;
     for (int g = 1; g < kGauss<Dim>; ++g) all = all & (gauss_volume<Dim>(c, g, thickness) > 0);

@@ -195,13 +195,19 @@ class TetFormulation final : public Formulation<3> {
   }
   Real volume(CornerPlaces<3> x, bool, const Thickness&) const override { return tet_volume(x); }
   Real step_volume(CornerPlaces<3> x, const Thickness&) const override { return tet_volume(x); }
-  unsigned have_volume(const ElementBlock<3>& block, std::size_t e, const Points<3>& points,
-                       const Thickness&) const override {
-    unsigned bits = 0;
-    for (unsigned lane = 0; lane < kLanes; ++lane) {
-      const auto x = corner_positions(block, static_cast<LocalIndex>(e + lane), points);
-      if (tet_volume(x) > 0) bits |= 1U << lane;
+  std::array<Real, kLanes> step_volumes(const ElementBlock<3>& block, std::size_t e,
+                                        const Points<3>& points, const Thickness&) const override {
+    std::array<Real, kLanes> volume;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      volume[lane] = tet_volume(corner_positions(block, static_cast<LocalIndex>(e + lane), points));
     }
+    return volume;
+  }
+  unsigned have_volume(const ElementBlock<3>& block, std::size_t e, const Points<3>& points,
+                       const Thickness& thickness) const override {
+    const auto volume = step_volumes(block, e, points, thickness);
+    unsigned bits = 0;
+    for (unsigned lane = 0; lane < kLanes; ++lane) bits |= (volume[lane] > 0 ? 1U : 0U) << lane;
     return bits;
   }
   Real add_corner_volumes(CornerPlaces<3> x, const Thickness&, Real factor,

@@ -12,6 +12,7 @@
 #include "io/run_files.hpp"
 #include "io/vtk/grid.hpp"
 #include "io/vtk/messages.hpp"
+#include "io/vtk/vtp_writer.hpp"
 #include "io/vtk/vtu_writer.hpp"
 
 namespace brunt {
@@ -162,10 +163,10 @@ void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
   }
   list_files(folder_, files);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    write_vtu(folder_ / files[b], bodies[b]);
+    write_vtu(folder_ / files[b], bodies[b], memory_);
   }
   if (contact != nullptr) {
-    write_data<vtkXMLPolyDataWriter>(to_contacts(*contact, time), folder_ / files.back());
+    write_vtp(folder_ / files.back(), *contact, time, memory_);
   }
   add(std::move(frame));
 }

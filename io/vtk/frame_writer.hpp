@@ -6,6 +6,7 @@
 #include "core/view.hpp"
 #include "io/vtk/frame_index.hpp"
 #include "io/vtk/pieces.hpp"
+#include "io/vtk/vtk_file.hpp"
 
 namespace brunt {
 
@@ -47,6 +48,7 @@ class FrameWriter {
   std::filesystem::path folder_;
   std::vector<FrameEntry> frames_;
   std::size_t next_ = 0;
+  VtkFileMemory memory_;
 };
 
 /// Writes what one rank has of frame `number`, a file a body and one of the contacts where contact

@@ -4,12 +4,13 @@
 #include <filesystem>
 
 #include "core/view.hpp"
+#include "io/vtk/vtk_file.hpp"
 
 namespace brunt {
 
-/// Writes what VTK's writer makes of to_grid(view): raw arrays, packed by LZ4. Throws
-/// std::invalid_argument where a field's length does not fit, before anything is written, and
-/// MachineError.
-void write_vtu(const std::filesystem::path& path, const BodyView& view);
+/// Writes what VTK's writer makes of to_grid(view): raw arrays, packed by LZ4. Fields that wait are
+/// made part by part. Throws std::invalid_argument where a field's length does not fit, before
+/// anything is written, and MachineError.
+void write_vtu(const std::filesystem::path& path, const BodyView& view, VtkFileMemory& memory);
 
 }  // namespace brunt

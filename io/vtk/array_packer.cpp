@@ -1,0 +1,118 @@
+#include "io/vtk/array_packer.hpp"
+
+#include <vtkLZ4DataCompressor.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "core/errors.hpp"
+#include "io/hash.hpp"
+
+namespace brunt {
+
+namespace {
+
+constexpr std::size_t kBlock = 1 << 15;   // [byte] VTK's own; a multiple of all numbers
+constexpr std::size_t kAtOnce = 64;       // blocks
+constexpr std::size_t kTried = 8;         // blocks of which the first is tried
+constexpr std::size_t kSample = 1 << 12;  // [byte] of them that are tried
+constexpr double kWorthPacking = 0.75;    // of its bytes, at most
+constexpr std::size_t kRoom = kBlock + kBlock / 255 + 16;  // [byte] a packed block at most
+
+/// A block of LZ4 that says nothing but its bytes: how many (15 and what is beyond, in bytes of at
+/// most 255), and they. Returns its size.
+std::size_t keep_block(std::string_view bytes, char* to) {
+  constexpr std::size_t kInToken = 15, kMost = 255;
+  char* const begin = to;
+  *to++ = static_cast<char>(std::min(bytes.size(), kInToken) << 4);
+  if (bytes.size() >= kInToken) {
+    std::size_t rest = bytes.size() - kInToken;
+    for (; rest >= kMost; rest -= kMost) *to++ = static_cast<char>(kMost);
+    *to++ = static_cast<char>(rest);
+  }
+  std::memcpy(to, bytes.data(), bytes.size());
+  return static_cast<std::size_t>(to - begin) + bytes.size();
+}
+
+std::size_t pack_block(vtkLZ4DataCompressor& lz4, std::string_view bytes, char* to) {
+  return lz4.Compress(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                      reinterpret_cast<unsigned char*>(to), kRoom);
+}
+
+std::string_view bytes_of(const std::vector<std::uint64_t>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(std::uint64_t)};
+}
+
+/// A text as a file that can be appended to.
+class Text {
+ public:
+  std::size_t size() const { return text_.size(); }
+  void append(std::string_view bytes) { text_ += bytes; }
+  void overwrite(std::size_t at, std::string_view bytes) { text_.replace(at, bytes.size(), bytes); }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace
+
+/// Packs up to kAtOnce first blocks of the bytes. size  [byte] out, of each of them
+void ArrayPacker::pack(std::string_view bytes, std::span<std::uint64_t> size) {
+  const std::size_t n = size.size(), n_groups = (n + kTried - 1) / kTried;
+  if (packed_.size() < n * kRoom) packed_.resize(n * kRoom);
+#pragma omp parallel if (n_groups > 1)
+  {
+    const vtkNew<vtkLZ4DataCompressor> lz4;
+#pragma omp for schedule(static)
+    for (std::size_t g = 0; g < n_groups; ++g) {
+      const std::string_view sample = bytes.substr(g * kTried * kBlock, kSample);
+      const std::size_t packed = pack_block(*lz4, sample, &packed_[g * kTried * kRoom]);
+      const bool worth =
+          static_cast<double>(packed) < kWorthPacking * static_cast<double>(sample.size());
+      for (std::size_t k = g * kTried; k < std::min(n, (g + 1) * kTried); ++k) {
+        const std::string_view block = bytes.substr(k * kBlock, kBlock);
+        char* const to = &packed_[k * kRoom];
+        size[k] = worth ? pack_block(*lz4, block, to) : keep_block(block, to);
+      }
+    }
+  }
+}
+
+template <class Sink>
+void ArrayPacker::pack_into(std::string_view bytes, Sink& sink) {
+  const std::size_t whole = bytes.size() / kBlock, last = bytes.size() % kBlock;
+  std::vector<std::uint64_t> head{whole + (last > 0 ? 1 : 0), kBlock, last};
+  const std::size_t at = sink.size(), n_blocks = head[0];
+  head.resize(3 + n_blocks);
+  sink.append(bytes_of(head));
+  for (std::size_t b = 0; b < n_blocks; b += kAtOnce) {
+    const std::size_t n = std::min(kAtOnce, n_blocks - b);
+    pack(bytes.substr(b * kBlock), {&head[3 + b], n});
+    if (std::find(&head[3 + b], &head[3 + b] + n, 0) != &head[3 + b] + n) {
+      throw MachineError("cannot write a frame: LZ4 does not pack an array");
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      sink.append(std::string_view(packed_).substr(k * kRoom, head[3 + b + k]));
+    }
+  }
+  sink.overwrite(at, bytes_of(head));
+}
+
+void ArrayPacker::append(std::string_view bytes, ReplacedFile& file) { pack_into(bytes, file); }
+
+void ArrayPacker::append_kept(const std::string& name, std::string_view bytes, KeptArrays& kept,
+                              ReplacedFile& file) {
+  const std::uint64_t hash = hash_bytes(bytes);
+  KeptArrays::Array& array = kept.by_name[name];
+  if (array.packed.empty() || array.size != bytes.size() || array.hash != hash) {
+    Text text;
+    pack_into(bytes, text);
+    array = {bytes.size(), hash, text.take()};
+  }
+  file.append(array.packed);
+}
+
+}  // namespace brunt

@@ -1,0 +1,93 @@
+#include "io/vtk/vtk_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/view_fields.hpp"
+#include "io/vtk/grid.hpp"
+#include "io/vtk/pieces.hpp"
+
+namespace brunt {
+
+namespace {
+
+constexpr std::size_t kOffsetRoom = 32;     // characters of ` offset="..."`
+constexpr std::size_t kHeldRoom = 4 << 20;  // [byte] that stays between files
+
+/// Values of a field, each made a number of another type.
+template <class To, class Convert>
+std::string_view made_of(std::string& room, const Field& field, const Convert& convert) {
+  return made<To>(room, field.size(), [&field, &convert](To* to) {
+    for_parts(field, [to, &convert](std::size_t at, std::span<const Real> part) {
+      std::transform(part.begin(), part.end(), to + at, convert);
+    });
+  });
+}
+
+}  // namespace
+
+VtkFileArray reals(const std::string& name, int components, std::span<const Real> values) {
+  return {"Float64", name, components, [values](std::string&) { return bytes_of_values(values); }};
+}
+
+VtkFileArray singles(const Field& field) {
+  const auto single = [](Real value) { return single_of(value); };
+  return {"Float32", field.name, field.components,
+          [&field, single](std::string& room) { return made_of<float>(room, field, single); }};
+}
+
+VtkFileArray array_of(const Field& field, const std::string& list) {
+  if (!is_whole_field(field.name)) return singles(field);
+  const auto whole = [](Real value) { return static_cast<std::int64_t>(value); };
+  const auto bytes = [&field, whole](std::string& room) {
+    return made_of<std::int64_t>(room, field, whole);
+  };
+  return {"Int64\" IdType=\"1", field.name, field.components, bytes, list + field.name};
+}
+
+VtkFile::VtkFile(const std::filesystem::path& path, const std::string& kind, const Real& time)
+    : kind_(kind), file_(path) {
+  text("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + kind +
+       "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+       "compressor=\"vtkLZ4DataCompressor\">\n  <" +
+       kind + ">\n    <FieldData>\n");
+  declare(reals("TimeValue", 1, {&time, 1}), "      ", " NumberOfTuples=\"1\"");
+  text("    </FieldData>\n");
+}
+
+void VtkFile::declare(VtkFileArray array, const std::string& indent, const std::string& more) {
+  std::string tag =
+      indent + "<DataArray type=\"" + array.type + "\" Name=\"" + escaped(array.name) + "\"";
+  if (array.components > 1) {
+    tag += " NumberOfComponents=\"" + std::to_string(array.components) + "\"";
+    for (int c = 0; c < array.components && array.name != "Points"; ++c) {
+      tag +=
+          " ComponentName" + std::to_string(c) + "=\"" + component_name(array.components, c) + "\"";
+    }
+  }
+  file_.append(tag + more + " format=\"appended\"");
+  places_.push_back(file_.size());
+  file_.append(std::string(kOffsetRoom, ' ') + "/>\n");
+  arrays_.push_back(std::move(array));
+}
+
+void VtkFile::finish(VtkFileMemory& memory, const std::string& body) {
+  file_.append("  </" + kind_ + ">\n  <AppendedData encoding=\"raw\">\n   _");
+  KeptArrays& kept = memory.kept[body];
+  const std::size_t start = file_.size();
+  for (std::size_t a = 0; a < arrays_.size(); ++a) {
+    file_.overwrite(places_[a], " offset=\"" + std::to_string(file_.size() - start) + "\"");
+    const std::string_view bytes = arrays_[a].bytes(memory.room);
+    if (arrays_[a].kept_as.empty()) {
+      memory.packer.append(bytes, file_);
+    } else {
+      memory.packer.append_kept(arrays_[a].kept_as, bytes, kept, file_);
+    }
+  }
+  file_.append("\n  </AppendedData>\n</VTKFile>\n");
+  file_.finish();
+  if (memory.room.size() > kHeldRoom) std::string().swap(memory.room);
+}
+
+}  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.
