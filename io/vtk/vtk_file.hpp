@@ -85,3 +85,4 @@ VtkFileArray singles(const Field& field);
 VtkFileArray array_of(const Field& field, const std::string& list);
 
 }  // namespace brunt
+// Tested by tests/unit/io/vtk_test.cpp.

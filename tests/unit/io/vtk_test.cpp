@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/errors.hpp"
+#include "core/view_fields.hpp"
 #include "io/file.hpp"
 #include "io/vtk/frame_reader.hpp"
 #include "io/vtk/frame_writer.hpp"
@@ -138,6 +139,42 @@ TEST_F(VtkTest, ReadsBackLargeBodies) {
   ASSERT_EQ(read.size(), 2u);
   expect_same(read[0], quads);
   expect_same(read[1], grains);
+}
+
+/// Corners and numbers are packed once as long as they stay: frames of a body that loses a cell,
+/// and of one that gets another number, have what each had.
+TEST_F(VtkTest, FramesHaveTheCornersOfTheirTime) {
+  std::vector<BodyView> views(4, two_tetrahedra());
+  for (BodyView& view : views) view.cell_fields = {{"id", 1, {7, 8}}};
+  views[2].connectivity.resize(4), views[2].cell_fields[0].values = {7};
+  views[3].cell_fields[0].values = {7, 9};
+  FrameWriter writer(folder_);
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    views[k].time = static_cast<Real>(k);
+    writer.write(views[k].time, {views[k]}, nullptr);
+  }
+  const auto index = read_frame_index(folder_);
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    expect_same(read_frame(folder_, index.at(k)).at(0), views[k]);
+  }
+}
+
+/// Fields that wait are written as if they had their values already.
+TEST_F(VtkTest, WritesFieldsThatWait) {
+  constexpr std::size_t kMany = 1'300;  // more than two parts
+  BodyView grains = particles(), waiting;
+  grains.position.assign(3 * kMany, 0.5), grains.point_radius.assign(kMany, 0.25);
+  waiting = grains;
+  const WantedFields at_once, later{{}, true};
+  for (auto [view, wanted] : {std::pair{&grains, &at_once}, std::pair{&waiting, &later}}) {
+    view->point_fields.clear();
+    FieldAdder fields(*wanted, view->point_fields);
+    fields.add("velocity", kMany, [](std::size_t k) -> Vec<2> { return {1.0 * k, 0.5}; });
+    fields.add("id", kMany, [](std::size_t k) -> Real { return 3e9 + 2.0 * k; });
+  }
+  EXPECT_TRUE(waiting.point_fields[0].values.empty());
+  FrameWriter(folder_).write(0, {waiting}, nullptr);
+  expect_same(read_frame(folder_, read_frame_index(folder_)[0]).at(0), grains);
 }
 
 TEST_F(VtkTest, WritesContactsWithTheirFields) {
