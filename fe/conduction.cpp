@@ -21,8 +21,9 @@ BRUNT_INLINE Real take_mechanical_heat(ElementBlock<Dim>& block, std::size_t k, 
 
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step) {
+  if (!(step.inverse_dt > 0) || block.heat_given.empty()) return;
   const auto n = slot_of(block.corners);
-  for (std::size_t k = e; k < e + kLanes; ++k) {
+  for (std::size_t k = e; k < e + kGroup; ++k) {
     const Real rate = take_mechanical_heat(block, k, step.inverse_dt);
     if (rate == 0) continue;
     for (std::size_t I = k * n; I < (k + 1) * n; ++I) {

@@ -5,7 +5,7 @@
 
 namespace brunt {
 
-/// One step of conduction for the kernels, which write the heat rates of four elements from e on:
+/// One step of conduction for the kernels, which write the heat rates of kGroup elements from e on:
 ///   q_I = sum_J K_IJ (T_I - T_J),  K_IJ = int k grad N_I . grad N_J dV,  k at the mean temperature
 /// so that heat flows between pairs of corners and none is lost, and the mechanical heat of the
 /// step (of plastic work, compression and viscosity) by the corners' shares of the capacity. The
@@ -21,7 +21,15 @@ struct ConductionStep {
                                     [W/K] of the corner */
 };
 
-/// Adds the mechanical heat of the step to the corner heat of the four elements from e on.
+/// Heat rates and conductances of the corners of lanes_of<V> hexahedra, [element][corner][2].
+/// corner        8 nodes each
+/// conductivity  of each [W/m/K]
+template <class V>
+void conduct_hexes(const LocalIndex* corner, const Real* conductivity,
+                   const ConductionStep<3>& step, Real* corner_heat);
+
+/// Adds the mechanical heat of the step, where there is any, to the corner heat of the kGroup
+/// elements from e on.
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
 

@@ -115,10 +115,10 @@ void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
   for (auto& block : blocks_) {
     const ConductionStep<Dim> step{points_.x.data(), points_.temperature.data(), thickness_,
                                    inverse_dt, corner_heat_.data() + 2 * block.first_corner};
-    const int n = block.n_padded / kLanes;
+    const int n = block.n_padded / kGroup;
 #pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
     for (int k = 0; k < n; ++k) {
-      block.formulation->conduct(block, slot_of(k) * kLanes, step);
+      block.formulation->conduct(block, slot_of(k) * kGroup, step);
     }
   }
   node_heat_.assign(points_.x.size(), Vec<2>::Zero());

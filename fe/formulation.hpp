@@ -73,7 +73,7 @@ class Formulation {
   /// Sets the stable steps of a tile from x, v and the state as they are.
   virtual void refresh_stable_steps(ElementBlock<Dim>& block, int tile,
                                     const ElementStep<Dim>& step) const = 0;
-  /// Heat rates of the four elements from e on (fe/conduction.hpp).
+  /// Heat rates of the kGroup elements from e on (fe/conduction.hpp).
   virtual void conduct(ElementBlock<Dim>& block, std::size_t e,
                        const ConductionStep<Dim>& step) const = 0;
   /// Nodal temperatures [K], interpolated to the material points of the four elements from e on.

@@ -103,41 +103,61 @@ constexpr CornerTable<Dim> make_corner_table() {
 template <int Dim>
 inline constexpr CornerTable<Dim> kCornerTable = make_corner_table<Dim>();
 
-/// int grad N_I . grad N_J dV of four elements [m], I < J.
-template <int Dim>
-BRUNT_INLINE void gradient_products(const Modal<Dim, Pack>& c, const Thickness& option,
-                                    GradientProducts<Shape<Dim>::kCorners>& K) {
-  constexpr int n = Shape<Dim>::kCorners;
+/// int grad N_I . grad N_J dV of four quads [m], I < J.
+BRUNT_INLINE void gradient_products(const Modal<2, Pack>& c, const Thickness& option,
+                                    Pack (&K)[4][4]) {
   for (auto& row : K) {
     for (auto& value : row) value = broadcast<Pack>(0);
   }
-  for (int g = 0; g < kGauss<Dim>; ++g) {
-    Pack J[Dim][Dim], cof[Dim][Dim];
+  for (int g = 0; g < kGauss<2>; ++g) {
+    Pack J[2][2], cof[2][2], b[4][2];  // b: determinant times grad N_I
     slopes(c, g, J);
     cofactors(J, cof);
-    const Pack determinant = determinant_of<Dim>(J, cof);
-    Pack weight = 1.0 / determinant;
-    if constexpr (Dim == 2) {
-      Pack r = c.m[3][0];
-      for (int m = 0; m < 3; ++m) r += kGaussTable<2>.value[g][m] * c.m[m][0];
-      weight = weight * (option.constant + option.radial * r);
+    const Pack radius = radius_at(c, g);
+    const Pack weight =
+        (1.0 / determinant_of<2>(J, cof)) * (option.constant + option.radial * radius);
+    for (int I = 0; I < 4; ++I) {
+      const auto& slope = kCornerTable<2>.at[g].slope[I];
+      for (int j = 0; j < 2; ++j) b[I][j] = slope[0] * cof[j][0] + slope[1] * cof[j][1];
     }
-    Pack b[n][Dim];  // determinant times grad N_I
-    for (int I = 0; I < n; ++I) {
-      const auto& slope = kCornerTable<Dim>.at[g].slope[I];
-      for (int j = 0; j < Dim; ++j) {
-        b[I][j] = slope[0] * cof[j][0];
-        for (int k = 1; k < Dim; ++k) b[I][j] += slope[k] * cof[j][k];
-      }
-    }
-    for (int I = 0; I < n; ++I) {
-      for (int L = I + 1; L < n; ++L) {
-        Pack product = b[I][0] * b[L][0];
-        for (int j = 1; j < Dim; ++j) product += b[I][j] * b[L][j];
-        K[I][L] += weight * product;
+    for (int I = 0; I < 4; ++I) {
+      for (int L = I + 1; L < 4; ++L) {
+        K[I][L] += weight * (b[I][0] * b[L][0] + b[I][1] * b[L][1]);
       }
     }
   }
+}
+
+/// Heat of four quads from e on.
+void conduct_quads(ElementBlock<2>& block, std::size_t e, const ConductionStep<2>& step) {
+  const LocalIndex* const corner = block.corner.data() + e * 4;
+  Pack node[4][2], K[4][4], T[4];
+  gather<2>(corner, step.x, node);
+  gradient_products(modes_of<2>(node), step.thickness, K);
+  gather_temperature(corner, step.temperature, T);
+  exchange_heat(K, conductivity(block.material->conductivity, T), T, step.corner_heat + 8 * e);
+}
+
+/// Heat of kGroup hexes from e on.
+void conduct_box(ElementBlock<3>& block, std::size_t e, const ConductionStep<3>& step) {
+  constexpr std::size_t kCorners = 8;
+  const LocalIndex* const corner = block.corner.data() + e * kCorners;
+  Real* const heat = step.corner_heat + 2 * kCorners * e;
+  alignas(64) Real k[kGroup];
+  for (std::size_t four = 0; four < kGroup; four += kLanes) {
+    Pack T[kCorners];
+    if (!block.material->conductivity.is_constant()) {
+      gather_temperature(corner + four * kCorners, step.temperature, T);
+    }
+    store(k + four, conductivity(block.material->conductivity, T));
+  }
+  if (wide_lanes()) return conduct_hexes<Wide>(corner, k, step, heat);
+  for (std::size_t four = 0; four < kGroup; four += kLanes) {
+    conduct_hexes<Pack>(corner + four * kCorners, k + four, step, heat + 2 * kCorners * four);
+  }
+}
+void conduct_box(ElementBlock<2>& block, std::size_t e, const ConductionStep<2>& step) {
+  for (std::size_t four = 0; four < kGroup; four += kLanes) conduct_quads(block, e + four, step);
 }
 
 template <int Dim>
@@ -237,12 +257,8 @@ class BoxFormulation final : public Formulation<Dim> {
   }
   void conduct(ElementBlock<Dim>& block, std::size_t e,
                const ConductionStep<Dim>& step) const override {
-    const LocalIndex* corner = block.corner.data() + e * kCorners;
-    Pack node[kCorners][Dim];
-    GradientProducts<kCorners> K;
-    gather<Dim>(corner, step.x, node);
-    gradient_products<Dim>(modes_of<Dim>(node), step.thickness, K);
-    exchange_heat<kCorners>(block, e, K, step);
+    conduct_box(block, e, step);
+    add_mechanical_heat(block, e, step);
   }
   void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e,
                                const Real* temperature) const override {

@@ -266,18 +266,25 @@ class TetFormulation final : public Formulation<3> {
   }
   void conduct(ElementBlock<3>& block, std::size_t e,
                const ConductionStep<3>& step) const override {
+    for (std::size_t four = 0; four < kGroup; four += kLanes) conduct_four(block, e + four, step);
+    add_mechanical_heat(block, e, step);
+  }
+  static void conduct_four(ElementBlock<3>& block, std::size_t e, const ConductionStep<3>& step) {
     Pack x[3][3];
-    gather_edges(block.corner.data() + e * kCorners, step.x, 1, x);
+    const LocalIndex* const corner = block.corner.data() + e * kCorners;
+    gather_edges(corner, step.x, 1, x);
     const Configuration now(x, x);
     const Pack inverse = 1.0 / now.volume;
-    GradientProducts<kCorners> K;
+    Pack K[kCorners][kCorners], T[kCorners];
     for (int I = 0; I < kCorners; ++I) {
       for (int J = I + 1; J < kCorners; ++J) {
         K[I][J] = inverse * (now.B[I][0] * now.B[J][0] + now.B[I][1] * now.B[J][1] +
                              now.B[I][2] * now.B[J][2]);
       }
     }
-    exchange_heat<kCorners>(block, e, K, step);
+    gather_temperature(corner, step.temperature, T);
+    exchange_heat(K, conductivity(block.material->conductivity, T), T,
+                  step.corner_heat + 2 * kCorners * e);
   }
   void interpolate_temperature(ElementBlock<3>& block, std::size_t e,
                                const Real* temperature) const override {

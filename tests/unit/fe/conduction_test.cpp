@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/simd.hpp"
 #include "tests/unit/fe/fe_scene.hpp"
 
 namespace brunt::testing {
@@ -116,6 +117,69 @@ TEST(FeConduction, NoModeOfTemperatureIsFree) {
     Real dissipation = 0;
     for (std::size_t i = 0; i < q.size(); ++i) dissipation -= T[i] * q[i];
     EXPECT_GT(dissipation, 0.5 * 50);
+  }
+}
+
+/// int grad N_I . grad N_J dV [m] of a hex by its definition: at each Gauss point grad N_I =
+/// J^-T dN_I/dxi, N_I = (1 + xi_I xi)(1 + eta_I eta)(1 + zeta_I zeta)/8, dV = det J, weights 1.
+Eigen::Matrix<Real, 8, 8> products_by_definition(const std::array<Vec3, 8>& x) {
+  Eigen::Matrix<Real, 8, 8> K = Eigen::Matrix<Real, 8, 8>::Zero();
+  const auto& sign = Shape<3>::kSign;
+  for (int g = 0; g < 8; ++g) {
+    const Vec3 at = Vec3(sign[g][0], sign[g][1], sign[g][2]) / std::sqrt(3.0);
+    Eigen::Matrix<Real, 3, 8> slope;
+    for (int I = 0; I < 8; ++I) {
+      const Vec3 h(sign[I][0], sign[I][1], sign[I][2]);
+      const Vec3 factor = Vec3::Ones() + h.cwiseProduct(at);
+      slope.col(I) = Vec3(h[0] * factor[1] * factor[2], h[1] * factor[2] * factor[0],
+                          h[2] * factor[0] * factor[1]) /
+                     8;
+    }
+    Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+    for (int I = 0; I < 8; ++I) J += x[slot_of(I)] * slope.col(I).transpose();
+    const Eigen::Matrix<Real, 3, 8> gradient = J.inverse().transpose() * slope;
+    K += J.determinant() * gradient.transpose() * gradient;
+  }
+  return K;
+}
+
+// Cubes, sheets and needles with corners moved by up to 0.3 of their sides. Heat rates and the
+// conductance 1/2 sum_J |K_IJ| agree to rounding of the largest entry, which cancels in some.
+TEST(FeConduction, HexesHaveTheProductsOfTheirGradients) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<Real> uniform(-0.3, 0.3);
+  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(1e-3, 1e-3, 1e-6), Vec3(1, 1, 40)}) {
+    for (int trial = 0; trial < 50; ++trial) {
+      std::array<Vec3, 8> x;
+      std::vector<Vec3> nodes;
+      std::vector<Real> T;
+      for (int I = 0; I < 8; ++I) {
+        for (int i = 0; i < 3; ++i) {
+          x[slot_of(I)][i] = size[i] * (0.5 * Shape<3>::kSign[I][i] + uniform(random));
+        }
+        nodes.push_back(x[slot_of(I)]);
+        T.push_back(300 + 100 * uniform(random));
+      }
+      const auto K = products_by_definition(x);
+      const std::array<LocalIndex, 32> corner{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7,
+                                              0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+      const std::array<Real, 4> k{1, 50, 386, 1e-3};
+      std::array<Real, 64> heat;
+      ConductionStep<3> step;
+      step.x = nodes.data(), step.temperature = T.data();
+      conduct_hexes<Pack>(corner.data(), k.data(), step, heat.data());
+      const Real largest = K.cwiseAbs().maxCoeff();
+      for (int lane = 0; lane < 4; ++lane) {
+        for (int I = 0; I < 8; ++I) {
+          Real rate = 0;
+          for (int J = 0; J < 8; ++J) rate += K(I, J) * (T[slot_of(I)] - T[slot_of(J)]);
+          const Real* const of = &heat[slot_of(16 * lane + 2 * I)];
+          const Real scale = k[slot_of(lane)] * largest;
+          EXPECT_NEAR(of[0], k[slot_of(lane)] * rate, 1e-12 * scale * 60);
+          EXPECT_NEAR(of[1], 0.5 * k[slot_of(lane)] * K.row(I).cwiseAbs().sum(), 1e-12 * scale);
+        }
+      }
+    }
   }
 }
 

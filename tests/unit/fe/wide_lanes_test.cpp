@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 
+#include "fe/conduction.hpp"
 #include "fe/element_step.hpp"
 #include "fe/element_values.hpp"
 #include "fe_scene.hpp"
@@ -97,6 +99,25 @@ void expect_bits_of_all() {
 TEST(WideLanes, HexesHaveTheBitsOfFour) {
   if (!can_run_wide()) GTEST_SKIP() << "no AVX-512 here";
   expect_bits_of_all<3>();
+}
+TEST(WideLanes, ConductingHexesHaveTheBitsOfFour) {
+  if (!can_run_wide()) GTEST_SKIP() << "no AVX-512 here";
+  const Mesh<3> mesh = box_mesh<3>({2, 2, 2}, Vec3::Zero(), Vec3(0.01, 0.02, 3), 0.3);
+  std::vector<LocalIndex> corner;
+  for (const auto& cell : mesh.set.corners) corner.insert(corner.end(), cell.begin(), cell.end());
+  std::vector<Real> temperature, of_four(128), of_eight(128);
+  for (std::size_t i = 0; i < mesh.points.x.size(); ++i) {
+    temperature.push_back(300 + 50 * std::sin(7.0 * static_cast<Real>(i)));
+  }
+  const std::array<Real, 8> k{1, 2, 4, 50, 386, 1e-3, 0, 7};
+  ConductionStep<3> step;
+  step.x = mesh.points.x.data(), step.temperature = temperature.data();
+  conduct_hexes<Wide>(corner.data(), k.data(), step, of_eight.data());
+  conduct_hexes<Pack>(corner.data(), k.data(), step, of_four.data());
+  conduct_hexes<Pack>(corner.data() + 32, k.data() + 4, step, of_four.data() + 64);
+  for (std::size_t n = 0; n < of_four.size(); ++n) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(of_eight[n]), std::bit_cast<std::uint64_t>(of_four[n]));
+  }
 }
 TEST(WideLanes, QuadsHaveTheBitsOfFour) {
   if (!can_run_wide()) GTEST_SKIP() << "no AVX-512 here";
