@@ -127,9 +127,10 @@ Real building_bytes(std::size_t points, std::size_t elements) {
          static_cast<Real>(elements) * (element + kFaces * face);
 }
 
-/// A frame holds all fields of all bodies.
+/// A frame of a lone rank holds places, corners, volumes and weights of all bodies, one array that
+/// is written, and of the frame before packed corners and numbers.
 Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
-  constexpr Real kPointValues = 18, kCellValues = 18;
+  constexpr Real kPointValues = 10, kCellValues = 10;
   return static_cast<Real>(points) * kPointValues * sizeof(Real) +
          static_cast<Real>(cells) * (kCellValues * sizeof(Real) + corners * sizeof(std::int64_t));
 }
