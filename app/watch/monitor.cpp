@@ -178,7 +178,7 @@ std::vector<InertiaShare> Monitor<Dim>::inertia() const {
 template <int Dim>
 EnergyShares Monitor<Dim>::energy_shares() const {
   EnergyShares shares;
-  if (!collector_) return shares;
+  if (!collector_ || energies_.bodies.empty()) return shares;  // it ended before its first row
   const auto& watch = collector_->energies();
   shares.largest = watch.largest(energies_);
   shares.created = std::max(watch_.worst_created(), watch.share(energies_, created_).share);

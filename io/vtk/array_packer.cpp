@@ -111,6 +111,7 @@ void ArrayPacker::append_kept(const std::string& name, std::string_view bytes, K
     Text text;
     pack_into(bytes, text);
     array = {bytes.size(), hash, text.take()};
+    array.packed.shrink_to_fit();  // it doubled as it grew, and stays
   }
   file.append(array.packed);
 }

@@ -11,7 +11,7 @@
 namespace brunt {
 
 /// Packed bytes of arrays that are the same in one frame after the other: corners, numbers.
-/// Memory: some 25 bytes a hex.
+/// Memory: some 30 bytes a hex.
 struct KeptArrays {
   struct Array {
     std::size_t size = 0;

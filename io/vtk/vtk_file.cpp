@@ -12,7 +12,7 @@ namespace brunt {
 namespace {
 
 constexpr std::size_t kOffsetRoom = 32;     // characters of ` offset="..."`
-constexpr std::size_t kHeldRoom = 4 << 20;  // [byte] that stays between files
+constexpr std::size_t kHeldRoom = 1 << 20;  // [byte] that stays between files
 
 /// Values of a field, each made a number of another type.
 template <class To, class Convert>

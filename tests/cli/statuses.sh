@@ -13,6 +13,10 @@ deck=$2/decks/bars/bars.yaml
 short=(--quiet --set "time.end=5 us" --set "output.every=2 us" --set "output.history=0.5 us" --set output.state_hash=true)
 says() { grep -q -- "$1" err.txt || { cat err.txt; fail "does not say '$1'"; }; }
 
+# A run whose first row is none: so fast that its energy is no number.
+expect 3 "$brunt" run "$deck" "${short[@]}" --out fast --set 'bodies.striker.velocity=[1e160 m/s, 0, 0]'
+says 'is no finite number'
+
 # Paths that cannot be: too long, in a circle, of another kind, where nobody may look.
 long=$(printf 'n%.0s' $(seq 300))
 ln -s loop loop
