@@ -4,12 +4,15 @@
 
 namespace brunt {
 
-template <int N>
-BRUNT_INLINE void gather_temperature(const LocalIndex* corner, const Real* temperature,
-                                     Pack (&T)[N]) {
+/// A nodal field at the corners of lanes_of<V> elements.
+template <class V, int N>
+BRUNT_INLINE void gather_temperature(const LocalIndex* corner, const Real* temperature, V (&T)[N]) {
   for (int I = 0; I < N; ++I) {
-    T[I] = Pack{temperature[corner[I]], temperature[corner[N + I]], temperature[corner[2 * N + I]],
-                temperature[corner[3 * N + I]]};
+    V value{};
+    for (int lane = 0; lane < lanes_of<V>; ++lane) {
+      value[lane] = temperature[corner[lane * N + I]];
+    }
+    T[I] = value;
   }
 }
 

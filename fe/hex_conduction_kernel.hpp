@@ -17,6 +17,7 @@ namespace hex_conduction {
 
 /// Bits of a Gauss point (e = 1), and of a product of e: e1 e3 is kE1 + kE3.
 inline constexpr int kE1 = 1, kE2 = 2, kE3 = 4;
+inline constexpr Real kAbscissa = gauss_place<3>(6)[0];  // 1/sqrt(3), of (1, 1, 1)
 inline constexpr int kPoints = 8, kModes = 7, kCorners = 8;
 /// Entries of a symmetric matrix.
 enum Entry : std::uint8_t { m00, m11, m22, m01, m12, m02, kEntries };
@@ -29,7 +30,7 @@ using FourSlopes = V[4][3];
 template <class V>
 BRUNT_INLINE void four_slopes(const V (&linear)[3], const V (&first)[3], const V (&second)[3],
                               const V (&both)[3], FourSlopes<V>& J) {
-  constexpr Real s = 0.577350269189625764509149;  // 1/sqrt(3)
+  constexpr Real s = kAbscissa;
   for (int i = 0; i < 3; ++i) {
     const V a = s * first[i], b = s * second[i], c = (s * s) * both[i];
     const V less = linear[i] - a, more = linear[i] + a;
@@ -82,7 +83,7 @@ BRUNT_INLINE void transform(V (&M)[kPoints]) {
 /// S/64 [m] of all modes but the constant one, from the transforms W of M/64.
 template <class V>
 BRUNT_INLINE void mode_products(const V (&W)[kEntries][kPoints], V (&S)[kModes][kModes]) {
-  constexpr Real s = 0.577350269189625764509149, s2 = 1.0 / 3, s3 = s / 3, s4 = 1.0 / 9;
+  constexpr Real s = kAbscissa, s2 = 1.0 / 3, s3 = s / 3, s4 = 1.0 / 9;
   constexpr int e12 = kE1 + kE2, e23 = kE2 + kE3, e13 = kE1 + kE3, e123 = kE1 + kE2 + kE3;
   const auto &a = W[m00], &b = W[m11], &c = W[m22], &d = W[m01], &f = W[m12], &h = W[m02];
   S[0][0] = a[0], S[1][1] = b[0], S[2][2] = c[0], S[0][1] = d[0], S[1][2] = f[0], S[0][2] = h[0];
@@ -139,15 +140,6 @@ BRUNT_INLINE void gradient_products(const Modal<3, V>& c, V (&K)[kCorners][kCorn
   }
 }
 
-template <class V>
-BRUNT_INLINE V temperatures(const LocalIndex* corner, const Real* temperature) {
-  V T;
-  for (int lane = 0; lane < lanes_of<V>; ++lane) {
-    T[lane] = temperature[corner[lane * kCorners]];
-  }
-  return T;
-}
-
 }  // namespace hex_conduction
 
 template <class V>
@@ -157,9 +149,7 @@ void conduct_hexes(const LocalIndex* corner, const Real* conductivity,
   V node[N][3], K[N][N], T[N];
   gather<3>(corner, step.x, node);
   hex_conduction::gradient_products(modes_of<3>(node), K);
-  for (int I = 0; I < N; ++I) {
-    T[I] = hex_conduction::temperatures<V>(corner + I, step.temperature);
-  }
+  gather_temperature(corner, step.temperature, T);
   exchange_heat(K, load_as<V>(conductivity), T, corner_heat);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kBlock = 1 << 15;   // [byte] VTK's own; a multiple of all numbers
 constexpr std::size_t kAtOnce = 64;       // blocks
-constexpr std::size_t kTried = 8;         // blocks of which the first is tried
+constexpr std::size_t kTried = 8;         // blocks side by side: all or none
 constexpr std::size_t kSample = 1 << 12;  // [byte] of them that are tried
 constexpr double kWorthPacking = 0.75;    // of its bytes, at most
 constexpr std::size_t kRoom = kBlock + kBlock / 255 + 16;  // [byte] a packed block at most

@@ -56,11 +56,32 @@ unsigned char vtk_cell_type(int corners, int dimension) {
   }
 }
 
-namespace {
-
-[[noreturn]] void misfit(const std::string& what) {
+void misfit(const std::string& what) {
   throw std::invalid_argument("view: " + what + " has the wrong length");
 }
+
+std::vector<std::size_t> polydata_order(const ContactView& view) {
+  std::array<std::vector<std::size_t>, 3> orders;
+  for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
+    orders[std::clamp(view.polygon_size[i], 1, 3) - 1].push_back(i);
+  }
+  std::vector<std::size_t> order;
+  for (const auto& part : orders) order.insert(order.end(), part.begin(), part.end());
+  return order;
+}
+
+Field reordered(const std::string& name, int components, const std::vector<Real>& values,
+                const std::vector<std::size_t>& order) {
+  const auto n = slot_of(components);
+  if (values.size() != order.size() * n) misfit("contact field " + name);
+  Field field{name, components, {}};
+  for (const std::size_t i : order) {
+    for (std::size_t c = 0; c < n; ++c) field.values.push_back(values[i * n + c]);
+  }
+  return field;
+}
+
+namespace {
 
 vtkSmartPointer<vtkDataArray> to_array(const Field& field, std::size_t n) {
   const auto components = slot_of(field.components);
@@ -181,28 +202,6 @@ int corners_of(vtkUnstructuredGrid& grid) {
     most = std::max(most, n);
   }
   return most == 1 ? 0 : static_cast<int>(most);
-}
-
-/// Contacts in the order of the cell data of a polydata: vertices, lines (planes in 2D), polygons.
-std::vector<std::size_t> polydata_order(const ContactView& view) {
-  std::array<std::vector<std::size_t>, 3> orders;
-  for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
-    orders[std::clamp(view.polygon_size[i], 1, 3) - 1].push_back(i);
-  }
-  std::vector<std::size_t> order;
-  for (const auto& part : orders) order.insert(order.end(), part.begin(), part.end());
-  return order;
-}
-
-Field reordered(const std::string& name, int components, const std::vector<Real>& values,
-                const std::vector<std::size_t>& order) {
-  const auto n = slot_of(components);
-  if (values.size() != order.size() * n) misfit("contact field " + name);
-  Field field{name, components, {}};
-  for (const std::size_t i : order) {
-    for (std::size_t c = 0; c < n; ++c) field.values.push_back(values[i * n + c]);
-  }
-  return field;
 }
 
 vtkSmartPointer<vtkIntArray> label_array(const char* name, const std::vector<Label>& labels,

@@ -28,6 +28,13 @@ vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time);
 vtkSmartPointer<vtkUnstructuredGrid> to_grid_piece(const BodyView& view);
 vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real time);
 
+/// Contacts in the order of the cell data of a polydata: vertices, lines (planes in 2D), polygons.
+std::vector<std::size_t> polydata_order(const ContactView& view);
+/// Values of contacts in that order. Throws std::invalid_argument where their number does not fit.
+Field reordered(const std::string& name, int components, const std::vector<Real>& values,
+                const std::vector<std::size_t>& order);
+[[noreturn]] void misfit(const std::string& what);
+
 /// VTK's type of a cell. dimension  3: four corners are a tetrahedron; else a quad. Throws
 /// std::invalid_argument where there is none.
 unsigned char vtk_cell_type(int corners, int dimension);

@@ -9,63 +9,36 @@ namespace brunt {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument("view: " + what + " has the wrong length");
-}
-
-/// Contacts of one kind: which they are, their corners, and where those of each end.
+/// Contacts of one kind: their corners, and where those of each end.
 struct ContactCells {
-  std::vector<std::size_t> contact;
   std::vector<std::int64_t> connectivity, offsets;
 };
 
-/// Vertices, lines (planes in 2D), polygons; the order of kinds in a .vtp.
+/// Vertices, lines (planes in 2D), polygons, as polydata_order has them.
 using ContactKinds = std::array<ContactCells, 3>;
 
 ContactKinds kinds_of(const ContactView& view) {
   ContactKinds kinds;
   std::int64_t point = 0;
-  for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
-    const int n = view.polygon_size[i];
-    if (n < 1) refuse("polygon_size");
+  for (const int n : view.polygon_size) {
+    if (n < 1) misfit("polygon_size");
     ContactCells& kind = kinds[slot_of(std::min(n, 3) - 1)];
-    kind.contact.push_back(i);
     for (int c = 0; c < n; ++c) kind.connectivity.push_back(point++);
     kind.offsets.push_back(static_cast<std::int64_t>(kind.connectivity.size()));
   }
-  if (view.position.size() != 3 * slot_of(point)) refuse("polygon_size");
+  if (view.position.size() != 3 * slot_of(point)) misfit("polygon_size");
   return kinds;
 }
 
-/// Values of contacts in the order of the file.
-Field ordered(const char* name, int components, const std::vector<Real>& values,
-              const ContactKinds& kinds) {
-  const auto n = slot_of(components);
-  Field field{name, components, {}};
-  field.values.reserve(values.size());
-  for (const auto& kind : kinds) {
-    for (const std::size_t i : kind.contact) {
-      if (values.size() < (i + 1) * n) refuse(std::string("contact field ") + name);
-      const Real* const value = &values[i * n];
-      field.values.insert(field.values.end(), value, value + n);
-    }
-  }
-  if (field.values.size() != values.size()) refuse(std::string("contact field ") + name);
-  return field;
-}
-
 VtkFileArray label_array(const char* name, const std::vector<Label>& labels,
-                         const ContactKinds& kinds) {
-  std::size_t n = 0;
-  for (const auto& kind : kinds) n += kind.contact.size();
-  if (labels.size() != n) refuse(name);
-  const auto fill = [&labels, &kinds](std::int32_t* to) {
-    for (const auto& kind : kinds) {
-      for (const std::size_t i : kind.contact) *to++ = static_cast<std::int32_t>(labels[i]);
-    }
+                         const std::vector<std::size_t>& order) {
+  if (labels.size() != order.size()) misfit(name);
+  const auto fill = [&labels, &order](std::int32_t* to) {
+    for (const std::size_t i : order) *to++ = static_cast<std::int32_t>(labels[i]);
   };
-  return {"Int32", name, 1,
-          [n, fill](std::string& room) { return made<std::int32_t>(room, n, fill); }};
+  return {"Int32", name, 1, [&order, fill](std::string& room) {
+            return made<std::int32_t>(room, order.size(), fill);
+          }};
 }
 
 VtkFileArray numbers(const char* name, const std::vector<std::int64_t>& values) {
@@ -78,20 +51,21 @@ VtkFileArray numbers(const char* name, const std::vector<std::int64_t>& values) 
 void write_vtp(const std::filesystem::path& path, const ContactView& view, Real time,
                VtkFileMemory& memory) {
   const ContactKinds kinds = kinds_of(view);
-  const std::array fields{ordered("normal", 3, view.normal, kinds),
-                          ordered("pressure", 1, view.pressure, kinds),
-                          ordered("penetration", 1, view.penetration, kinds),
-                          ordered("bonded", 1, view.bonded, kinds),
-                          ordered("max_closure", 1, view.max_closure, kinds),
-                          ordered("force", 3, view.force, kinds)};
-  const auto body_a = label_array("body_a", view.body_a, kinds);
-  const auto body_b = label_array("body_b", view.body_b, kinds);
+  const auto order = polydata_order(view);
+  const std::array fields{reordered("normal", 3, view.normal, order),
+                          reordered("pressure", 1, view.pressure, order),
+                          reordered("penetration", 1, view.penetration, order),
+                          reordered("bonded", 1, view.bonded, order),
+                          reordered("max_closure", 1, view.max_closure, order),
+                          reordered("force", 3, view.force, order)};
+  const auto body_a = label_array("body_a", view.body_a, order);
+  const auto body_b = label_array("body_b", view.body_b, order);
   const auto count = [](std::size_t n) { return "\"" + std::to_string(n) + "\""; };
   constexpr std::array kNames{"Verts", "Lines", "Polys"};
   VtkFile file(path, "PolyData", time);
   std::string piece = "    <Piece NumberOfPoints=" + count(view.position.size() / 3);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    piece += std::string(" NumberOf") + kNames[k] + "=" + count(kinds[k].contact.size());
+    piece += std::string(" NumberOf") + kNames[k] + "=" + count(kinds[k].offsets.size());
   }
   file.text(piece +
             " NumberOfStrips=\"0\">\n      <PointData>\n      </PointData>\n      <CellData>\n");

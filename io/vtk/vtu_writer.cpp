@@ -50,30 +50,26 @@ std::vector<VtkFileArray> cell_arrays(const BodyView& view, std::size_t n_points
           {"UInt8", "types", 1, types, "types"}};
 }
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument("view: " + what + " has the wrong length");
-}
-
 void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cells) {
-  if (view.position.size() % 3 != 0) refuse("position");
+  if (view.position.size() % 3 != 0) misfit("position");
   const auto corners = slot_of(std::max(view.corners, 1));
-  if (view.connectivity.size() % corners != 0) refuse("connectivity");
+  if (view.connectivity.size() % corners != 0) misfit("connectivity");
   for (std::size_t c = 0; c < view.connectivity.size(); ++c) {
     const auto point = view.connectivity[c];
     const bool left_out = point < 0 && c % corners == 3 && corners == 4 && view.cell_dimension != 3;
     if (!left_out && (point < 0 || point >= static_cast<std::int64_t>(n_points))) {
-      refuse("connectivity");
+      misfit("connectivity");
     }
   }
   const auto check = [](const std::vector<Field>& fields, std::size_t n) {
     for (const auto& field : fields) {
       if (field.size() != n * slot_of(field.components)) {
-        refuse("field " + field.name);
+        misfit("field " + field.name);
       }
     }
   };
   check(view.point_fields, n_points), check(view.cell_fields, n_cells);
-  if (!view.point_radius.empty() && view.point_radius.size() != n_points) refuse("radius");
+  if (!view.point_radius.empty() && view.point_radius.size() != n_points) misfit("radius");
 }
 
 }  // namespace
