@@ -75,7 +75,7 @@ template <int Dim>
 void ContactManager<Dim>::rearrange() {
   auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
   if (last.started) {
-    search.renew(last.ahead, true, false);
+    search.renew(last.ahead, Tables::inherited, false);
     evaluation.records().name_nodes(search.entities());
     return;
   }

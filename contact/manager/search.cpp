@@ -1,6 +1,7 @@
 #include "contact/manager/search.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace brunt {
@@ -85,8 +86,9 @@ LookAhead ContactSearch<Dim>::renew_if_needed(Real dt) {
   const bool look = near_.needs_look(speed * dt, speed * ahead.time) || dt == 0;
   const bool others = look && find_near_bodies(ahead.time);
   if (others || !complete || changed) {
-    renew(ahead.time, true, true);
-    refresh_motion();
+    renew(ahead.time, changed ? Tables::inherited : Tables::kept, true);
+    // What other ranks show has come without its motion.
+    if (!setup_.ranks.all->alone()) refresh_motion();
     ahead.longest = longest_after(dt);
   }
   return ahead;
@@ -111,22 +113,29 @@ template <int Dim>
 LookAhead ContactSearch<Dim>::begin() {
   entities_.refresh_planes();
   const Real ahead = look_ahead(0).time;
-  renew(ahead, false, false);
-  if (find_near_bodies(ahead)) renew(ahead, false, false);
+  renew(ahead, Tables::anew, false);
+  if (find_near_bodies(ahead)) renew(ahead, Tables::kept, false);
   return {longest_after(0), ahead};
 }
 
 template <int Dim>
-void ContactSearch<Dim>::renew(Real ahead, bool inherits, bool with_motion) {
-  Entities<Dim> fresh = entities_of(setup_);
-  if (inherits) fresh.nodes.inherit(entities_.nodes);
-  std::swap(entities_, fresh);
-  entities_.longest_step = std::min(entities_.longest_step, setup_.rigid.step_limit.step);
+void ContactSearch<Dim>::renew(Real ahead, Tables tables, bool with_motion) {
+  // Where nothing came or went, tables made anew would hold what is there, but for the entities of
+  // other ranks.
+  const bool keeps = tables == Tables::kept && setup_.ranks.all->alone();
+  std::optional<Entities<Dim>> before;
+  if (keeps) {
+    entities_.begin_motion(setup_.surfaces);
+  } else {
+    before = std::exchange(entities_, entities_of(setup_));
+    entities_.longest_step = std::min(entities_.longest_step, setup_.rigid.step_limit.step);
+    if (tables != Tables::anew) entities_.nodes.inherit(before->nodes);
+  }
   entities_.choose(near_.near());
   if (with_motion) entities_.nodes.read_motion(setup_.surfaces);
   entities_.refresh_planes();
   candidates_.build(entities_, setup_.pairs, ahead, imports_);
-  if (inherits) entities_.inherit_tractions(fresh);
+  if (before && tables != Tables::anew) entities_.inherit_tractions(*before);
 }
 
 /// Finds the bodies that may touch others; true where they are not the same as before. Collective.

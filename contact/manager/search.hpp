@@ -11,6 +11,13 @@ struct LookAhead {
   Real time = 0;      ///< [s] how far ahead speed limits look: the same on all ranks
 };
 
+/// Where the tables of a new search come from.
+enum class Tables {
+  anew,       ///< the surfaces
+  inherited,  ///< the surfaces; what is booked stays with the ids of points
+  kept        ///< those that are there: neither facets nor particles came or went
+};
+
 /// Tables of what can touch, with what other ranks show of theirs, and lists of what may.
 template <int Dim>
 class ContactSearch {
@@ -44,10 +51,9 @@ class ContactSearch {
   LookAhead renew_if_needed(Real dt);
   /// Tables and lists at the positions of time 0. Collective.
   LookAhead begin();
-  /// Tables and lists anew at the present positions. inherits  what is booked stays with the
-  /// points' ids;  with_motion  velocities are those of the step under way, else of the last
-  /// evaluation. Collective.
-  void renew(Real ahead, bool inherits, bool with_motion);
+  /// Lists anew at the present positions. with_motion  velocities are those of the step under way,
+  /// else of the last evaluation. Collective.
+  void renew(Real ahead, Tables tables, bool with_motion);
   /// What was born in the step has met what it overlaps: it is like all else from now on.
   void end_births();
   /// Sums what each face carries, from the records of all ranks. Collective among neighbours.

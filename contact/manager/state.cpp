@@ -106,7 +106,7 @@ void ContactManager<Dim>::load_state(const StateTables& tables) {
   rearrange();
   const LookAhead ahead = search.look_ahead(last.dt);
   last.ahead = ahead.time;
-  search.renew(ahead.time, true, false);
+  search.renew(ahead.time, Tables::inherited, false);
   evaluation.run(setup, search, last.dt, ahead, memory.step(false, true), nullptr);
   memory.take_repeated(evaluation.records());
   if (!nodes.has_friction) return;

@@ -177,6 +177,8 @@ struct Entities {
   void inherit_tractions(const Entities& old);
   /// What was born in this step has met what it overlaps.
   void end_births();
+  /// As made anew where points are now; what is booked and planes' numbers stay.
+  void begin_motion(const std::vector<Surface<Dim>*>& surfaces);
   /// Leaves bodies that touch nothing alone: those with a 0; with no entry there are none.
   void choose(const std::vector<char>& of_bodies);
   bool is_near(Label body) const { return near.empty() || (body < near.size() && near[body] != 0); }

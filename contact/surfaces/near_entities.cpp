@@ -4,6 +4,12 @@
 namespace brunt {
 
 template <int Dim>
+void Entities<Dim>::begin_motion(const std::vector<Surface<Dim>*>& surfaces) {
+  nodes.begin_motion(surfaces);
+  shapes.clear();
+}
+
+template <int Dim>
 void Entities<Dim>::choose(const std::vector<char>& of_bodies) {
   near = of_bodies;
   find_near();
@@ -36,6 +42,8 @@ void Entities<Dim>::end_births() {
   any_born = false;
 }
 
+template void Entities<2>::begin_motion(const std::vector<Surface<2>*>&);
+template void Entities<3>::begin_motion(const std::vector<Surface<3>*>&);
 template void Entities<2>::end_births();
 template void Entities<3>::end_births();
 template void Entities<2>::choose(const std::vector<char>&);

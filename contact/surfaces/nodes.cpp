@@ -53,6 +53,16 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
 }
 
 template <int Dim>
+void ContactNodes<Dim>::begin_motion(const std::vector<Surface<Dim>*>& surfaces) {
+  motion = {};
+#pragma omp parallel for schedule(static) if (size() > kWorthThreads)
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (point[i] < 0) continue;
+    x[i] = x_made[i] = surfaces[slot_of(surface[i])]->points->x[slot_of(point[i])];
+  }
+}
+
+template <int Dim>
 void ContactNodes<Dim>::choose(const std::vector<char>& is_near) {
   near.clear(), far.clear();
   for (std::size_t i = 0; i < size(); ++i) {

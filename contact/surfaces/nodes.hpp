@@ -35,7 +35,7 @@ struct ContactNodes {
   std::vector<GlobalId> id;
   std::vector<Real> mass;                 ///< [kg]
   std::vector<Vec<Dim>> x;                ///< [m] at the last evaluation
-  std::vector<Vec<Dim>> x_made;           ///< [m] when they were added here
+  std::vector<Vec<Dim>> x_made;           ///< [m] when lists were last built
   std::vector<Vec<Dim>> v;                ///< [m/s] at the last evaluation
   MotionBounds<Dim> motion;               ///< since `x_made`, of the points here, as last read
   std::vector<Vec<Dim>> spring, damping;  ///< [N] forces of this evaluation
@@ -105,6 +105,8 @@ struct ContactNodes {
   /// A point of another rank; [kg], [m], [m/s].
   LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
                         const Vec<Dim>& velocity);
+  /// Motion is counted from where the points here are now.
+  void begin_motion(const std::vector<Surface<Dim>*>& surfaces);
   /// Leaves nodes that touch nothing alone: those with a 0.
   void choose(const std::vector<char>& near);
   /// Takes x, v and spin of the points that are here from the groups, and how they moved; of those
