@@ -95,7 +95,7 @@ void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
       advance(at.block, at.tile, CornerSums{own_place_.data(), at.first, row});
     }
     const auto sum = std::make_unique_for_overwrite<Real[]>(most_rows_ * kRow);
-#pragma omp for schedule(static)
+#pragma omp for schedule(dynamic, 1)
     for (std::size_t k = 0; k < n_chunks; ++k) {
       const Chunk& chunk = chunks_[k];
       std::fill_n(sum.get(), (chunk.n_nodes + 1) * kRow, 0.0);

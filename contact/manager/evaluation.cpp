@@ -6,6 +6,10 @@
 namespace brunt {
 
 namespace {
+/// Pairs of faces below which a team of threads costs more than it saves: one that is pressed takes
+/// a microsecond.
+constexpr std::size_t kPairsWorthThreads = 64;
+
 /// [m/s^2]
 Real gravity_of(const ContactOptions& options) {
   Real squared = 0;
@@ -31,10 +35,11 @@ void Evaluation<Dim>::run(const ContactSetup<Dim>& setup, ContactSearch<Dim>& se
                             candidates.way_of_faces(entities) > 0};
   const auto on_faces = candidates.faces(entities);
   if (candidates.n_faces() > 0) entities.refresh_reaches();
-  records_.for_parts(
-      candidates.n_faces(), kWorthThreads, [&](std::size_t first, std::size_t last, auto& part) {
-        evaluate_faces<Dim>(entities, on_faces.part(first, last), setup.section, step, past, part);
-      });
+  records_.for_parts(candidates.n_faces(), kPairsWorthThreads,
+                     [&](std::size_t first, std::size_t last, auto& part) {
+                       evaluate_faces<Dim>(entities, on_faces.part(first, last), setup.section,
+                                           step, past, part);
+                     });
   run_particles(setup, search, step, past);
   step_limit_ = ahead.longest;
   step_limit_.take(records_.step_limit());
