@@ -1,63 +1,14 @@
 /// Rows of particles beside particles of other bodies.
 #include <algorithm>
-#include <cmath>
-#include <map>
 
 #include "contact/contacts/particle_pair.hpp"
 #include "contact/law/springs.hpp"
 #include "contact/search/candidates.hpp"
+#include "contact/search/near_pieces.hpp"
 
 namespace brunt {
 
 namespace {
-/// The particles of one piece of a body, and the bounds of their boxes.
-template <int Dim>
-struct Piece {
-  Label body = 0;
-  SearchBox<Dim> bounds;
-  std::vector<std::size_t> beside;  // pieces that it may touch
-};
-
-/// Particles whose boxes meet the bounds of a piece that they may touch, ascending.
-/// boxes  [m] by particle;  nearby, places  out
-template <int Dim>
-void find_nearby(const Entities<Dim>& entities, const PairTable& pairs, SearchMode mode,
-                 const std::vector<SearchBox<Dim>>& boxes, std::vector<SearchBox<Dim>>& nearby,
-                 std::vector<LocalIndex>& places) {
-  const auto& particles = entities.particles;
-  std::map<std::pair<Label, Label>, std::size_t> known;
-  std::vector<Piece<Dim>> pieces;
-  std::vector<std::size_t> piece_of(particles.size());
-  for (std::size_t p = 0; p < particles.size(); ++p) {
-    const auto& one = particles[p];
-    if (!entities.is_near(one.body)) continue;
-    const auto [it, is_new] = known.try_emplace({one.body, one.piece}, pieces.size());
-    if (is_new) pieces.push_back({one.body, boxes[p], {}});
-    piece_of[p] = it->second;
-    pieces[it->second].bounds.enclose(boxes[p]);
-  }
-  std::vector<SearchBox<Dim>> bounds;
-  bounds.reserve(pieces.size());
-  for (const auto& piece : pieces) bounds.push_back(piece.bounds);
-  const auto meet = [&](LocalIndex i, LocalIndex j) {
-    return pairs.of_particles(pieces[slot_of(i)].body, pieces[slot_of(j)].body) != nullptr;
-  };
-  for (const auto& [i, j] : overlapping_pairs<Dim>(bounds, meet, mode)) {
-    pieces[slot_of(i)].beside.push_back(slot_of(j));
-    pieces[slot_of(j)].beside.push_back(slot_of(i));
-  }
-  for (std::size_t p = 0; p < particles.size(); ++p) {
-    if (!entities.is_near(particles[p].body)) continue;
-    const auto& beside = pieces[piece_of[p]].beside;
-    const bool near = std::any_of(beside.begin(), beside.end(), [&](std::size_t piece) {
-      return boxes[p].meets(pieces[piece].bounds);
-    });
-    if (!near) continue;
-    nearby.push_back(boxes[p]);
-    places.push_back(static_cast<LocalIndex>(p));
-  }
-}
-
 template <int Dim>
 PairCandidate candidate_of(const Entities<Dim>& entities, const PairTable& pairs, LocalIndex i,
                            LocalIndex j) {
@@ -95,9 +46,16 @@ void Candidates<Dim>::find_pairs(const Entities<Dim>& entities, const PairTable&
   pair_starts_.clear();
   if (!pairs.particles_meet() || particles.empty()) return;
   std::vector<SearchBox<Dim>> boxes(particles.size()), nearby;
-  std::vector<LocalIndex> places;
   for (std::size_t p = 0; p < boxes.size(); ++p) boxes[p] = box_beside_particles(entities, p);
-  find_nearby<Dim>(entities, pairs, mode_, boxes, nearby, places);
+  const auto piece_of = [&](std::size_t p) {
+    return PieceKey{particles[p].body, particles[p].piece};
+  };
+  const auto may_meet = [&](const PieceKey& a, const PieceKey& b) {
+    return a != b && pairs.of_particles(a.first, b.first) != nullptr;
+  };
+  const auto places = near_pieces<Dim>(boxes, piece_of, may_meet, mode_);
+  nearby.reserve(places.size());
+  for (const LocalIndex p : places) nearby.push_back(boxes[slot_of(p)]);
   const auto particle = [&](LocalIndex near) -> const ContactParticle& {
     return particles[slot_of(places[slot_of(near)])];
   };

@@ -4,6 +4,7 @@
 
 #include "contact/law/springs.hpp"
 #include "contact/search/candidates.hpp"
+#include "contact/search/near_pieces.hpp"
 
 namespace brunt {
 
@@ -89,18 +90,41 @@ FaceCandidate FacePairs<Dim>::candidate(std::size_t k) const {
           of.options->watched() ? of.options->stiffness : 0.0};
 }
 
+namespace {
+/// Leaves faces that are far from all that their bodies may touch out, and their boxes.
+template <int Dim>
+void keep_near_pieces(const Entities<Dim>& entities, const PairTable& pairs, SearchMode mode,
+                      std::vector<LocalIndex>& near, std::vector<SearchBox<Dim>>& boxes) {
+  const auto& faces = entities.faces;
+  const auto piece_of = [&](std::size_t k) {
+    const auto& face = faces[slot_of(near[k])];
+    return PieceKey{face.body, face.piece};
+  };
+  const auto may_meet = [&](const PieceKey& a, const PieceKey& b) {
+    return a == b ? pairs.touches_itself(a.first) : !pairs.of(a.first, b.first).ignore;
+  };
+  const auto kept = near_pieces<Dim>(boxes, piece_of, may_meet, mode);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    near[k] = near[slot_of(kept[k])];
+    boxes[k] = boxes[slot_of(kept[k])];
+  }
+  near.resize(kept.size());
+  boxes.resize(kept.size());
+}
+}  // namespace
+
 template <int Dim>
 void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable& pairs) {
-  const auto& near = entities.near_faces;
   face_pairs_.clear();
   face_options_.clear();
+  auto near = entities.near_faces;
   std::vector<SearchBox<Dim>> boxes(near.size());
+#pragma omp parallel for schedule(static) if (near.size() > kWorthThreads)
+  for (std::size_t k = 0; k < near.size(); ++k) boxes[k] = box_of_face(entities, slot_of(near[k]));
+  keep_near_pieces(entities, pairs, mode_, near, boxes);
   std::vector<FaceMask<Dim>> faces;
   faces.reserve(near.size());
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    boxes[k] = box_of_face(entities, slot_of(near[k]));
-    faces.emplace_back(entities.faces[slot_of(near[k])], pairs);
-  }
+  for (const LocalIndex f : near) faces.emplace_back(entities.faces[slot_of(f)], pairs);
   const auto admits = [&](LocalIndex i, LocalIndex j) {
     const auto &a = faces[slot_of(i)], &b = faces[slot_of(j)];
     if (!a.owned || (a.rigid && b.rigid)) return false;
