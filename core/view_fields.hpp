@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/parallel/threads.hpp"
 #include "core/view.hpp"
 
 namespace brunt {
@@ -23,18 +24,17 @@ void for_parts(const Field& field, const Take& take) {
   const auto components = slot_of(field.components);
   const std::size_t n = field.size() / components;
   const std::size_t n_parts = (n + kFieldPart - 1) / kFieldPart;
-#pragma omp parallel for schedule(static) if (n_parts > kWorthThreads)
-  for (std::size_t p = 0; p < n_parts; ++p) {
+  for_each(n_parts, kWorthThreads, [&](std::size_t p) {
     const std::size_t first = p * kFieldPart, last = std::min(n, first + kFieldPart);
     const std::size_t at = first * components, size = (last - first) * components;
     if (!field.fill) {
       take(at, std::span<const Real>(field.values).subspan(at, size));
-      continue;
+      return;
     }
     std::array<Real, kFieldPart * kMostComponents> part;
     field.fill(first, last, part.data());
     take(at, std::span<const Real>(part.data(), size));
-  }
+  });
 }
 
 /// Gives a field that waits its values.

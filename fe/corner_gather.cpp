@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/parallel/threads.hpp"
+
 namespace brunt {
 namespace {
 constexpr LocalIndex kNodesWorthThreads = 2048;  // nodes
@@ -11,15 +13,14 @@ constexpr LocalIndex kNodesWorthThreads = 2048;  // nodes
 template <int W>
 void CornerGather::add(const Real* value, std::vector<Vec<W>>& out) const {
   const auto n = static_cast<LocalIndex>(offset.size()) - 1;
-#pragma omp parallel for schedule(static) if (n > kNodesWorthThreads)
-  for (LocalIndex node = 0; node < n; ++node) {
+  for_each(n, kNodesWorthThreads, [&](LocalIndex node) {
     Real sum[W] = {};
     for (std::int64_t k = offset[node]; k < offset[node + 1]; ++k) {
       const Real* from = value + slot_of(place[k]) * W;
       for (int i = 0; i < W; ++i) sum[i] += from[i];
     }
     for (int i = 0; i < W; ++i) out[node][i] += sum[i];
-  }
+  });
 }
 
 template <int Dim>

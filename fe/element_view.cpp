@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/materials/state_fields.hpp"
+#include "core/parallel/threads.hpp"
 #include "fe/finite_elements.hpp"
 
 namespace brunt {
@@ -69,15 +70,14 @@ template <int Dim>
 void add_points(const Points<Dim>& points, const std::vector<LocalIndex>& nodes, BodyView& view) {
   const std::size_t n = nodes.size();
   view.position.resize(3 * n), view.point_mass.resize(n), view.point_owned.resize(n);
-#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
-  for (std::size_t k = 0; k < n; ++k) {
+  for_each(n, kViewWorthThreads, [&](std::size_t k) {
     const LocalIndex node = nodes[k];
     put_values<Dim>(points.x[node], &view.position[3 * k]);
     // Means over a rigid body, which has no mass, are weighted by heat capacities.
     const bool rigid = points.mass[node] == 0 && points.conducts;
     view.point_mass[k] = rigid ? points.capacity[node] : points.mass[node];
     view.point_owned[k] = static_cast<char>(node < points.n_owned);
-  }
+  });
 }
 
 template <int Dim>
@@ -136,19 +136,19 @@ std::vector<Real> volumes_of(const std::vector<Cell<Dim>>& cells, const Points<D
                              const Thickness& thickness) {
   const std::size_t n = cells.size();
   std::vector<Real> volume(n);
-#pragma omp parallel for schedule(static) if (n > kViewWorthThreads)
-  for (std::size_t c = 0; c < n; c += kLanes) {
+  for_each((n + kLanes - 1) / kLanes, kViewWorthThreads / kLanes, [&](std::size_t group) {
+    const std::size_t c = group * kLanes;
     if (thickness.radial == 0 && are_four(cells, c)) {
       const auto& block = *cells[c].block;
       const auto four =
           block.formulation->step_volumes(block, slot_of(cells[c].element), points, thickness);
       std::copy(four.begin(), four.end(), &volume[c]);
-      continue;
+      return;
     }
     for (std::size_t k = c; k < std::min(n, c + kLanes); ++k) {
       volume[k] = volume_of(cells[k], points, thickness);
     }
-  }
+  });
   return volume;
 }
 
@@ -158,12 +158,11 @@ void add_corners(const std::vector<Cell<Dim>>& cells, const std::vector<std::int
                  BodyView& view) {
   const auto corners = slot_of(view.corners);
   view.connectivity.resize(cells.size() * corners);
-#pragma omp parallel for schedule(static) if (cells.size() > kViewWorthThreads)
-  for (std::size_t c = 0; c < cells.size(); ++c) {
+  for_each(cells.size(), kViewWorthThreads, [&](std::size_t c) {
     const auto nodes = cells[c].block->corners_of(cells[c].element);
     std::transform(nodes.begin(), nodes.end(), &view.connectivity[c * corners],
                    [&place](LocalIndex node) { return place[node]; });
-  }
+  });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "core/parallel/threads.hpp"
 #include "fe/conduction.hpp"
 #include "fe/element_check.hpp"
 #include "fe/element_values.hpp"
@@ -237,8 +238,7 @@ void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_
   LocalIndex element = 0;
   for (const auto& block : blocks_) {
     const LocalIndex n_groups = (block.n + kLanes - 1) / kLanes;
-#pragma omp parallel for schedule(static) if (block.n > kCheckWorthThreads)
-    for (LocalIndex group = 0; group < n_groups; ++group) {
+    for_each(n_groups, kCheckWorthThreads / kLanes, [&](LocalIndex group) {
       const LocalIndex first = group * kLanes;
       const unsigned sound =
           block.formulation->have_volume(block, slot_of(first), points_, thickness_);
@@ -247,7 +247,7 @@ void FiniteElements<Dim>::check(Real time, const std::vector<std::string>& body_
 #pragma omp critical(brunt_element_failure)
         if (where == nullptr || block.id[e] < where->id[element]) where = &block, element = e;
       }
-    }
+    });
   }
   if (where == nullptr) return;
   PhysicsFailure failure = element_failure(*where, element, points_, thickness_).value();

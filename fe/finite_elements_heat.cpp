@@ -1,6 +1,7 @@
 /// Conduction of a group of finite elements: temperatures live at its nodes.
 #include <algorithm>
 
+#include "core/parallel/threads.hpp"
 #include "fe/conduction.hpp"
 #include "fe/finite_elements.hpp"
 
@@ -101,11 +102,10 @@ void FiniteElements<Dim>::interpolate_temperatures() {
   for (auto& block : blocks_) {
     if (block.state.temperature.empty()) continue;
     const int n = block.n_padded / kLanes;
-#pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
-    for (int k = 0; k < n; ++k) {
+    for_each(n, kGroupsWorthThreads, [&](int k) {
       block.formulation->interpolate_temperature(block, slot_of(k) * kLanes,
                                                  points_.temperature.data());
-    }
+    });
   }
 }
 
@@ -116,10 +116,8 @@ void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
     const ConductionStep<Dim> step{points_.x.data(), points_.temperature.data(), thickness_,
                                    inverse_dt, corner_heat_.data() + 2 * block.first_corner};
     const int n = block.n_padded / kGroup;
-#pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
-    for (int k = 0; k < n; ++k) {
-      block.formulation->conduct(block, slot_of(k) * kGroup, step);
-    }
+    for_each(n, kGroupsWorthThreads,
+             [&](int k) { block.formulation->conduct(block, slot_of(k) * kGroup, step); });
   }
   node_heat_.assign(points_.x.size(), Vec<2>::Zero());
   gather_.template add<2>(corner_heat_.data(), node_heat_);
@@ -156,10 +154,8 @@ void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
       continue;
     }
     const int n = block.n_padded / kLanes;
-#pragma omp parallel for schedule(static) if (n > kGroupsWorthThreads)
-    for (int k = 0; k < n; ++k) {
-      give_mechanical_heat(block, slot_of(k) * kLanes, inverse_dt, rates);
-    }
+    for_each(n, kGroupsWorthThreads,
+             [&](int k) { give_mechanical_heat(block, slot_of(k) * kLanes, inverse_dt, rates); });
   }
   node_mechanical_.assign(points_.x.size(), Vec<1>::Zero());
   gather_.template add<1>(corner_heat_.data(), node_mechanical_);

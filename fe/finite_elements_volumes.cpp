@@ -1,6 +1,7 @@
 /// Volumes about nodes, of elements whose pressure is of them (docs/theory/elements.md, section 8).
 #include <algorithm>
 
+#include "core/parallel/threads.hpp"
 #include "fe/finite_elements.hpp"
 #include "fe/initial_stress.hpp"
 
@@ -37,10 +38,8 @@ void FiniteElements<Dim>::sum_volumes(const std::vector<Vec<Dim>>& x) {
     if (!averages(block)) continue;
     Real* out = corner_volume_.data() + block.first_corner;
     const int n = block.n_tiles();
-#pragma omp parallel for schedule(static) if (n > kVolumesWorthThreads)
-    for (int t = 0; t < n; ++t) {
-      block.formulation->write_corner_volumes(block, t, x.data(), out);
-    }
+    for_each(n, kVolumesWorthThreads,
+             [&](int t) { block.formulation->write_corner_volumes(block, t, x.data(), out); });
   }
   node_volume_.assign(points_.x.size(), Vec<1>::Zero());
   gather_.template add<1>(corner_volume_.data(), node_volume_);

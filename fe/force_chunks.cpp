@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/parallel/threads.hpp"
+
 namespace brunt {
 namespace {
 [[maybe_unused]] constexpr std::size_t kBordersWorthThreads = 2048;  // nodes
@@ -133,14 +135,13 @@ void ForceChunks<Dim>::hand_over(const Chunk& chunk, const Real* sum, std::vecto
 template <int Dim>
 void ForceChunks<Dim>::add_borders(std::vector<Vec<Dim>>& f) const {
   const std::size_t n = border_node_.size();
-#pragma omp parallel for schedule(static) if (n > kBordersWorthThreads)
-  for (std::size_t k = 0; k < n; ++k) {
+  for_each(n, kBordersWorthThreads, [&](std::size_t k) {
     Real sum[Dim] = {};
     for (std::size_t r = border_[k]; r < border_[k + 1]; ++r) {
       for (int i = 0; i < Dim; ++i) sum[i] += border_row_[r * kRow + slot_of(i)];
     }
     for (int i = 0; i < Dim; ++i) f[border_node_[k]][i] += sum[i];
-  }
+  });
 }
 
 template class ForceChunks<2>;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/parallel/threads.hpp"
 #include "fe/element_block.hpp"
 
 namespace brunt {
@@ -84,8 +85,7 @@ template <int Dim>
 template <class Advance>
 void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
   const std::size_t n_shared = shared_.size(), n_chunks = chunks_.size();
-#pragma omp parallel if (n_chunks > 1)
-  {
+  on_threads(n_chunks > 1, [&] {
 #pragma omp for schedule(static)
     for (std::size_t k = 0; k < n_shared; ++k) {
       const SharedTile& at = shared_[k];
@@ -95,7 +95,7 @@ void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
       advance(at.block, at.tile, CornerSums{own_place_.data(), at.first, row});
     }
     const auto sum = std::make_unique_for_overwrite<Real[]>(most_rows_ * kRow);
-#pragma omp for schedule(dynamic, 1)
+#pragma omp for schedule(static)
     for (std::size_t k = 0; k < n_chunks; ++k) {
       const Chunk& chunk = chunks_[k];
       std::fill_n(sum.get(), (chunk.n_nodes + 1) * kRow, 0.0);
@@ -105,7 +105,7 @@ void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
       add_shared(chunk, chunk.tail_first, chunk.last, chunk.tail, sum.get());
       hand_over(chunk, sum.get(), f);
     }
-  }
+  });
   add_borders(f);
 }
 

@@ -1,6 +1,7 @@
 /// What friction needs to know of the elements behind the facets.
 #include <algorithm>
 
+#include "core/parallel/threads.hpp"
 #include "fe/finite_elements.hpp"
 
 namespace brunt {
@@ -50,11 +51,10 @@ void FiniteElements<Dim>::update_state(Real) {
   if (element_of_facet_.empty()) find_elements_of_facets();
   auto& shown = surface_.facet_material;
   shown.resize(surface_.facets.size());
-#pragma omp parallel for schedule(static) if (shown.size() > kFacetsWorthThreads)
-  for (std::size_t f = 0; f < shown.size(); ++f) {
+  for_each(shown.size(), kFacetsWorthThreads, [&](std::size_t f) {
     const auto& [block, element] = element_of_facet_[f];
     shown[f] = material_of(blocks_[block], element);
-  }
+  });
 }
 
 template void FiniteElements<2>::update_state(Real);

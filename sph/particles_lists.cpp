@@ -1,6 +1,7 @@
 /// Neighbour lists and what bounds them, and the bound on the time step.
 #include <algorithm>
 
+#include "core/parallel/threads.hpp"
 #include "sph/correction.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
@@ -13,14 +14,13 @@ namespace {
 template <class Result, class Add, class Merge>
 Result over_chunks(std::size_t n, const Result& blank, Add add, Merge merge) {
   Result all = blank;
-#pragma omp parallel if (n >= 4096)
-  {
+  on_threads(n >= 4096, [&] {
     Result own = blank;
 #pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < n; ++i) add(own, i);
 #pragma omp critical(brunt_sph_chunks)
     merge(all, own);
-  }
+  });
   return all;
 }
 

@@ -177,8 +177,7 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
   std::swap(nodes.damping, nodes.damping_last);
   std::swap(nodes.pressed, nodes.pressed_last);
   const std::size_t n = nodes.size();
-#pragma omp parallel if (n > kWorthThreads)
-  {
+  on_threads(n > kWorthThreads, [&] {
     // Each thread owns a range of nodes and reads all records: sums keep the order of keys.
     const auto count = slot_of(omp_get_num_threads());
     const auto k = slot_of(omp_get_thread_num());
@@ -198,7 +197,7 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     for (std::size_t i = first; i < last; ++i) {
       if (pressed[i] || pressed_last[i]) book(i, dt, surfaces, nodes);
     }
-  }
+  });
 }
 
 template <int Dim>

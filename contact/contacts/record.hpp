@@ -7,6 +7,7 @@
 #include "contact/contacts/heat.hpp"
 #include "contact/contacts/lost.hpp"
 #include "contact/contacts/particle_pair.hpp"
+#include "core/parallel/threads.hpp"
 #include "core/step_limit.hpp"
 
 namespace brunt {
@@ -247,12 +248,11 @@ template <class Work>
 void Records<Dim>::for_parts(std::size_t n, std::size_t worth_threads, const Work& work) {
   const auto most = slot_of(omp_get_max_threads());
   if (parts_.size() < most) parts_.resize(most);
-#pragma omp parallel if (n > worth_threads)
-  {
+  on_threads(n > worth_threads, [&] {
     const auto count = slot_of(omp_get_num_threads());
     const auto k = slot_of(omp_get_thread_num());
     work(n * k / count, n * (k + 1) / count, parts_[k]);
-  }
+  });
 }
 
 }  // namespace brunt

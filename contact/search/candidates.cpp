@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/geometry/particle_face.hpp"
+#include "core/parallel/threads.hpp"
 
 namespace brunt {
 
@@ -187,8 +188,7 @@ void Candidates<Dim>::find_clearances(const Entities<Dim>& entities,
                                       const std::vector<LocalIndex>& row_faces) {
   clearances_.resize(row_faces.size());
   row_clearances_.resize(row_particles.size());
-#pragma omp parallel for schedule(static) if (row_clearances_.size() > kWorthThreads)
-  for (std::size_t row = 0; row < row_clearances_.size(); ++row) {
+  for_each(row_clearances_.size(), kWorthThreads, [&](std::size_t row) {
     const auto& particle = entities.particles[slot_of(row_particles[row])];
     for (std::size_t i = starts_[row]; i < starts_[row + 1]; ++i) {
       const Clearance one = clearance_of(entities, particle, slot_of(row_faces[i]));
@@ -197,7 +197,7 @@ void Candidates<Dim>::find_clearances(const Entities<Dim>& entities,
       row_clearances_[row].take(one);
     }
     row_clearances_[row].entity = row_particles[row];
-  }
+  });
 }
 
 template <int Dim>

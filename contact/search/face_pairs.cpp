@@ -5,6 +5,7 @@
 #include "contact/law/springs.hpp"
 #include "contact/search/candidates.hpp"
 #include "contact/search/near_pieces.hpp"
+#include "core/parallel/threads.hpp"
 
 namespace brunt {
 
@@ -119,8 +120,8 @@ void Candidates<Dim>::find_faces(const Entities<Dim>& entities, const PairTable&
   face_options_.clear();
   auto near = entities.near_faces;
   std::vector<SearchBox<Dim>> boxes(near.size());
-#pragma omp parallel for schedule(static) if (near.size() > kWorthThreads)
-  for (std::size_t k = 0; k < near.size(); ++k) boxes[k] = box_of_face(entities, slot_of(near[k]));
+  for_each(near.size(), kWorthThreads,
+           [&](std::size_t k) { boxes[k] = box_of_face(entities, slot_of(near[k])); });
   keep_near_pieces(entities, pairs, mode_, near, boxes);
   std::vector<FaceMask<Dim>> faces;
   faces.reserve(near.size());

@@ -9,6 +9,7 @@
 #include "contact/surfaces/own_springs.hpp"
 #include "core/parallel/median.hpp"
 #include "core/parallel/packing.hpp"
+#include "core/parallel/threads.hpp"
 
 namespace brunt {
 
@@ -242,15 +243,14 @@ void Entities<Dim>::inherit_tractions(const Entities& old) {
 
 template <int Dim>
 void Entities<Dim>::read_materials(const std::vector<Surface<Dim>*>& surfaces) {
-#pragma omp parallel for schedule(static) if (faces.size() > kWorthThreads)
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (faces[f].facet < 0) continue;
+  for_each(faces.size(), kWorthThreads, [&](std::size_t f) {
+    if (faces[f].facet < 0) return;
     const auto& surface = *surfaces[slot_of(faces[f].surface)];
     const auto at = slot_of(faces[f].facet);
     materials[f] = surface.facet_material.empty()
                        ? SurfaceMaterial{surface.facets[at].temperature, kInfinity}
                        : surface.facet_material[at];
-  }
+  });
 }
 
 template <int Dim>

@@ -6,6 +6,7 @@
 #include "contact/law/springs.hpp"
 #include "contact/surfaces/entities.hpp"
 #include "contact/surfaces/start_warp.hpp"
+#include "core/parallel/threads.hpp"
 
 namespace brunt {
 
@@ -158,8 +159,7 @@ void Entities<Dim>::refresh_planes() {
   const std::size_t n = listed_faces.size(), n_unlisted = unlisted.size();
   const LocalIndex* const face = listed_faces.data();
   Seen all;
-#pragma omp parallel if (n + n_unlisted > kWorthThreads)
-  {
+  on_threads(n + n_unlisted > kWorthThreads, [&] {
     Seen part;
 #pragma omp for schedule(static) nowait
     for (std::size_t first = 0; first < n; first += kBlock) {
@@ -173,7 +173,7 @@ void Entities<Dim>::refresh_planes() {
     }
 #pragma omp critical(brunt_contact_step_limit)
     all.take(part);
-  }
+  });
   surface_limit = all.step_limit;
   warped = all.warped;
   turned = std::sqrt(all.turned_square);
@@ -214,13 +214,12 @@ void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
 
 template <int Dim>
 void Entities<Dim>::refresh_reaches() {
-#pragma omp parallel for schedule(static) if (listed_faces.size() > kWorthThreads)
-  for (std::size_t k = 0; k < listed_faces.size(); ++k) {
+  for_each(listed_faces.size(), kWorthThreads, [&](std::size_t k) {
     const auto f = slot_of(listed_faces[k]);
     const auto& face = faces[f];
     const Real depth = face.rigid() ? deepest : face.depth;
     reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
-  }
+  });
 }
 
 template void Entities<2>::refresh_planes();

@@ -4,6 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "core/parallel/threads.hpp"
+
 namespace brunt {
 
 namespace {
@@ -55,11 +57,10 @@ LocalIndex ContactNodes<Dim>::add_remote(LocalIndex on_surface, GlobalId of, Rea
 template <int Dim>
 void ContactNodes<Dim>::begin_motion(const std::vector<Surface<Dim>*>& surfaces) {
   motion = {};
-#pragma omp parallel for schedule(static) if (size() > kWorthThreads)
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (point[i] < 0) continue;
+  for_each(size(), kWorthThreads, [&](std::size_t i) {
+    if (point[i] < 0) return;
     x[i] = x_made[i] = surfaces[slot_of(surface[i])]->points->x[slot_of(point[i])];
-  }
+  });
 }
 
 template <int Dim>
@@ -99,8 +100,7 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
 
 template <int Dim>
 void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) {
-#pragma omp parallel for schedule(static) if (near.size() > kWorthThreads)
-  for (std::size_t k = 0; k < near.size(); ++k) {
+  for_each(near.size(), kWorthThreads, [&](std::size_t k) {
     const auto i = slot_of(near[k]);
     const auto& from = *surfaces[slot_of(surface[i])];
     const auto p = slot_of(point[i]);
@@ -108,9 +108,9 @@ void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) 
     if (needs_material && p < from.particle_material.size())
       material[i] = from.particle_material[p];
     const auto& points = *from.points;
-    if (!conduct || !points.conducts) continue;
+    if (!conduct || !points.conducts) return;
     capacity[i] = points.capacity_varies(p) ? points.heated_mass[p] : points.capacity[p];
-  }
+  });
 }
 
 template <int Dim>

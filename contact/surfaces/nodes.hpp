@@ -3,6 +3,7 @@
 
 #include "contact/geometry/motion_bounds.hpp"
 #include "core/field_use.hpp"
+#include "core/parallel/threads.hpp"
 #include "core/surface.hpp"
 
 namespace brunt {
@@ -14,14 +15,13 @@ inline constexpr std::size_t kWorthThreads = 1000;
 template <int Dim, class Take>
 MotionBounds<Dim> bounds_of(std::size_t n, const Take& take) {
   MotionBounds<Dim> all;
-#pragma omp parallel if (n > kWorthThreads)
-  {
+  on_threads(n > kWorthThreads, [&] {
     MotionBounds<Dim> part;
 #pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < n; ++i) take(i, part);
 #pragma omp critical(brunt_contact_bounds)
     all.take(part);
-  }
+  });
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/parallel/threads.hpp"
 #include "core/points_state.hpp"
 
 namespace brunt {
@@ -72,8 +73,7 @@ void Loads<Dim>::add_forces(Real time, Real dt) {
     const Real halves = body.fresh ? 0.5 : 1.0;
     const bool damped = rate_ > 0;
     const Real rate = time <= until_ ? rate_ : 0.0;
-#pragma omp parallel for schedule(static)
-    for (LocalIndex point = 0; point < points.n_owned; ++point) {
+    for_each(points.n_owned, kPointsWorthThreads, [&](LocalIndex point) {
       const auto i = slot_of(point);
       if (has_gravity_) {
         const Vec<Dim> weight = points.mass[i] * gravity_;
@@ -86,7 +86,7 @@ void Loads<Dim>::add_forces(Real time, Real dt) {
         body.damping_work[i] += 0.5 * dt * points.v[i].dot(drag + body.last_damping[i]);
         body.last_damping[i] = drag;
       }
-    }
+    });
     body.fresh = false;
   }
   if (rigid_) push_rigid(time, dt);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/parallel/threads.hpp"
 #include "core/points_state.hpp"
 
 namespace brunt {
@@ -47,7 +48,7 @@ template <int Dim>
 void RigidMotions<Dim>::start() {
   for (auto& rigid : groups_) {
     for (std::size_t i = 0; i < rigid.motion_of_point.size(); ++i) {
-      if (rigid.motion_of_point[i] == kFree) continue;
+      if (rigid.motion_of_point[i] == kFree) return;
       const auto& motion = rigid.motions[rigid.motion_of_point[i]];
       Vec3 arm = Vec3::Zero();
       arm.template head<Dim>() = rigid.points->x_start[i] - motion.center;
@@ -62,17 +63,16 @@ void RigidMotions<Dim>::impose(Real time, Real dt) {
   for (auto& rigid : groups_) {
     auto& points = *rigid.points;
     const LocalIndex n = points.size();  // copies have a prescribed motion too
-#pragma omp parallel for schedule(static)
-    for (LocalIndex point = 0; point < n; ++point) {
+    for_each(n, kPointsWorthThreads, [&](LocalIndex point) {
       const auto i = slot_of(point);
-      if (rigid.motion_of_point[i] == kFree) continue;
+      if (rigid.motion_of_point[i] == kFree) return;
       const auto& motion = rigid.motions[rigid.motion_of_point[i]];
       const Vec<Dim> now = motion.position(points.x_start[i], time);
       const Vec<Dim> before = motion.position(points.x_start[i], time - dt);
       points.x[i] = now;
       points.x_rest[i].setZero();
       points.v[i] = (now - before) / dt;
-    }
+    });
   }
 }
 

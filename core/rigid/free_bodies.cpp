@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/exact_sum.hpp"
+#include "core/parallel/threads.hpp"
 #include "core/points_state.hpp"
 #include "core/state_hash.hpp"
 
@@ -107,11 +108,10 @@ void FreeBodies<Dim>::place_points(const Velocity& velocity) {
   if (all_left) return;
   for (auto& group : groups_) {
     auto& points = *group.points;
-#pragma omp parallel for schedule(static) if (group.chosen.size() > kWorthThreads)
-    for (std::size_t k = 0; k < group.chosen.size(); ++k) {
+    for_each(group.chosen.size(), kWorthThreads, [&](std::size_t k) {
       const auto i = slot_of(group.chosen[k]);
       const std::size_t b = group.body_of[k];
-      if (leaves[b] != 0) continue;
+      if (leaves[b] != 0) return;
       const auto& body = bodies_[b];
       const Vec3 start = in_space<Dim>(points.x_start[i]) - body.center;
       const Vec3 arm = rotation[b] * start;
@@ -119,7 +119,7 @@ void FreeBodies<Dim>::place_points(const Velocity& velocity) {
       points.x_rest[i].setZero();
       points.v[i] = (body.state.v + velocity(b, group.arm[k], arm)).template head<Dim>();
       group.arm[k] = arm;
-    }
+    });
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel/threads.hpp"
+
 namespace brunt {
 
 namespace {
@@ -234,15 +236,17 @@ void CellGrid<Dim>::link_cells(std::span<const int> levels) {
   const LocalIndex n_chunks = (n_cells() + kChunk - 1) / kChunk;
   std::vector<std::vector<LocalIndex>> found(slot_of(n_chunks));
   forward_begin_.assign(cells_.size() + 1, 0);
-#pragma omp parallel for schedule(dynamic, 1) if (n_chunks > 4)
-  for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
-    const LocalIndex end = std::min(n_cells(), (chunk + 1) * kChunk);
-    for (LocalIndex cell = chunk * kChunk; cell < end; ++cell) {
-      const std::size_t before = found[chunk].size();
-      append_touching(cell, levels, found[chunk]);
-      forward_begin_[cell + 1] = static_cast<LocalIndex>(found[chunk].size() - before);
+  on_threads(n_chunks > 4, [&] {
+#pragma omp for schedule(dynamic, 1)
+    for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
+      const LocalIndex end = std::min(n_cells(), (chunk + 1) * kChunk);
+      for (LocalIndex cell = chunk * kChunk; cell < end; ++cell) {
+        const std::size_t before = found[chunk].size();
+        append_touching(cell, levels, found[chunk]);
+        forward_begin_[cell + 1] = static_cast<LocalIndex>(found[chunk].size() - before);
+      }
     }
-  }
+  });
   accumulate_rows(forward_begin_);
   forward_.reserve(slot_of(forward_begin_.back()));
   for (const auto& part : found) forward_.insert(forward_.end(), part.begin(), part.end());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/parallel/threads.hpp"
+
 namespace brunt {
 
 namespace {
@@ -47,12 +49,11 @@ SharedNeighbours in_order(std::span<const RowChunk> chunks, LocalIndex n_points)
   constexpr std::size_t kRoom = 8;  // so that who reads the last row in eights need not copy all
   shared.list.neighbour.reserve(slot_of(shared.list.offset.back()) + kRoom);
   shared.list.neighbour.resize(slot_of(shared.list.offset.back()));
-#pragma omp parallel for schedule(static) if (found_at.size() > 1024)
-  for (std::size_t row = 0; row < found_at.size(); ++row) {
+  for_each(found_at.size(), 1024, [&](std::size_t row) {
     const FoundRow& from = found[slot_of(found_at[row])];
     std::copy_n(from.neighbours, from.size.length,
                 shared.list.neighbour.begin() + shared.list.offset[row]);
-  }
+  });
   return shared;
 }
 

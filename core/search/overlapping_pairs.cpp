@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel/threads.hpp"
 #include "core/search/cell_grid.hpp"
 #include "core/search/search.hpp"
 
@@ -59,10 +60,9 @@ std::vector<IndexPair> sorted(const std::vector<std::vector<IndexPair>>& parts, 
   for (const auto& part : parts) {
     for (const auto& pair : part) pairs[next[pair.first]++] = pair;
   }
-#pragma omp parallel for schedule(static) if (n > 4096)
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each(n, 4096, [&](std::size_t i) {
     std::sort(pairs.begin() + begin[i], pairs.begin() + begin[i + 1]);
-  }
+  });
   return pairs;
 }
 
@@ -90,13 +90,15 @@ std::vector<IndexPair> overlapping_pairs(std::span<const SearchBox<Dim>> boxes,
   constexpr LocalIndex kChunk = 256;
   const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
   std::vector<std::vector<IndexPair>> parts(slot_of(n_chunks) + 1);
-#pragma omp parallel for schedule(dynamic, 1) if (n_chunks > 4)
-  for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
-    const LocalIndex end = std::min(grid.n_cells(), (chunk + 1) * kChunk);
-    for (LocalIndex cell = chunk * kChunk; cell < end; ++cell) {
-      append_pairs_of_cell(grid, cell, query, parts[chunk]);
+  on_threads(n_chunks > 4, [&] {
+#pragma omp for schedule(dynamic, 1)
+    for (LocalIndex chunk = 0; chunk < n_chunks; ++chunk) {
+      const LocalIndex end = std::min(grid.n_cells(), (chunk + 1) * kChunk);
+      for (LocalIndex cell = chunk * kChunk; cell < end; ++cell) {
+        append_pairs_of_cell(grid, cell, query, parts[chunk]);
+      }
     }
-  }
+  });
   const auto oversize = grid.oversize();
   for (std::size_t k = 0; k < oversize.size(); ++k) {
     for (std::size_t m = k + 1; m < oversize.size(); ++m) {

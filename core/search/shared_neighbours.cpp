@@ -3,6 +3,7 @@
 #include <bit>
 #include <utility>
 
+#include "core/parallel/threads.hpp"
 #include "core/search/cell_grid.hpp"
 #include "core/search/found_rows.hpp"
 #include "core/search/search.hpp"
@@ -285,15 +286,12 @@ SharedNeighbours shared_neighbours(std::span<const Vec<Dim>> x, std::span<const 
   for (std::size_t i = 0; i < x.size(); ++i) extent[i] = 2 * reach[i] + skin;
   const CellGrid<Dim> grid(x, extent);
   std::vector<Bounds<Dim>> bounds(slot_of(grid.n_cells()));
-#pragma omp parallel for schedule(static) if (grid.n_cells() > 1024)
-  for (LocalIndex cell = 0; cell < grid.n_cells(); ++cell) {
-    bounds[cell] = bounds_of(q, grid.members(cell));
-  }
+  for_each(grid.n_cells(), 1024,
+           [&](LocalIndex cell) { bounds[cell] = bounds_of(q, grid.members(cell)); });
   constexpr LocalIndex kChunk = 64;
   const LocalIndex n_chunks = (grid.n_cells() + kChunk - 1) / kChunk;
   std::vector<RowChunk> chunks(slot_of(n_chunks) + 1);
-#pragma omp parallel if (n_chunks > 4)
-  {
+  on_threads(n_chunks > 4, [&] {
     Candidates<Dim> candidates;
     OrderInCell<Dim> order;
 #pragma omp for schedule(dynamic, 1)
@@ -303,7 +301,7 @@ SharedNeighbours shared_neighbours(std::span<const Vec<Dim>> x, std::span<const 
         append_rows_of_cell<Dim>(q, grid, bounds, cell, candidates, order, most, chunks[chunk]);
       }
     }
-  }
+  });
   for (const LocalIndex i : grid.oversize()) {
     if (i < n_rows) append_own_row(q, i, chunks.back());
   }

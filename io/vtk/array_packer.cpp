@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "core/parallel/threads.hpp"
 #include "io/hash.hpp"
 
 namespace brunt {
@@ -63,8 +64,7 @@ class Text {
 void ArrayPacker::pack(std::string_view bytes, std::span<std::uint64_t> size) {
   const std::size_t n = size.size(), n_groups = (n + kTried - 1) / kTried;
   if (packed_.size() < n * kRoom) packed_.resize(n * kRoom);
-#pragma omp parallel if (n_groups > 1)
-  {
+  on_threads(n_groups > 1, [&] {
     const vtkNew<vtkLZ4DataCompressor> lz4;
 #pragma omp for schedule(static)
     for (std::size_t g = 0; g < n_groups; ++g) {
@@ -78,7 +78,7 @@ void ArrayPacker::pack(std::string_view bytes, std::span<std::uint64_t> size) {
         size[k] = worth ? pack_block(*lz4, block, to) : keep_block(block, to);
       }
     }
-  }
+  });
 }
 
 template <class Sink>
