@@ -16,7 +16,7 @@ struct PairQuery {
 
   void append_if_met(LocalIndex i, LocalIndex j, std::vector<IndexPair>& out) const {
     const auto [a, b] = std::minmax(i, j);
-    if (admits(a, b) && boxes[a].meets(boxes[b])) out.emplace_back(a, b);
+    if (boxes[a].meets(boxes[b]) && admits(a, b)) out.emplace_back(a, b);
   }
 };
 
