@@ -48,7 +48,7 @@ template <int Dim>
 void RigidMotions<Dim>::start() {
   for (auto& rigid : groups_) {
     for (std::size_t i = 0; i < rigid.motion_of_point.size(); ++i) {
-      if (rigid.motion_of_point[i] == kFree) return;
+      if (rigid.motion_of_point[i] == kFree) continue;
       const auto& motion = rigid.motions[rigid.motion_of_point[i]];
       Vec3 arm = Vec3::Zero();
       arm.template head<Dim>() = rigid.points->x_start[i] - motion.center;

@@ -56,4 +56,4 @@ class RigidMotions {
 };
 
 }  // namespace brunt
-// Tested by tests/unit/app/supports_test.cpp.
+// Tested by tests/unit/core/rigid_motions_test.cpp.

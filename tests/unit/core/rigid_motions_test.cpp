@@ -1,0 +1,52 @@
+// Points that have a prescribed motion have its velocity from time 0 on, whatever stands before
+// them; those of free bodies keep theirs. Of a motion with v and a spin w about z through c it is
+// v + w (-(y - c_y), x - c_x).
+#include "core/boundaries/rigid_motions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace brunt {
+namespace {
+
+/// Points at x = 0, 1, 2 .. [m], of a body each.
+Points<2> on_a_line(const std::vector<Label>& bodies) {
+  Points<2> points;
+  points.resize(static_cast<LocalIndex>(bodies.size()));
+  points.body = bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    points.id[i] = i;
+    points.x[i] = points.x_start[i] = Vec<2>(static_cast<Real>(i), 0);
+    points.v[i] = Vec<2>(7, 7);
+  }
+  return points;
+}
+
+TEST(RigidMotions, BeginBehindFreeBodies) {
+  constexpr Label kFree = 0, kDriven = 1, kHeld = 2;
+  Points<2> first = on_a_line({kFree, kDriven, kFree, kHeld, kDriven});
+  Points<2> second = on_a_line({kFree, kFree, kDriven});
+  const RigidMotion<2> driven{kDriven, Vec<2>(3, -1), Vec3::UnitZ(), 2, Vec<2>(1, 0)};
+  RigidMotions<2> motions;
+  motions.add(first, {driven}, {kFree});
+  motions.add(second, {driven}, {kFree});
+  motions.start();
+  EXPECT_EQ(first.v[0], Vec<2>(7, 7));
+  EXPECT_EQ(first.v[1], Vec<2>(3, -1));
+  EXPECT_EQ(first.v[2], Vec<2>(7, 7));
+  EXPECT_EQ(first.v[3], Vec<2>(0, 0));
+  EXPECT_LT((first.v[4] - Vec<2>(3, -1 + 2 * 3)).norm(), 1e-12);
+  EXPECT_EQ(second.v[1], Vec<2>(7, 7));
+  EXPECT_LT((second.v[2] - Vec<2>(3, -1 + 2 * 1)).norm(), 1e-12);
+  // Places of a metre are known to 2^-53 m, so that velocities of 2^-24 s are known to 2^-29 m/s.
+  const Real dt = std::ldexp(1.0, -24);
+  motions.impose(dt, dt);
+  EXPECT_LT((first.v[1] - Vec<2>(3, -1)).norm(), 1e-6);
+  EXPECT_LT((second.v[2] - Vec<2>(3, 1)).norm(), 1e-5);
+  EXPECT_EQ(first.v[0], Vec<2>(7, 7));
+  EXPECT_EQ(first.v[3], Vec<2>(0, 0));
+}
+
+}  // namespace
+}  // namespace brunt
