@@ -25,7 +25,7 @@ void ListWatch<Dim>::start(const Points<Dim>& points, std::span<const Label> lab
   longest_ = reach_.empty() ? 0 : *std::max_element(reach_.begin(), reach_.end());
   width_ = kZoneWidth * longest_;
   std::vector<Zone> zone_of(x_.size());
-  for_each_particle(x_.size(), [&](std::size_t i) {
+  for_each(x_.size(), [&](std::size_t i) {
     zone_of[i].label = label[i];
     for (std::size_t d = 0; d < Dim; ++d) {
       // What is beyond 2^52 zones, or not a number, shares one
@@ -86,18 +86,21 @@ template <int Dim>
 std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
     const Points<Dim>& points, std::span<const Real> reach) const {
   std::vector<Extent> extents(zones_.size());
-  for_each(zones_.size(), points.x.size() < 4096 ? zones_.size() : 0, [&](std::size_t z) {
-    Extent extent{Vec<Dim>::Constant(kInfinity), Vec<Dim>::Constant(-kInfinity), 0};
-    for (LocalIndex k = member_begin_[z]; k < member_begin_[z + 1]; ++k) {
-      const auto i = slot_of(member_[k]);
-      for (int d = 0; d < Dim; ++d) {
-        const Real u = points.x[i][d] - x_[i][d];
-        if (!(extent.lower[d] <= u)) extent.lower[d] = u;  // takes in what is not a number
-        if (!(extent.upper[d] >= u)) extent.upper[d] = u;
+  on_threads(points.x.size() >= 4096, [&] {
+#pragma omp for schedule(static)
+    for (std::size_t z = 0; z < zones_.size(); ++z) {
+      Extent extent{Vec<Dim>::Constant(kInfinity), Vec<Dim>::Constant(-kInfinity), 0};
+      for (LocalIndex k = member_begin_[z]; k < member_begin_[z + 1]; ++k) {
+        const auto i = slot_of(member_[k]);
+        for (int d = 0; d < Dim; ++d) {
+          const Real u = points.x[i][d] - x_[i][d];
+          if (!(extent.lower[d] <= u)) extent.lower[d] = u;  // takes in what is not a number
+          if (!(extent.upper[d] >= u)) extent.upper[d] = u;
+        }
+        extent.growth = std::max(extent.growth, reach[i] - reach_[i]);
       }
-      extent.growth = std::max(extent.growth, reach[i] - reach_[i]);
+      extents[z] = extent;
     }
-    extents[z] = extent;
   });
   return extents;
 }

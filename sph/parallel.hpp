@@ -5,10 +5,9 @@
 
 namespace brunt {
 
-/// Calls f(i) for i < n particles, on all threads where n is worth it. f touches nothing but what
-/// is i's.
+/// Calls f(i) for i < n, on all threads where n is worth it. f touches nothing but what is i's.
 template <class F>
-void for_each_particle(std::size_t n, const F& f) {
+void for_each(std::size_t n, const F& f) {
   constexpr std::size_t worth_threads = 255;
   for_each(n, worth_threads, f);
 }

@@ -98,7 +98,7 @@ void SphParticles<Dim>::set_size(std::size_t i) {
 template <int Dim>
 void SphParticles<Dim>::refresh_motion() {
   using Record = MotionRecord<Dim>;
-  for_each_particle(state_.size(), [&](std::size_t i) {
+  for_each(state_.size(), [&](std::size_t i) {
     Real* record = motion_[i].data;
     for (int d = 0; d < Dim; ++d) {
       record[d] = points_.x[i][d];
@@ -118,7 +118,7 @@ void SphParticles<Dim>::refresh_motion() {
 template <int Dim>
 void SphParticles<Dim>::publish_spins() {
   surface_.spin.resize(n_owned());
-  for_each_particle(n_owned(), [&](std::size_t i) {
+  for_each(n_owned(), [&](std::size_t i) {
     Mat3 L = Mat3::Zero();
     for (int c = 0; c < Dim * Dim; ++c) L(c / Dim, c % Dim) = state_[i].velocity_gradient[c];
     const Vec3 spin = 0.5 * Vec3(L(2, 1) - L(1, 2), L(0, 2) - L(2, 0), L(1, 0) - L(0, 1));
@@ -140,7 +140,7 @@ void SphParticles<Dim>::publish_materials() {
   for (const auto& block : blocks_) {
     const auto& state = block.state;
     const auto& strength = *block.set.material->strength;
-    for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
       const auto i = slot_of(block.set.particle[slot]);
       const auto at = rides() ? slot_of(node_[i]) : i;
       if (sleeps(i) || at >= all->size()) return;
@@ -161,7 +161,7 @@ void SphParticles<Dim>::update_state(Real dt) {
     if (surface_.needs_material) publish_materials();
     return;
   }
-  for_each_particle(n_owned(), [&](std::size_t i) {
+  for_each(n_owned(), [&](std::size_t i) {
     auto& state = state_[i];
     const Vec<Dim> half = 0.5 * dt * points_.v[i];
     state.stress_work -= dot<Dim>(state.stress_force, half);
@@ -175,7 +175,7 @@ void SphParticles<Dim>::update_state(Real dt) {
   if (surface_.needs_spin) publish_spins();
   for (auto& block : blocks_) {
     const std::size_t n_tiles = block.state.size() / kTile;
-    for_each_particle(n_tiles, [&](std::size_t tile) {
+    for_each(n_tiles, [&](std::size_t tile) {
       const std::size_t first = tile * kTile;
       if (rides() ? tile_sleeps(block, first) : tile_is_left_out(block, first)) return;
       update_tile(block, first, dt);

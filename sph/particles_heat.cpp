@@ -65,7 +65,7 @@ template <int Dim>
 void SphParticles<Dim>::take_temperatures() {
   for (auto& block : blocks_) {
     if (block.state.temperature.empty()) continue;
-    for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
       const auto i = slot_of(block.set.particle[slot]);
       block.state.temperature[slot] = points_.temperature[i];
     });
@@ -78,7 +78,7 @@ void SphParticles<Dim>::refresh_heat() {
   heat_.resize(state_.size());
   for (const auto& block : blocks_) {
     const Varying& k = block.set.material->conductivity;
-    for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
       const auto i = slot_of(block.set.particle[slot]);
       Real* record = heat_[i].data;
       record[HeatRecord::kTemperature] = points_.temperature[i];
@@ -106,7 +106,7 @@ void SphParticles<Dim>::conduct(std::vector<Real>& rate, std::vector<Real>& cond
   const bool wide = wide_lanes();
   for (auto& block : blocks_) {
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
-      for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex point = block.set.particle[slot];
         const auto i = slot_of(point);
         const auto sum = [&]<class P>(P) {
@@ -126,7 +126,7 @@ template <int Dim>
 void SphParticles<Dim>::give_mechanical_heat(Real inverse_dt) {
   for (auto& block : blocks_) {
     if (block.heat_given.empty()) continue;
-    for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
       const auto i = slot_of(block.set.particle[slot]);
       Real heat = 0;
       for (const auto* part : {&block.state.heat, &block.state.compression_heat}) {

@@ -53,7 +53,7 @@ void SphParticles<Dim>::refresh_single_stress() {
   const bool artificial = std::any_of(blocks_.begin(), blocks_.end(), [](const auto& block) {
     return block.set.options.artificial_stress != 0;
   });
-  for_each_particle(state_.size(), [&](std::size_t i) {
+  for_each(state_.size(), [&](std::size_t i) {
     const Real* stress = stress_[i].data;
     for (int k = 0; k <= StressRecord<Dim>::kTension; ++k) {
       single_stress_[i].data[k] = static_cast<float>(stress[k]);
@@ -113,7 +113,7 @@ void SphParticles<Dim>::find_neighbours(Wanted wanted) {
   };
   const auto find = [&]<class P>(P) {
     const auto* motion = pair_records<P>().motion;
-    for_each_particle(rows_.n_groups(), [&](std::size_t group) {
+    for_each(rows_.n_groups(), [&](std::size_t group) {
       unsigned members = 0, bit = 1;
       for (const LocalIndex i : rows_.members(group)) {
         const ParticleBlock& block = blocks_[block_of_[slot_of(i)]];
@@ -138,7 +138,7 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
   if (!block.set.options.correction) plain_.resize(n_owned());
   const auto records = pair_records<P>();
   with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
-    for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       if (is_left_out(block, i)) return;
       const auto row = rows_.template row<P>(i);
@@ -207,7 +207,7 @@ void SphParticles<Dim>::refresh_gradients() {
     in_precision_of(block, [&]<class P>(P) { find_gradients<P>(block); });
   }
   list_thin();
-  for_each_particle(thin_.size(), [&](std::size_t k) {
+  for_each(thin_.size(), [&](std::size_t k) {
     ThinParticle<Dim>& thin = thin_[k];
     const ParticleBlock& block = blocks_[block_of_[thin.particle]];
     if (is_left_out(block, thin.particle)) return;
@@ -234,7 +234,7 @@ void SphParticles<Dim>::sum_block_forces(const ParticleBlock& block,
     with_kernel(options.kernel, [&]<class Kernel>(Kernel) {
       const SphPairOptions pair{viscosity.alpha, viscosity.beta,
                                 1.0 / Kernel::value(1.0 / options.smoothing)};
-      for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         if (is_left_out(block, i)) return;
         const auto row = rows_.template row<P>(i);

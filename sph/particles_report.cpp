@@ -171,7 +171,7 @@ BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
     return slot_of((*of)[k].first->set.particle[(*of)[k].second]);
   };
   view.position.resize(3 * n), view.point_mass.resize(n), view.point_radius.resize(n);
-  for_each_particle(n, [&](std::size_t k) {
+  for_each(n, [&](std::size_t k) {
     const auto i = particle(k);
     put_values<Dim>(points_.x[i], &view.position[3 * k]);
     view.point_mass[k] = weighed_mass(i);

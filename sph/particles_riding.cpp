@@ -89,7 +89,7 @@ void SphParticles<Dim>::take_share(std::size_t i, const ConvertedShare& share) {
 template <int Dim>
 void SphParticles<Dim>::follow_nodes() {
   const Points<Dim>& nodes = carrier_->carrying_points();
-  for_each_particle(n_owned(), [&](std::size_t i) {
+  for_each(n_owned(), [&](std::size_t i) {
     if (sleeps(i)) return;
     const auto k = slot_of(node_[i]);
     points_.x[i] = nodes.x[k], points_.x_rest[i] = nodes.x_rest[k], points_.v[i] = nodes.v[k];
@@ -112,7 +112,7 @@ void SphParticles<Dim>::follow_nodes() {
 template <int Dim>
 void SphParticles<Dim>::give_forces_to_nodes() {
   Points<Dim>& nodes = carrier_->carrying_points();
-  for_each_particle(n_owned(), [&](std::size_t i) {
+  for_each(n_owned(), [&](std::size_t i) {
     if (!sleeps(i)) nodes.f[node_[i]] += points_.f[i];
   });
 }
@@ -121,7 +121,7 @@ void SphParticles<Dim>::give_forces_to_nodes() {
 template <int Dim>
 void SphParticles<Dim>::give_heat_to_nodes() {
   Points<Dim>& nodes = carrier_->carrying_points();
-  for_each_particle(n_owned(), [&](std::size_t i) {
+  for_each(n_owned(), [&](std::size_t i) {
     nodes.heat_rate[node_[i]] += points_.heat_rate[i];
     nodes.conductance[node_[i]] += points_.conductance[i];
     points_.heat_rate[i] = points_.conductance[i] = 0;

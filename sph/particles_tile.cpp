@@ -273,7 +273,7 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
     const Real strength = block.set.options.xsph;
     if (strength == 0) continue;
     with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
-      for_each_particle(block.set.particle.size(), [&](std::size_t slot) {
+      for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         const auto k = slot_of(i);
         const auto mean =
@@ -282,7 +282,7 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
       });
     });
   }
-  for_each_particle(n_owned(), [&](std::size_t i) { points_.move(i, shift[i]); });
+  for_each(n_owned(), [&](std::size_t i) { points_.move(i, shift[i]); });
   refresh_ghost_positions();
   renew_lists();
   refresh_motion();

@@ -30,7 +30,7 @@ void StillZones<Dim>::look(const ListWatch<Dim>& watch, const Points<Dim>& point
     }
     return any;
   };
-  for_each_particle(stirred_.size(), [&](std::size_t z) {
+  for_each(stirred_.size(), [&](std::size_t z) {
     const auto members = watch.members(z);
     if (!stirred_[z] && std::any_of(members.begin(), members.end(), moves)) stirred_[z] = 1;
   });
@@ -58,8 +58,7 @@ bool StillZones<Dim>::settle(const ListWatch<Dim>& watch) {
 
 template <int Dim>
 void StillZones<Dim>::find_left_out() {
-  for_each_particle(left_out_.size(),
-                    [&](std::size_t i) { left_out_[i] = near_[zone_of_[i]] ? 0 : 1; });
+  for_each(left_out_.size(), [&](std::size_t i) { left_out_[i] = near_[zone_of_[i]] ? 0 : 1; });
   count_ = slot_of(std::count(left_out_.begin(), left_out_.end(), 1));
   found_ = true;
 }
