@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,8 @@ struct Scene {
   std::vector<std::unique_ptr<Solid<Dim>>> solids;
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
   RigidMotions<Dim> rigid_motions;
+  /// [m] by label, at time 0: of bodies that are held or have a prescribed motion
+  std::map<Label, Vec<Dim>> rigid_centers;
   Boundaries<Dim> boundaries;
   Loads<Dim> loads;
   std::unique_ptr<FreeBodies<Dim>>

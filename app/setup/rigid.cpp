@@ -196,6 +196,17 @@ std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<
 }
 
 template <int Dim>
+void find_rigid_centers(const Deck& deck, const Surface<Dim>& surface, Scene<Dim>& scene) {
+  std::map<Label, std::vector<Facet<Dim>>> facets;
+  for (const auto& facet : surface.facets) {
+    if (!deck::follows_forces(deck.bodies[facet.body].value)) facets[facet.body].push_back(facet);
+  }
+  for (const auto& [body, of_body] : facets) {
+    scene.rigid_centers[body] = center_of_shape<Dim>(*surface.points, of_body, scene.geometry);
+  }
+}
+
+template <int Dim>
 std::vector<Real> mass_shares(std::span<const FreeBody<Dim>> bodies, const Points<Dim>& points) {
   std::vector<Real> shares(points.x.size(), 0.0);
   for (const auto& body : bodies) set_shares(body, points, shares);
@@ -223,6 +234,8 @@ template std::vector<FreeBody<3>> free_bodies_of<3>(const LoadedDeck&, const Sce
                                                     std::vector<DeckProblem>&);
 template std::vector<Real> mass_shares<2>(std::span<const FreeBody<2>>, const Points<2>&);
 template std::vector<Real> mass_shares<3>(std::span<const FreeBody<3>>, const Points<3>&);
+template void find_rigid_centers<2>(const Deck&, const Surface<2>&, Scene<2>&);
+template void find_rigid_centers<3>(const Deck&, const Surface<3>&, Scene<3>&);
 template void find_half_thicknesses<2>(Scene<2>&);
 template void find_half_thicknesses<3>(Scene<3>&);
 

@@ -17,6 +17,10 @@ std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<
                                           Surface<Dim>& surface,
                                           std::vector<DeckProblem>& problems);
 
+/// Centres [m] of the bodies of a surface that are held or have a prescribed motion, at time 0.
+template <int Dim>
+void find_rigid_centers(const Deck& deck, const Surface<Dim>& surface, Scene<Dim>& scene);
+
 /// Sets how thick the body is behind the facets of rigid bodies, as far as the particles of
 /// the scene ask.
 template <int Dim>

@@ -88,6 +88,7 @@ void add_rigid_conductors(const LoadedDeck& loaded, const std::vector<BodyGeomet
   }
   if (auto prescribed = make_elements(loaded, scene, bodies, kRigidConductors, next)) {
     scene.rigid_motions.add(prescribed->points(), prescribed_motions(loaded, scene));
+    find_rigid_centers(loaded.deck, prescribed->surface(), scene);
     scene.solids.push_back(std::move(prescribed));
   }
 }
@@ -105,6 +106,7 @@ void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
   if (!made.empty()) surfaces->set_shares(mass_shares<Dim>(made, surfaces->points()));
   followers.add(surfaces->points(), made);
   scene.rigid_motions.add(surfaces->points(), prescribed_motions(loaded, scene), std::move(free));
+  find_rigid_centers(loaded.deck, surfaces->surface(), scene);
   scene.solids.push_back(std::move(surfaces));
 }
 

@@ -92,12 +92,18 @@ void HistoryColumns<Dim>::add_bodies(const Scene<Dim>& scene, const Totals<Dim>&
   Label label = 0;
   for (const auto& body : totals.bodies) {
     const Real mass = body.mass.value();
+    const auto found = rigid.find(label);
     values.push_back(mass);
     for (int c = 0; c < Dim; ++c) {
-      values.push_back(mass > 0 ? body.mass_position[c].value() / mass + scene.origin[c] : 0.0);
+      values.push_back(mass > 0 ? body.mass_position[c].value() / mass + scene.origin[c]
+                       : found != rigid.end() ? found->second.position[c] + scene.origin[c]
+                                              : 0.0);
     }
-    for (int c = 0; c < Dim; ++c)
-      values.push_back(mass > 0 ? body.momentum[c].value() / mass : 0.0);
+    for (int c = 0; c < Dim; ++c) {
+      values.push_back(mass > 0               ? body.momentum[c].value() / mass
+                       : found != rigid.end() ? found->second.velocity[c]
+                                              : 0.0);
+    }
     for (const auto* sum : {&body.kinetic, &body.internal, &body.hourglass, &body.heat}) {
       values.push_back(sum->value());
     }
@@ -108,7 +114,7 @@ void HistoryColumns<Dim>::add_bodies(const Scene<Dim>& scene, const Totals<Dim>&
     if (label < scene.erodes.size() && scene.erodes[label] != 0) {
       values.push_back(body.eroded.value()), values.push_back(body.eroded_mass.value());
     }
-    const auto found = rigid.find(label++);
+    ++label;
     if (found == rigid.end()) continue;
     const auto add = [&](const Vec3& vector, int first, int last) {
       for (int c = first; c < last; ++c) values.push_back(vector[c]);

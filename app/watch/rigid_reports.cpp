@@ -49,6 +49,7 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
     number.try_emplace(body, number.size());
     about[body] = -in_space<Dim>(scene.origin);
     reports[body] = {};
+    reports[body].position = in_space<Dim>(scene.rigid_centers.at(body));
   }
   for (const auto& motion : rigid.motions) {
     const auto place = reports.find(motion.body);
@@ -57,6 +58,9 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
     const Eigen::Quaternion<Real> turn(Eigen::AngleAxis<Real>(motion.spin * time, motion.axis));
     place->second.rotation = rotation_vector(turn);
     place->second.spin = motion.spin * motion.axis;
+    const auto& center = scene.rigid_centers.at(motion.body);
+    place->second.position = in_space<Dim>(motion.position(center, time));
+    place->second.velocity = in_space<Dim>(motion.velocity_at(center, time));
     about[motion.body] = in_space<Dim>(Vec<Dim>(motion.center + time * motion.velocity));
   }
   std::vector<Sums> sums(number.size());

@@ -7,7 +7,9 @@ namespace brunt {
 
 /// What history.csv prints of one rigid body.
 struct RigidReport {
-  bool one_piece = true;         ///< several pieces have no rotation and no spin together
+  bool one_piece = true;  ///< several pieces have no rotation and no spin together
+  /// [m], [m/s] of the centre of a body without mass; relative to the scene's origin
+  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();
   Vec3 rotation = Vec3::Zero();  ///< [rad] axis times angle since time 0, the angle in [0, pi]
   Vec3 spin = Vec3::Zero();      ///< [rad/s]
   Vec3 force = Vec3::Zero();     ///< [N] of all that acts on it, but what holds or moves it

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "core/parallel/boxes.hpp"
@@ -70,10 +70,7 @@ ContactFace<Dim> face_of(const FaceData<Dim>& d) {
 template <int Dim>
 void ContactImports<Dim>::renew(const ImportBoxes<Dim>& offers, Entities<Dim>& entities) {
   if (ranks().alone()) return;
-  place_.clear();
-  for (std::size_t i = 0; i < entities.nodes.size(); ++i) {
-    place_[{entities.nodes.surface[i], entities.nodes.id[i]}] = static_cast<LocalIndex>(i);
-  }
+  name_nodes(entities.nodes);
   // One rank offers a face: its owner. Those of rigid surfaces are everywhere already.
   std::vector<SearchBox<Dim>> boxes;
   std::vector<LocalIndex> face;
@@ -99,6 +96,36 @@ void ContactImports<Dim>::renew(const ImportBoxes<Dim>& offers, Entities<Dim>& e
   if (entities.nodes.conduct) plan_temperatures(entities.nodes);
 }
 
+/// Names the nodes of what is here; others have not shown theirs yet.
+template <int Dim>
+void ContactImports<Dim>::name_nodes(const ContactNodes<Dim>& nodes) {
+  imported_.clear();
+  node_of_point_.resize(surfaces_.size());
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    node_of_point_[s].assign(slot_of(surfaces_[s]->points->size()), -1);
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    node_of_point_[slot_of(nodes.surface[i])][slot_of(nodes.point[i])] = static_cast<LocalIndex>(i);
+  }
+}
+
+/// -1: there is none.
+template <int Dim>
+LocalIndex ContactImports<Dim>::find_node(LocalIndex surface, GlobalId id) const {
+  const auto& here = node_of_point_[slot_of(surface)];
+  const auto point = slot_of(surfaces_[slot_of(surface)]->points->find(id));
+  if (point < here.size() && here[point] >= 0) return here[point];
+  const auto at = imported_.find({surface, id});
+  return at == imported_.end() ? -1 : at->second;
+}
+
+template <int Dim>
+LocalIndex ContactImports<Dim>::node_of_letter(LocalIndex surface, GlobalId id) const {
+  const LocalIndex node = find_node(surface, id);
+  if (node < 0) throw std::logic_error("contact forces for a point of another rank");
+  return node;
+}
+
 template <int Dim>
 Bytes ContactImports<Dim>::pack_faces(const std::vector<LocalIndex>& chosen,
                                       const Entities<Dim>& entities) const {
@@ -122,14 +149,12 @@ Bytes ContactImports<Dim>::pack_faces(const std::vector<LocalIndex>& chosen,
 template <int Dim>
 void ContactImports<Dim>::unpack_faces(const Bytes& bytes, Entities<Dim>& entities,
                                        std::vector<ContactFace<Dim>>& faces) {
-  std::set<GlobalId> known;
-  for (const auto& face : entities.faces) known.insert(face.id);
   Unpacker from(bytes);
   while (!from.done()) {
     FaceData<Dim> data;
     from >> data;
     auto face = face_of(data);
-    const bool here = known.count(face.id) != 0;  // its element touches a point of this rank
+    const bool here = entities.has_face(face.id);  // its element touches a point of this rank
     for (int c = 0; c < face.n_nodes; ++c) {
       Corner<Dim> corner;
       from >> corner;
@@ -145,15 +170,16 @@ template <int Dim>
 LocalIndex ContactImports<Dim>::node_of(LocalIndex surface, GlobalId id, Real mass,
                                         const Vec<Dim>& x, const Vec<Dim>& v,
                                         Entities<Dim>& entities) {
-  const auto [it, is_new] = place_.try_emplace({surface, id}, 0);
-  if (!is_new) return it->second;
+  const LocalIndex known = find_node(surface, id);
+  if (known >= 0) return known;
   const auto& points = *surfaces_[slot_of(surface)]->points;
   const LocalIndex here = points.find(id);
-  it->second = here >= 0 ? entities.nodes.add(surface, here, points)
-                         : entities.nodes.add_remote(surface, id, mass, x, v);
+  const LocalIndex node = here >= 0 ? entities.nodes.add(surface, here, points)
+                                    : entities.nodes.add_remote(surface, id, mass, x, v);
   // Of a loaded state that of the last evaluation, which a copy of the point does not have.
-  entities.nodes.v[slot_of(it->second)] = v;
-  return it->second;
+  entities.nodes.v[slot_of(node)] = v;
+  imported_[{surface, id}] = node;
+  return node;
 }
 
 /// Who sends the motion of which of its points to which nodes here.
@@ -249,7 +275,7 @@ std::vector<Contribution<Dim>> ContactImports<Dim>::send_home(
     }
   });
   deliver<Letter<Dim>>(to, [&](Letter<Dim> letter) {
-    letter.what.node = place_.at({letter.surface, letter.point});
+    letter.what.node = node_of_letter(letter.surface, letter.point);
     received.push_back(letter.what);
   });
   std::sort(received.begin(), received.end(),

@@ -31,9 +31,9 @@ class ContactImports {
       : ranks_(ranks), surfaces_(std::move(surfaces)) {}
   const Communicator& ranks() const { return *ranks_.all; }
 
-  /// Imports into entities, fresh from this rank's surfaces, the faces of others whose `offered`
-  /// boxes meet the `wanted` boxes of this rank, and the particles whose boxes meet those of its
-  /// own. Collective.
+  /// Imports into entities, which have those of this rank's surfaces alone, the faces of others
+  /// whose `offered` boxes meet the `wanted` boxes of this rank, and the particles whose boxes meet
+  /// those of its own. Collective.
   void renew(const ImportBoxes<Dim>& offers, Entities<Dim>& entities);
   /// Brings x, v, spin and material of the imported nodes up to date. Collective among neighbours.
   void refresh_motion(ContactNodes<Dim>& nodes) const;
@@ -69,6 +69,9 @@ class ContactImports {
   Bytes pack_faces(const std::vector<LocalIndex>& chosen, const Entities<Dim>& entities) const;
   void unpack_faces(const Bytes& bytes, Entities<Dim>& entities,
                     std::vector<ContactFace<Dim>>& faces);
+  void name_nodes(const ContactNodes<Dim>& nodes);
+  LocalIndex find_node(LocalIndex surface, GlobalId id) const;
+  LocalIndex node_of_letter(LocalIndex surface, GlobalId id) const;
   LocalIndex node_of(LocalIndex surface, GlobalId id, Real mass, const Vec<Dim>& x,
                      const Vec<Dim>& v, Entities<Dim>& entities);
   void plan(const ContactNodes<Dim>& nodes);
@@ -82,10 +85,11 @@ class ContactImports {
   using Name = std::pair<LocalIndex, GlobalId>;  // surface, point
   ContactRanks ranks_;
   std::vector<Surface<Dim>*> surfaces_;
-  std::map<Name, LocalIndex> place_;  // of every node of the entities
-  std::vector<GhostPlan> plans_;      // by surface: points of owners to nodes here
-  std::vector<int> neighbours_;       // ranks that own nodes here, and ranks with own ones
-  std::vector<int> peers_;            // those, and those of the tables before: of what has ended
+  std::vector<std::vector<LocalIndex>> node_of_point_;  // by surface and point; -1: none
+  std::map<Name, LocalIndex> imported_;                 // nodes that others showed
+  std::vector<GhostPlan> plans_;  // by surface: points of owners to nodes here
+  std::vector<int> neighbours_;   // ranks that own nodes here, and ranks with own ones
+  std::vector<int> peers_;        // those, and those of the tables before: of what has ended
   struct Sent {
     GhostPlan plan;
     std::vector<LocalIndex> from;  // own nodes, by their place in the plan

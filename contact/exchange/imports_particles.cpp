@@ -50,7 +50,7 @@ void ContactImports<Dim>::import_particles(const ImportBoxes<Dim>& boxes, Entiti
       from >> one;
       const LocalIndex node = entities.nodes.add_remote(one.surface, one.id, one.mass,
                                                         Vec<Dim>(one.x), Vec<Dim>(one.v));
-      place_[{one.surface, one.id}] = node;
+      imported_[{one.surface, one.id}] = node;
       imported.push_back({node, one.surface, one.id, one.body, one.piece, one.radius, one.modulus,
                           one.conductivity, one.effusivity, one.held, false, one.specific_heat,
                           one.born});

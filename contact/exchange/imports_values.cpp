@@ -78,7 +78,7 @@ std::vector<HeatShare> ContactImports<Dim>::send_heat(const Records<Dim>& record
     if (has_ended) {
       ended.push_back({key, surface, point, heat});
     } else {
-      received.push_back({key, place_.at({surface, point}), heat});
+      received.push_back({key, node_of_letter(surface, point), heat});
     }
   });
   const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };

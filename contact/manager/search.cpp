@@ -1,7 +1,6 @@
 #include "contact/manager/search.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace brunt {
@@ -120,22 +119,23 @@ LookAhead ContactSearch<Dim>::begin() {
 
 template <int Dim>
 void ContactSearch<Dim>::renew(Real ahead, Tables tables, bool with_motion) {
-  // Where nothing came or went, tables made anew would hold what is there, but for the entities of
-  // other ranks.
-  const bool keeps = tables == Tables::kept && setup_.ranks.all->alone();
-  std::optional<Entities<Dim>> before;
+  // Where nothing came or went, tables made anew would hold what is there, but for what other ranks
+  // show.
+  const bool keeps = tables == Tables::kept, alone = setup_.ranks.all->alone();
+  CarriedTractions<Dim> carried;
+  if (tables == Tables::inherited || !alone) carried = entities_.carried_tractions();
   if (keeps) {
     entities_.begin_motion(setup_.surfaces);
   } else {
-    before = std::exchange(entities_, entities_of(setup_));
+    const auto before = std::exchange(entities_, entities_of(setup_));
     entities_.longest_step = std::min(entities_.longest_step, setup_.rigid.step_limit.step);
-    if (tables != Tables::anew) entities_.nodes.inherit(before->nodes);
+    if (tables == Tables::inherited) entities_.nodes.inherit(before.nodes);
   }
   entities_.choose(near_.near());
   if (with_motion) entities_.nodes.read_motion(setup_.surfaces);
   entities_.refresh_planes();
   candidates_.build(entities_, setup_.pairs, ahead, imports_);
-  if (before && tables != Tables::anew) entities_.inherit_tractions(*before);
+  if (tables == Tables::inherited || (keeps && !alone)) entities_.inherit_tractions(carried);
 }
 
 /// Finds the bodies that may touch others; true where they are not the same as before. Collective.

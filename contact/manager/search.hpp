@@ -15,7 +15,7 @@ struct LookAhead {
 enum class Tables {
   anew,       ///< the surfaces
   inherited,  ///< the surfaces; what is booked stays with the ids of points
-  kept  ///< on a lone rank those that are there, else inherited: no facet or particle came or went
+  kept        ///< those that are there: no facet or particle came or went
 };
 
 /// Tables of what can touch, with what other ranks show of theirs, and lists of what may.

@@ -183,6 +183,7 @@ void Entities<Dim>::number_nodes(const std::vector<Surface<Dim>*>& surfaces) {
   for (auto& face : faces) number.name_corners(face);
   for (auto& particle : particles) particle.node = number(particle.surface, particle.node);
   number.add_gone();
+  own_nodes_ = nodes.size();
 }
 
 template <int Dim>
@@ -231,13 +232,23 @@ std::size_t Entities<Dim>::particle_with(GlobalId id) const {
 }
 
 template <int Dim>
-void Entities<Dim>::inherit_tractions(const Entities& old) {
+CarriedTractions<Dim> Entities<Dim>::carried_tractions() const {
+  CarriedTractions<Dim> carried;
+  if (!nodes.has_friction) return carried;
+  carried.traction = tractions;
+  carried.face.reserve(faces.size());
+  for (const auto& face : faces) carried.face.push_back(face.id);
+  return carried;
+}
+
+template <int Dim>
+void Entities<Dim>::inherit_tractions(const CarriedTractions<Dim>& carried) {
   if (!nodes.has_friction) return;
+  std::size_t before = 0;  // both ascend
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const std::size_t before = old.face_with(faces[f].id);
-    if (before < old.faces.size() && old.faces[before].id == faces[f].id) {
-      tractions[f] = old.tractions[before];
-    }
+    while (before < carried.face.size() && carried.face[before] < faces[f].id) ++before;
+    if (before == carried.face.size()) return;
+    if (carried.face[before] == faces[f].id) tractions[f] = carried.traction[before];
   }
 }
 

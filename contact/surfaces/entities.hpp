@@ -68,6 +68,13 @@ struct FaceTraction {
   Real growth = 1;                    ///< [1] of its area in the last step
 };
 
+/// What faces carried, by id, ascending.
+template <int Dim>
+struct CarriedTractions {
+  std::vector<GlobalId> face;
+  std::vector<FaceTraction<Dim>> traction;
+};
+
 /// What of a face's plane says how it turned and warped.
 template <int Dim>
 struct FaceShape {
@@ -173,11 +180,14 @@ struct Entities {
   }
   /// Takes what friction needs to know of materials from the groups, for the faces that are here.
   void read_materials(const std::vector<Surface<Dim>*>& surfaces);
-  /// Takes over what the same faces remember in an older table.
-  void inherit_tractions(const Entities& old);
+  /// What all faces carried at the last evaluation; nothing where nothing has friction.
+  CarriedTractions<Dim> carried_tractions() const;
+  /// Takes over what the same faces carried.
+  void inherit_tractions(const CarriedTractions<Dim>& carried);
   /// What was born in this step has met what it overlaps.
   void end_births();
-  /// As made anew where points are now; what is booked and planes' numbers stay.
+  /// As made anew where points are now, without what other ranks showed; what is booked and planes'
+  /// numbers stay.
   void begin_motion(const std::vector<Surface<Dim>*>& surfaces);
   /// Leaves bodies that touch nothing alone: those with a 0; with no entry there are none.
   void choose(const std::vector<char>& of_bodies);
@@ -217,11 +227,14 @@ struct Entities {
   /// Nodes of the corners and particles, which name points until then, and of what has gone.
   void number_nodes(const std::vector<Surface<Dim>*>& surfaces);
   void find_near();
+  void drop_imports();
   void take_corners(std::size_t face);
   void refresh_plane(std::size_t face);
   void refresh_some_planes(std::span<const LocalIndex> some);
   void look_at(std::size_t face, Seen& seen) const;
   void look_at_unlisted(std::size_t first, std::size_t last, Seen& seen) const;
+
+  std::size_t own_nodes_ = 0;  // before those that other ranks showed
 };
 
 }  // namespace brunt

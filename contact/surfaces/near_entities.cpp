@@ -1,10 +1,23 @@
 /// Which faces and nodes belong to bodies that may touch something, and which are new.
+#include <vector>
+
 #include "contact/surfaces/entities.hpp"
 
 namespace brunt {
 
 template <int Dim>
+void Entities<Dim>::drop_imports() {
+  if (nodes.size() > own_nodes_) nodes.shorten(own_nodes_);
+  const auto dropped = std::erase_if(faces, [](const auto& face) { return face.facet < 0; }) +
+                       std::erase_if(particles, [](const auto& one) { return !one.owned; });
+  if (dropped == 0) return;
+  shallowest = kInfinity;
+  add_faces({});
+}
+
+template <int Dim>
 void Entities<Dim>::begin_motion(const std::vector<Surface<Dim>*>& surfaces) {
+  drop_imports();
   nodes.begin_motion(surfaces);
   shapes.clear();
 }
@@ -42,6 +55,8 @@ void Entities<Dim>::end_births() {
   any_born = false;
 }
 
+template void Entities<2>::drop_imports();
+template void Entities<3>::drop_imports();
 template void Entities<2>::begin_motion(const std::vector<Surface<2>*>&);
 template void Entities<3>::begin_motion(const std::vector<Surface<3>*>&);
 template void Entities<2>::end_births();

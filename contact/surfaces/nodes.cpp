@@ -28,6 +28,14 @@ void ContactNodes<Dim>::reserve(std::size_t n) {
 }
 
 template <int Dim>
+void ContactNodes<Dim>::shorten(std::size_t n) {
+  surface.resize(n), point.resize(n), owned.resize(n), id.resize(n);
+  mass.resize(n), x.resize(n), x_made.resize(n);
+  for_carried([&](auto field, FieldUse) { (this->*field).resize(n); });
+  for_renewed([&](auto field) { (this->*field).resize(n); });
+}
+
+template <int Dim>
 LocalIndex ContactNodes<Dim>::add(LocalIndex on_surface, LocalIndex at_point,
                                   const Points<Dim>& points) {
   const auto p = slot_of(at_point);

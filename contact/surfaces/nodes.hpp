@@ -102,6 +102,8 @@ struct ContactNodes {
   /// Room for n nodes and no more: tables that double take twice what a million particles need.
   void reserve(std::size_t n);
   LocalIndex add(LocalIndex on_surface, LocalIndex at_point, const Points<Dim>& points);
+  /// Keeps the first n.
+  void shorten(std::size_t n);
   /// A point of another rank; [kg], [m], [m/s].
   LocalIndex add_remote(LocalIndex on_surface, GlobalId of, Real m, const Vec<Dim>& at,
                         const Vec<Dim>& velocity);

@@ -50,10 +50,7 @@ void RigidMotions<Dim>::start() {
     for (std::size_t i = 0; i < rigid.motion_of_point.size(); ++i) {
       if (rigid.motion_of_point[i] == kFree) continue;
       const auto& motion = rigid.motions[rigid.motion_of_point[i]];
-      Vec3 arm = Vec3::Zero();
-      arm.template head<Dim>() = rigid.points->x_start[i] - motion.center;
-      rigid.points->v[i] =
-          motion.velocity + (motion.spin * motion.axis.cross(arm)).template head<Dim>();
+      rigid.points->v[i] = motion.velocity_at(rigid.points->x_start[i], 0);
     }
   }
 }

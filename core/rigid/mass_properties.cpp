@@ -1,5 +1,6 @@
 #include "core/rigid/mass_properties.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace brunt {
@@ -101,6 +102,49 @@ MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<
   return body;
 }
 
+namespace {
+template <int Dim>
+Vec<Dim> center_of_area(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
+                        Geometry geometry) {
+  const Vec<Dim> from = points.x[facets.front().node[0]];
+  const bool ring = geometry == Geometry::axisymmetric;
+  Real whole = 0;
+  Vec<Dim> first = Vec<Dim>::Zero();
+  for (const auto& facet : facets) {
+    for_simplices(points, facet, from, [&](const std::array<Vec<Dim>, Dim>& corner, Real area) {
+      Vec<Dim> middle = Vec<Dim>::Zero();
+      for (const auto& x : corner) middle += x / Dim;
+      if (!ring) {
+        whole += area, first += area * middle;
+        return;
+      }
+      // With r linear along an edge: integral r y = L (r y at the middle + dr dy / 12).
+      const Vec<Dim> edge = corner[1] - corner[0];
+      const Real radius = from[0] + middle[0];
+      whole += area * radius;
+      first[1] += area * (radius * middle[1] + edge[0] * edge[1] / 12);
+    });
+  }
+  Vec<Dim> center = from + first / whole;
+  if (ring) center[0] = 0;
+  return center;
+}
+}  // namespace
+
+template <int Dim>
+Vec<Dim> center_of_shape(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
+                         Geometry geometry) {
+  const bool open = std::any_of(facets.begin(), facets.end(), [](auto& one) { return one.open; });
+  if (open) return center_of_area(points, facets, geometry);
+  try {
+    return mass_properties(points, facets, 1, geometry, 1).center.template head<Dim>();
+  } catch (const std::invalid_argument&) {
+    return center_of_area(points, facets, geometry);
+  }
+}
+
+template Vec<2> center_of_shape<2>(const Points<2>&, std::span<const Facet<2>>, Geometry);
+template Vec<3> center_of_shape<3>(const Points<3>&, std::span<const Facet<3>>, Geometry);
 template MassProperties mass_properties<2>(const Points<2>&, std::span<const Facet<2>>, Real,
                                            Geometry, Real);
 template MassProperties mass_properties<3>(const Points<3>&, std::span<const Facet<3>>, Real,

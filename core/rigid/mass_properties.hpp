@@ -25,4 +25,11 @@ template <int Dim>
 MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
                                Real density, Geometry geometry, Real depth);
 
+/// The centre [m] of a shape of which no density is known: of the volume that its facets enclose;
+/// of their area where they are open, or enclose none. On the axis where the section is
+/// axisymmetric.
+template <int Dim>
+Vec<Dim> center_of_shape(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
+                         Geometry geometry);
+
 }  // namespace brunt

@@ -16,6 +16,13 @@ Vec<Dim> RigidMotion<Dim>::position(const Vec<Dim>& start, Real t) const {
 }
 
 template <int Dim>
+Vec<Dim> RigidMotion<Dim>::velocity_at(const Vec<Dim>& start, Real t) const {
+  if (spin == 0) return velocity;
+  const Vec3 arm = Eigen::AngleAxis<Real>(spin * t, axis) * in_space<Dim>(start - center);
+  return velocity + (spin * axis.cross(arm)).template head<Dim>();
+}
+
+template <int Dim>
 RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets)
     : points_(std::move(points)) {
   surface_.points = &points_;

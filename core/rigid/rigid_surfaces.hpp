@@ -19,6 +19,8 @@ struct RigidMotion {
 
   /// Position at time t of a point that was at `start` at time 0.
   Vec<Dim> position(const Vec<Dim>& start, Real t) const;
+  /// [m/s] its velocity then.
+  Vec<Dim> velocity_at(const Vec<Dim>& start, Real t) const;
 };
 
 /// The group of all rigid surfaces: points without mass that others move, and their facets.

@@ -357,5 +357,30 @@ output: {history: 20 us}
   EXPECT_LT(result.worst_drift, 1e-12);
 }
 
+// A tool that turns about a place beside it while that place moves: x = c + v t + R(wt)(x0 - c),
+// v + w x (x - c - v t). It has no mass; a held plate stays in its middle.
+TEST(Rigid, DrivenBodiesSayWhereTheyAre) {
+  const auto result = run(R"(
+time: {end: 1 ms, max_step: 10 us}
+bodies:
+  tool: {rigid: true, shape: {box: {min: [10 mm, 0, 0], max: [30 mm, 10 mm, 10 mm]}},
+    motion: {velocity: [-3, 2, 1], spin: {axis: z, rate: 500 rad/s, about: [0, 0, 0]}}}
+  plate: {rigid: true, shape: {plane: {origin: [1, 2, -1], normal: [1, 0, 1], extent: 0.2}}}
+  apart: {rigid: true, material: oak, shape: {box: {min: [9, 0, 0], max: [9.1, 0.1, 0.1]}}}
+)");
+  ASSERT_EQ(result.failure, "");
+  const Real angle = 0.5, c = std::cos(angle), s = std::sin(angle);
+  const Vec3 arm(0.02 * c - 0.005 * s, 0.02 * s + 0.005 * c, 0.005), v(-3, 2, 1);
+  const Vec3 x = arm + 1e-3 * v, rate = v + 500 * Vec3(-arm[1], arm[0], 0);
+  for (const int axis : {0, 1, 2}) {
+    const std::string end = std::string(".") + kAxes[axis];
+    EXPECT_NEAR(result.last("body.tool.position" + end), x[axis], 1e-12);
+    EXPECT_NEAR(result.last("body.tool.velocity" + end), rate[axis], 1e-9);
+    EXPECT_NEAR(result.last("body.plate.position" + end), Vec3(1, 2, -1)[axis], 1e-12);
+    EXPECT_EQ(result.last("body.plate.velocity" + end), 0);
+  }
+  EXPECT_EQ(result.last("body.tool.mass"), 0);
+}
+
 }  // namespace
 }  // namespace brunt::test

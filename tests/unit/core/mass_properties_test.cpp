@@ -123,5 +123,39 @@ TEST(MassProperties, RefuseASurfaceThatIsInsideOut) {
   EXPECT_THROW(skin.properties(Geometry::plane_strain), std::invalid_argument);
 }
 
+// An open box without its lid, a x a x h: five faces of centre sum A z / sum A, h/2 of the four
+// sides and 0 of the bottom; closed it is the middle. A cone's shell has its centre of area at a
+// third of its height, and its volume at a quarter.
+TEST(MassProperties, CentreOfAShapeIsThatOfItsVolumeOrWhereItIsOpenOfItsArea) {
+  const Real a = 0.2, h = 0.6;
+  auto skin = skin_of<3>(Box{{1, 1, 1}, {1 + a, 1 + a, 1 + h}}, {2, 2, 3}, Geometry::three_d);
+  const auto center = [](const auto& of, Geometry geometry) {
+    return center_of_shape(of.points, std::span(std::as_const(of.facets)), geometry);
+  };
+  EXPECT_LT((center(skin, Geometry::three_d) - Vec3(1.1, 1.1, 1 + h / 2)).norm(), 1e-13);
+  std::erase_if(skin.facets, [&](const auto& facet) {
+    return std::all_of(facet.node.begin(), facet.node.end(), [&](const LocalIndex node) {
+      return skin.points.x[node][2] > 1 + h - 1e-9;
+    });
+  });
+  for (auto& facet : skin.facets) facet.open = true;
+  const Real height = 4 * a * h * (h / 2) / (4 * a * h + a * a);
+  EXPECT_LT((center(skin, Geometry::three_d) - Vec3(1.1, 1.1, 1 + height)).norm(), 1e-13);
+
+  PolygonShape cone;
+  cone.points = {{0, 1}, {0.3, 1}, {0, 1.6}};
+  auto ring = skin_of<2>(cone, {1, 1}, Geometry::axisymmetric);
+  EXPECT_LT((center(ring, Geometry::axisymmetric) - Vec<2>(0, 1 + 0.6 / 4)).norm(), 1e-13);
+  std::erase_if(ring.facets, [&](const auto& facet) {
+    const auto& x = ring.points.x;
+    return x[facet.node[0]][1] < 1.001 && x[facet.node[1]][1] < 1.001;
+  });
+  for (auto& facet : ring.facets) facet.open = true;
+  std::erase_if(ring.facets, [&](const auto& facet) {
+    return ring.points.x[facet.node[0]][0] + ring.points.x[facet.node[1]][0] < 1e-9;
+  });
+  EXPECT_LT((center(ring, Geometry::axisymmetric) - Vec<2>(0, 1 + 0.6 / 3)).norm(), 1e-13);
+}
+
 }  // namespace
 }  // namespace brunt
