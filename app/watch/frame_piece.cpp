@@ -83,8 +83,7 @@ Copies find_copies(const BodyView& view, const Partition& partition, const Commu
 
 }  // namespace
 
-BodyView frame_piece(const BodyView& mine, const Partition& partition, const Communicator& ranks) {
-  BodyView view = mine;
+BodyView frame_piece(BodyView view, const Partition& partition, const Communicator& ranks) {
   take_cell_fields(view, ranks);
   if (!view.point_owned.empty()) drop_idle_copies(view);
   const Copies copies = find_copies(view, partition, ranks);

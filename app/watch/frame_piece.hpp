@@ -8,6 +8,6 @@ namespace brunt {
 /// its cells touch, with the values of their owners (forces on copies are not whole). All ranks
 /// with points of it get the same cell fields. The view needs the point field `id` where it has
 /// points. Collective.
-BodyView frame_piece(const BodyView& mine, const Partition& partition, const Communicator& ranks);
+BodyView frame_piece(BodyView view, const Partition& partition, const Communicator& ranks);
 
 }  // namespace brunt

@@ -37,7 +37,7 @@ class VtkFrames final : public FrameSink {
     if (ranks_.alone()) return writer().write(time, bodies, contact);
     const std::size_t number = next();
     const auto written = agreed(ranks_, [&] {
-      return packed(write_pieces(folder_, number, ranks_.rank(), time, bodies, contact));
+      return packed(write_pieces(folder_, number, ranks_.rank(), time, bodies, contact, memory_));
     });
     agreed(ranks_, [&] {
       if (ranks_.is_root()) join(time, bodies, written);
@@ -78,6 +78,7 @@ class VtkFrames final : public FrameSink {
   std::filesystem::path folder_;
   const Communicator& ranks_;
   std::optional<FrameWriter> writer_;  // of the root
+  VtkFileMemory memory_;               // of the pieces of this rank
 };
 }  // namespace
 

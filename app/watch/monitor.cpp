@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "app/watch/frame_check.hpp"
 #include "app/watch/frame_piece.hpp"
@@ -230,7 +231,7 @@ BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, BodyView view, Real t
   view.time = time;
   real_.make_real(view);
   if (scene.ranks->alone()) return view;
-  return frame_piece(view, *scene.partition, *scene.ranks);
+  return frame_piece(std::move(view), *scene.partition, *scene.ranks);
 }
 
 template <int Dim>

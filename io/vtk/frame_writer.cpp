@@ -1,17 +1,11 @@
 #include "io/vtk/frame_writer.hpp"
 
-#include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUnstructuredGridWriter.h>
-
 #include <cstdio>
-#include <cstdlib>
 #include <set>
 
 #include "core/errors.hpp"
 #include "io/file.hpp"
 #include "io/run_files.hpp"
-#include "io/vtk/grid.hpp"
-#include "io/vtk/messages.hpp"
 #include "io/vtk/vtp_writer.hpp"
 #include "io/vtk/vtu_writer.hpp"
 
@@ -36,31 +30,6 @@ std::string file_name(const std::string& body, std::size_t frame, const std::str
   std::array<char, 24> number;
   std::snprintf(number.data(), number.size(), ".%05zu", frame);
   return std::string(kSubfolder) + "/" + name + number.data() + extension;
-}
-
-/// VTK would look for the ranges of arrays on all cores, of which other ranks have theirs. It reads
-/// this before its first work; its header is not C++20.
-void write_with_one_thread() {
-  [[maybe_unused]] static const int set = ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
-}
-
-/// The bytes of a VTK file. VTK writes to memory: to a full disk it would report success.
-template <class Writer>
-std::string bytes_of(vtkDataObject* data, const std::filesystem::path& path) {
-  VtkMessages messages;
-  write_with_one_thread();
-  auto writer = vtkSmartPointer<Writer>::New();
-  writer->SetInputData(data);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToLZ4();
-  writer->SetHeaderTypeToUInt64();
-  writer->WriteToOutputStringOn();
-  const int written = writer->Write();
-  if (written != 1 || messages.any()) {
-    throw MachineError("cannot write '" + path.string() + "': " + messages.text());
-  }
-  return writer->GetOutputString();
 }
 
 bool joins(const std::filesystem::path& file) {
@@ -98,21 +67,6 @@ bool bring_part(const std::filesystem::path& from, const std::filesystem::path& 
   for (const auto& each : files) whole = whole && bring(from / each, to / each);
   if (whole) brought.insert(files.begin(), files.end());
   return whole;
-}
-
-template <class Writer>
-void write_data(vtkDataObject* data, const std::filesystem::path& path) {
-  replace_file(path, bytes_of<Writer>(data, path));
-}
-
-/// Writes a piece, unless there is nothing in it.
-template <class Writer>
-FramePiece write_piece(vtkDataSet* data, const std::filesystem::path& folder,
-                       const std::string& file, bool known) {
-  const std::filesystem::path path = folder / file;
-  FramePiece piece = piece_of(*data, path.filename().string(), known);
-  if (!piece.file.empty()) write_data<Writer>(data, path);
-  return piece;
 }
 
 }  // namespace
@@ -166,7 +120,7 @@ void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
     write_vtu(folder_ / files[b], bodies[b], memory_);
   }
   if (contact != nullptr) {
-    write_vtp(folder_ / files.back(), *contact, time, memory_);
+    write_vtp(folder_ / files.back(), *contact, time, false, memory_);
   }
   add(std::move(frame));
 }
@@ -194,20 +148,30 @@ void FrameWriter::join(Real time, const std::vector<std::string>& bodies,
 
 std::vector<FramePiece> write_pieces(const std::filesystem::path& folder, std::size_t number,
                                      int rank, Real time, const std::vector<BodyView>& bodies,
-                                     const ContactView* contact) {
+                                     const ContactView* contact, VtkFileMemory& memory) {
   std::vector<FramePiece> pieces;
   pieces.reserve(bodies.size() + 1);
   const std::string of_rank = "." + std::to_string(rank);
+  const auto name = [&](const std::string& file) {
+    return std::filesystem::path(file).filename().string();
+  };
   for (const auto& body : bodies) {
-    const bool particles = body.corners == 0 && !body.point_fields.empty();
-    pieces.push_back(write_piece<vtkXMLUnstructuredGridWriter>(
-        to_grid_piece(body), folder, file_name(body.body, number, of_rank + ".vtu"), particles));
+    auto& piece = pieces.emplace_back();
+    const bool empty = body.position.empty(), particles = body.corners == 0;
+    // The view of a body without points does not say which fields there are, but of particles.
+    if (empty && !(particles && !body.point_fields.empty())) continue;
+    piece = listed_arrays(body);
+    if (empty) continue;
+    const std::string file = file_name(body.body, number, of_rank + ".vtu");
+    write_vtu(folder / file, body, memory);
+    piece.file = name(file);
   }
-  if (contact != nullptr) {
-    pieces.push_back(
-        write_piece<vtkXMLPolyDataWriter>(to_contacts_piece(*contact, time), folder,
-                                          file_name(kContact, number, of_rank + ".vtp"), true));
-  }
+  if (contact == nullptr) return pieces;
+  auto& piece = pieces.emplace_back(listed_arrays(*contact));
+  if (contact->position.empty()) return pieces;
+  const std::string file = file_name(kContact, number, of_rank + ".vtp");
+  write_vtp(folder / file, *contact, time, true, memory);
+  piece.file = name(file);
   return pieces;
 }
 

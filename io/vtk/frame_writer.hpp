@@ -55,9 +55,9 @@ class FrameWriter {
 /// is not null, into folder/frames, which is there; nothing is written of what the rank has not.
 /// The field `id` tells points, and cells, from each other. Ranks with points of a body give the
 /// same fields, VTK's reader wants all of them in each piece. Throws MachineError with the name of
-/// the file.
+/// the file. memory  of this rank, from frame to frame
 std::vector<FramePiece> write_pieces(const std::filesystem::path& folder, std::size_t number,
                                      int rank, Real time, const std::vector<BodyView>& bodies,
-                                     const ContactView* contact);
+                                     const ContactView* contact, VtkFileMemory& memory);
 
 }  // namespace brunt

@@ -7,7 +7,6 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
-#include <vtkIntArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
@@ -204,15 +203,6 @@ int corners_of(vtkUnstructuredGrid& grid) {
   return most == 1 ? 0 : static_cast<int>(most);
 }
 
-vtkSmartPointer<vtkIntArray> label_array(const char* name, const std::vector<Label>& labels,
-                                         const std::vector<std::size_t>& order) {
-  if (labels.size() != order.size()) misfit(name);
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  for (const std::size_t i : order) array->InsertNextValue(static_cast<int>(labels[i]));
-  return array;
-}
-
 }  // namespace
 
 vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view) {
@@ -233,69 +223,6 @@ vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view) {
   }
   set_time(*grid, view.time);
   return grid;
-}
-
-vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time) {
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(to_points(view.position));
-  auto vertices = vtkSmartPointer<vtkCellArray>::New();
-  auto lines = vtkSmartPointer<vtkCellArray>::New();
-  auto polygons = vtkSmartPointer<vtkCellArray>::New();
-  vtkIdType first = 0;
-  for (std::size_t i = 0; i < view.polygon_size.size(); ++i) {
-    const int n = view.polygon_size[i];
-    if (n < 1 || first + n > data->GetNumberOfPoints()) misfit("polygon_size");
-    auto& cells = n == 1 ? vertices : (n == 2 ? lines : polygons);
-    cells->InsertNextCell(n);
-    for (int c = 0; c < n; ++c) cells->InsertCellPoint(first++);
-  }
-  if (first != data->GetNumberOfPoints()) misfit("polygon_size");
-  data->SetVerts(vertices);
-  data->SetLines(lines);
-  data->SetPolys(polygons);
-  const auto order = polydata_order(view);
-  for (const Field& field :
-       {reordered("normal", 3, view.normal, order), reordered("pressure", 1, view.pressure, order),
-        reordered("penetration", 1, view.penetration, order),
-        reordered("bonded", 1, view.bonded, order),
-        reordered("max_closure", 1, view.max_closure, order),
-        reordered("force", 3, view.force, order)}) {
-    data->GetCellData()->AddArray(to_array(field, order.size()));
-  }
-  data->GetCellData()->AddArray(label_array("body_a", view.body_a, order));
-  data->GetCellData()->AddArray(label_array("body_b", view.body_b, order));
-  set_time(*data, time);
-  return data;
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> to_grid_piece(const BodyView& view) {
-  auto grid = to_grid(view);
-  if (view.point_owned.empty()) return grid;
-  if (static_cast<vtkIdType>(view.point_owned.size()) != grid->GetNumberOfPoints()) {
-    misfit("point_owned");
-  }
-  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (const char owned : view.point_owned) {
-    ghosts->InsertNextValue(owned ? 0 : vtkDataSetAttributes::DUPLICATEPOINT);
-  }
-  grid->GetPointData()->AddArray(ghosts);
-  return grid;
-}
-
-vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real time) {
-  auto data = to_contacts(view, time);
-  if (view.key.size() != view.polygon_size.size()) misfit("key");
-  auto keys = vtkSmartPointer<vtkIdTypeArray>::New();
-  keys->SetName("key");
-  keys->SetNumberOfComponents(4);
-  for (const std::size_t i : polydata_order(view)) {
-    for (const GlobalId number : view.key[i]) {
-      keys->InsertNextValue(static_cast<vtkIdType>(number));
-    }
-  }
-  data->GetCellData()->AddArray(keys);
-  return data;
 }
 
 BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body) {

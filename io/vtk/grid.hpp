@@ -1,6 +1,5 @@
 #pragma once
 /// brunt's plain views as VTK data sets and back; for io/vtk only.
-#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -16,17 +15,6 @@ namespace brunt {
 /// for particles and the field data "TimeValue" [s]. Tensors have named components. Throws
 /// std::invalid_argument where a field's length does not fit.
 vtkSmartPointer<vtkUnstructuredGrid> to_grid(const BodyView& view);
-
-/// Contact planes as polygons and particle contacts as vertices, with normal, pressure,
-/// penetration, force, body_a, body_b a contact. Throws std::invalid_argument where a length does
-/// not fit.
-vtkSmartPointer<vtkPolyData> to_contacts(const ContactView& view, Real time);
-
-/// The same of a rank's piece of a body or of the contacts, with what it takes to merge pieces: the
-/// point array vtkGhostType, which says which points are copies, where the view knows; and the cell
-/// array "key" of contacts.
-vtkSmartPointer<vtkUnstructuredGrid> to_grid_piece(const BodyView& view);
-vtkSmartPointer<vtkPolyData> to_contacts_piece(const ContactView& view, Real time);
 
 /// Contacts in the order of the cell data of a polydata: vertices, lines (planes in 2D), polygons.
 std::vector<std::size_t> polydata_order(const ContactView& view);
@@ -48,8 +36,8 @@ inline float single_of(Real value) {
 /// "X", "YZ": of a vector or a tensor.
 const char* component_name(int components, int component);
 
-/// The view that to_grid or to_grid_piece made the grid of: masses and volumes are not in it.
-/// Throws std::invalid_argument where the grid holds other cells than to_grid makes.
+/// The view of which a .vtu was written: masses and volumes are not in it. Throws
+/// std::invalid_argument where the grid holds other cells than to_grid makes.
 BodyView to_view(vtkUnstructuredGrid& grid, const std::string& body);
 
 }  // namespace brunt

@@ -1,9 +1,5 @@
 #include "io/vtk/pieces.hpp"
 
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
-#include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
@@ -12,41 +8,6 @@
 #include "io/vtk/messages.hpp"
 
 namespace brunt {
-
-namespace {
-
-/// The kinds of arrays that grid.cpp makes.
-std::string type_word(vtkDataArray& array) {
-  switch (array.GetDataType()) {
-    case VTK_FLOAT:
-      return "Float32";
-    case VTK_ID_TYPE:
-      return "Int64\" IdType=\"1";
-    case VTK_INT:
-      return "Int32";
-    default:
-      return "UInt8";
-  }
-}
-
-std::string array_lines(vtkDataSetAttributes& data) {
-  std::string lines;
-  for (int a = 0; a < data.GetNumberOfArrays(); ++a) {
-    auto* array = data.GetArray(a);
-    const int components = array->GetNumberOfComponents();
-    lines += "      <PDataArray type=\"" + type_word(*array) + "\" Name=\"" +
-             escaped(array->GetName()) + "\" NumberOfComponents=\"" + std::to_string(components) +
-             "\"";
-    for (int c = 0; c < components && array->HasAComponentName(); ++c) {
-      lines +=
-          " ComponentName" + std::to_string(c) + "=\"" + escaped(array->GetComponentName(c)) + "\"";
-    }
-    lines += "/>\n";
-  }
-  return lines;
-}
-
-}  // namespace
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -69,16 +30,6 @@ std::string escaped(const std::string& text) {
     }
   }
   return result;
-}
-
-FramePiece piece_of(vtkDataSet& data, const std::string& file, bool known) {
-  FramePiece piece;
-  const bool empty = data.GetNumberOfPoints() == 0;
-  if (!empty) piece.file = file;
-  if (empty && !known) return piece;
-  piece.point_arrays = array_lines(*data.GetPointData());
-  piece.cell_arrays = array_lines(*data.GetCellData());
-  return piece;
 }
 
 std::string joining_text(const std::string& type, const std::vector<FramePiece>& pieces) {

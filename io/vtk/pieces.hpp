@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-class vtkDataSet;
-
 namespace brunt {
 
 /// What one rank has written of one part of a frame.
@@ -13,10 +11,6 @@ struct FramePiece {
   std::string point_arrays;  ///< as the joining file lists them; empty: not known here
   std::string cell_arrays;
 };
-
-/// The piece's arrays as the joining file lists them; `known`: also where there is no point in it.
-/// The view of a body without points does not say which fields there are.
-FramePiece piece_of(vtkDataSet& data, const std::string& file, bool known);
 
 /// The text of a .pvtu (type "PUnstructuredGrid") or .pvtp ("PPolyData"): the pieces that have a
 /// file. Arrays are listed as the first piece that knows them has them.

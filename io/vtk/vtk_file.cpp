@@ -24,7 +24,24 @@ std::string_view made_of(std::string& room, const Field& field, const Convert& c
   });
 }
 
+/// What a tag says of an array.
+std::string attributes_of(const VtkFileArray& array) {
+  std::string text = " type=\"" + array.type + "\" Name=\"" + escaped(array.name) + "\"";
+  if (array.components == 1) return text;
+  text += " NumberOfComponents=\"" + std::to_string(array.components) + "\"";
+  const bool named = array.components == 3 || array.components == 6;
+  for (int c = 0; c < array.components && named && array.name != "Points"; ++c) {
+    text +=
+        " ComponentName" + std::to_string(c) + "=\"" + component_name(array.components, c) + "\"";
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string joined_line(const VtkFileArray& array) {
+  return "      <PDataArray" + attributes_of(array) + "/>\n";
+}
 
 VtkFileArray reals(const std::string& name, int components, std::span<const Real> values) {
   return {"Float64", name, components, [values](std::string&) { return bytes_of_values(values); }};
@@ -56,16 +73,7 @@ VtkFile::VtkFile(const std::filesystem::path& path, const std::string& kind, con
 }
 
 void VtkFile::declare(VtkFileArray array, const std::string& indent, const std::string& more) {
-  std::string tag =
-      indent + "<DataArray type=\"" + array.type + "\" Name=\"" + escaped(array.name) + "\"";
-  if (array.components > 1) {
-    tag += " NumberOfComponents=\"" + std::to_string(array.components) + "\"";
-    for (int c = 0; c < array.components && array.name != "Points"; ++c) {
-      tag +=
-          " ComponentName" + std::to_string(c) + "=\"" + component_name(array.components, c) + "\"";
-    }
-  }
-  file_.append(tag + more + " format=\"appended\"");
+  file_.append(indent + "<DataArray" + attributes_of(array) + more + " format=\"appended\"");
   places_.push_back(file_.size());
   file_.append(std::string(kOffsetRoom, ' ') + "/>\n");
   arrays_.push_back(std::move(array));

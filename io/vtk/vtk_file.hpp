@@ -74,6 +74,9 @@ VtkFileArray whole_numbers(const char* name, std::size_t n, std::size_t largest,
   return array;
 }
 
+/// The line that lists an array in a file that joins pieces.
+std::string joined_line(const VtkFileArray& array);
+
 /// In double: places, which may be far from the origin, and the time. The values have to stay.
 VtkFileArray reals(const std::string& name, int components, std::span<const Real> values);
 

@@ -50,6 +50,39 @@ std::vector<VtkFileArray> cell_arrays(const BodyView& view, std::size_t n_points
           {"UInt8", "types", 1, types, "types"}};
 }
 
+/// Which points are copies of other ranks'.
+VtkFileArray ghost_array(const BodyView& view) {
+  constexpr std::uint8_t kDuplicatePoint = 1;  // of VTK
+  const auto fill = [&view](std::uint8_t* to) {
+    for (const char owned : view.point_owned) *to++ = owned != 0 ? 0 : kDuplicatePoint;
+  };
+  return {"UInt8", "vtkGhostType", 1,
+          [&view, fill](std::string& room) {
+            return made<std::uint8_t>(room, view.point_owned.size(), fill);
+          },
+          "vtkGhostType"};
+}
+
+/// The radius of particles, which may be none; empty where there can be none.
+Field radius_of(const BodyView& view) { return {"radius", 1, view.point_radius}; }
+
+/// radius  that of the view; it has to stay, as the view
+std::vector<VtkFileArray> point_arrays(const BodyView& view, const Field& radius) {
+  std::vector<VtkFileArray> arrays;
+  for (const auto& field : view.point_fields) arrays.push_back(array_of(field, "points."));
+  const bool no_particles =
+      view.corners == 0 && view.position.empty() && !view.point_fields.empty();
+  if (radius.size() > 0 || no_particles) arrays.push_back(singles(radius));
+  if (!view.point_owned.empty()) arrays.push_back(ghost_array(view));
+  return arrays;
+}
+
+std::vector<VtkFileArray> field_arrays(const BodyView& view) {
+  std::vector<VtkFileArray> arrays;
+  for (const auto& field : view.cell_fields) arrays.push_back(array_of(field, "cells."));
+  return arrays;
+}
+
 void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cells) {
   if (view.position.size() % 3 != 0) misfit("position");
   const auto corners = slot_of(std::max(view.corners, 1));
@@ -70,6 +103,7 @@ void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cel
   };
   check(view.point_fields, n_points), check(view.cell_fields, n_cells);
   if (!view.point_radius.empty() && view.point_radius.size() != n_points) misfit("radius");
+  if (!view.point_owned.empty() && view.point_owned.size() != n_points) misfit("point_owned");
 }
 
 }  // namespace
@@ -82,17 +116,24 @@ void write_vtu(const std::filesystem::path& path, const BodyView& view, VtkFileM
   VtkFile file(path, "UnstructuredGrid", view.time);
   file.text("    <Piece NumberOfPoints=\"" + std::to_string(n_points) + "\" NumberOfCells=\"" +
             std::to_string(n_cells) + "\">\n      <PointData>\n");
-  for (const auto& field : view.point_fields) file.declare(array_of(field, "points."));
-  const Field radius{"radius", 1, view.point_radius};
-  if (radius.size() > 0) file.declare(singles(radius));
+  const Field radius = radius_of(view);
+  for (auto& array : point_arrays(view, radius)) file.declare(std::move(array));
   file.text("      </PointData>\n      <CellData>\n");
-  for (const auto& field : view.cell_fields) file.declare(array_of(field, "cells."));
+  for (auto& array : field_arrays(view)) file.declare(std::move(array));
   file.text("      </CellData>\n      <Points>\n");
   file.declare(reals("Points", 3, view.position));
   file.text("      </Points>\n      <Cells>\n");
   for (auto& array : cell_arrays(view, n_points)) file.declare(std::move(array));
   file.text("      </Cells>\n    </Piece>\n");
   file.finish(memory, view.body);
+}
+
+FramePiece listed_arrays(const BodyView& view) {
+  FramePiece piece;
+  const Field radius = radius_of(view);
+  for (const auto& array : point_arrays(view, radius)) piece.point_arrays += joined_line(array);
+  for (const auto& array : field_arrays(view)) piece.cell_arrays += joined_line(array);
+  return piece;
 }
 
 }  // namespace brunt

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/errors.hpp"
 #include "io/file.hpp"
 #include "io/vtk/frame_reader.hpp"
@@ -106,10 +108,12 @@ class PiecesTest : public ScratchFolder {
     std::vector<std::vector<FramePiece>> pieces;
     for (std::size_t r = 0; r < parts.size(); ++r) {
       pieces.push_back(write_pieces(folder_, writer.next(), static_cast<int>(r), time, {parts[r]},
-                                    contacts.empty() ? nullptr : &contacts[r]));
+                                    contacts.empty() ? nullptr : &contacts[r], memory_[r]));
     }
     writer.join(time, {"bar"}, pieces);
   }
+
+  std::map<std::size_t, VtkFileMemory> memory_;  // by rank
 
   bool there(const std::string& file) const {
     return std::filesystem::exists(folder_ / "frames" / file);
@@ -219,7 +223,8 @@ TEST_F(PiecesTest, NameTheFileThatDoesNotFitOnTheDisk) {
   std::string message;
   {
     FileSizeLimit limit(100);
-    message = message_of([&] { write_pieces(folder_, 0, 2, 0, {parts_of_bar()[2]}, nullptr); });
+    message = message_of(
+        [&] { write_pieces(folder_, 0, 2, 0, {parts_of_bar()[2]}, nullptr, memory_[2]); });
   }
   EXPECT_NE(message.find("bar.00000.2.vtu"), std::string::npos) << message;
   EXPECT_TRUE(read_frame_index(folder_).empty());
