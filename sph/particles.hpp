@@ -40,26 +40,27 @@ struct ParticleBlock {
   std::vector<Real> heat_given;
 };
 
-/// What one particle carries from phase to phase and from step to step.
+/// What one particle carries from phase to phase and from step to step. In space lines of the
+/// cache are what a pass reads of it: gradients two, limits of the step one, forces two.
 template <int Dim>
-struct ParticleState {
+struct alignas(64) ParticleState {
   Real velocity_gradient[Dim * Dim] = {};        ///< [1/s] L at x(n+1) with v(n+1/2), by rows
   Real correction[kSymmetric<Dim>] = {};         ///< [1] B
-  Real spacing = 0;                              ///< [m] dp at time 0
+  Real volume = 0;                               ///< [m^3] at n+1
   Real start_volume = 0;                         ///< [m^3] mass over reference density: V0
   Real ratio = 1;                                ///< [1] volume over start volume
-  Real volume = 0;                               ///< [m^3] at n+1
   Real sound_speed = 0;                          ///< [m/s]
   Real speed = 0;                                ///< [m/s] max |v_ij| over neighbours
   Real mu = 0;                                   ///< [m/s] max |mu_ij| over neighbours
-  Real viscous_power = 0;                        ///< [W] half of what its pairs dissipate
   InverseSpread spread;                          ///< where gradients are steep; else 0
+  Real viscous_power = 0;                        ///< [W] half of what its pairs dissipate
   Vec<Dim> stress_force = Vec<Dim>::Zero();      ///< [N] last added, by channel
   Vec<Dim> viscous_force = Vec<Dim>::Zero();     ///< [N]
   Vec<Dim> artificial_force = Vec<Dim>::Zero();  ///< [N]
   Real stress_work = 0;                          ///< [J] booked since time 0, by channel
   Real viscous_work = 0;                         ///< [J]
   Real artificial_work = 0;                      ///< [J]
+  Real spacing = 0;                              ///< [m] dp at time 0
 };
 
 template <int Dim>

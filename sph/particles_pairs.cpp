@@ -5,6 +5,7 @@
 #include "core/wide_lanes.hpp"
 #include "sph/conduction.hpp"
 #include "sph/correction.hpp"
+#include "sph/fetch_record.hpp"
 #include "sph/pair_passes.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
@@ -141,6 +142,7 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       if (is_left_out(block, i)) return;
+      fetch_record(state_[slot_of(i)]);
       const auto row = rows_.template row<P>(i);
       take_gradients(block, i,
                      gradients_over<Dim, Kernel, P>(records.motion, i, row, records.inverse_length,
@@ -237,6 +239,7 @@ void SphParticles<Dim>::sum_block_forces(const ParticleBlock& block,
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         if (is_left_out(block, i)) return;
+        fetch_record(state_[slot_of(i)]);
         const auto row = rows_.template row<P>(i);
         take(i, forces_over<Dim, Kernel>(records, i, row, rows_.weights(i), pair));
       });
