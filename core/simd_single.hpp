@@ -43,6 +43,15 @@ BRUNT_INLINE SinglePack vsqrt(SinglePack a) {
   for (int lane = 0; lane < kSingleLanes; ++lane) r[lane] = std::sqrt(a[lane]);
   return r;
 }
+/// a b + c, rounded once.
+BRUNT_INLINE SinglePack vfma(SinglePack a, SinglePack b, SinglePack c) {
+#if defined(__AVX2__)
+  asm("vfmadd231ps %2, %1, %0" : "+x"(c) : "x"(a), "xm"(b));
+#else
+  for (int lane = 0; lane < kSingleLanes; ++lane) c[lane] = std::fma(a[lane], b[lane], c[lane]);
+#endif
+  return c;
+}
 /// One bit a lane.
 BRUNT_INLINE unsigned mask_bits(SingleMask m) {
 #ifdef __AVX__

@@ -68,8 +68,8 @@ Real completeness(const Real (&moment)[kSymmetric<Dim>]) {
 /// surfaces, where neighbours are missing, it restores what flows along them. All factors are
 /// symmetric, so that heat flows are opposite.
 /// weights  [1/m^2] w_ij, as sum_gradients leaves them in the plane; in space they are formed
-/// again, to the same bits: it takes less time than to write and read them P  DoublePairs or
-/// WidePairs
+/// again, to the same bits: it takes less time than to write and read them
+/// P  DoublePairs or WidePairs
 template <int Dim, class Kernel, class P>
 BRUNT_INLINE PairHeat sum_heat(const HeatRecords<Dim>& records, LocalIndex i,
                                std::span<const LocalIndex> row, const Real* weights) {
@@ -79,34 +79,41 @@ BRUNT_INLINE PairHeat sum_heat(const HeatRecords<Dim>& records, LocalIndex i,
   const Real* own = heat[i].data;
   const Real T = own[Record::kTemperature], k = own[Record::kConductivity];
   const Real supplement = 4.0 * (k * own[Record::kSupplement]);
-  auto rate = broadcast<typename P::Sum>(0.0), conductance = rate;
-  for (std::size_t n = 0; n < row.size(); n += P::kLanes) {
-    const LocalIndex* j = row.data() + n;
-    Pack other[4];
-    load_four<P>(heat, j, 0, other);
-    const Pack both = other[Record::kConductivity] + k;
-    const auto any_conducts = 0.0 < both;
-    const Pack mean = supplement * (other[Record::kConductivity] * other[Record::kSupplement]) /
-                      select(any_conducts, both, broadcast<Pack>(1.0));
-    Pack weight;
-    if constexpr (Dim == 2) {
-      weight = load_as<Pack>(weights + n);
-    } else {
-      const Real* place = records.motion[i].data;
-      PairPack<Dim, P> pairs;
-      set_arms(records.motion, place, j, pairs);
-      weight = other[Record::kVolume] * kernel_weight<Dim, Kernel>(pairs);
-    }
-    if (n + P::kLanes >= row.size()) {  // the particle itself fills the row up
-      for (int lane = 0; lane < P::kLanes; ++lane) {
-        if (j[lane] == i) weight[lane] = 0;
+  struct HeatPart {
+    Pack rate, conductance;
+  };
+  InTurns<P, HeatPart> sums;
+  for (std::size_t turn = 0; turn < P::kTurns; ++turn) {
+    auto rate = broadcast<Pack>(0.0), conductance = rate;
+    for (std::size_t n = turn * P::kLanes; n < row.size(); n += P::kTurns * P::kLanes) {
+      const LocalIndex* j = row.data() + n;
+      Pack other[4];
+      load_four<P>(heat, j, 0, other);
+      const Pack both = other[Record::kConductivity] + k;
+      const auto any_conducts = 0.0 < both;
+      const Pack mean = supplement * (other[Record::kConductivity] * other[Record::kSupplement]) /
+                        select(any_conducts, both, broadcast<Pack>(1.0));
+      Pack weight;
+      if constexpr (Dim == 2) {
+        weight = load_as<Pack>(weights + n);
+      } else {
+        PairPack<Dim, P> pairs;
+        set_arms(records.motion, records.motion[i].data, j, pairs);
+        weight = other[Record::kVolume] * kernel_weight<Dim, Kernel>(pairs);
       }
+      if (n + P::kLanes >= row.size()) {  // the particle itself fills the row up
+        for (int lane = 0; lane < P::kLanes; ++lane) {
+          if (j[lane] == i) weight[lane] = 0;
+        }
+      }
+      const Pack coupling = mean * weight;
+      rate = vfma(coupling, other[Record::kTemperature] - T, rate);
+      conductance = conductance + coupling;
     }
-    const Pack coupling = mean * weight;
-    add_to(rate, coupling * (other[Record::kTemperature] - T));
-    add_to(conductance, coupling);
+    sums.part[turn] = {rate, conductance};
   }
-  return {sum_lanes(rate), sum_lanes(conductance)};
+  return {total(sums, [](const auto& part) { return part.rate; }),
+          total(sums, [](const auto& part) { return part.conductance; })};
 }
 
 }  // namespace brunt

@@ -2,7 +2,8 @@
 /// The passes over the neighbours of a particle, by the width of their arithmetic: of eight doubles
 /// a source of their own has them (wide_pairs.cpp), all else is written out where it is called.
 #include "sph/conduction.hpp"
-#include "sph/pair_sums.hpp"
+#include "sph/force_sums.hpp"
+#include "sph/gradient_sums.hpp"
 #include "sph/row_selection.hpp"
 
 namespace brunt {

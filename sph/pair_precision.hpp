@@ -6,15 +6,16 @@
 
 namespace brunt {
 
-/// Four or eight pairs at a time, in SI units, by the same records. Sums have four lanes in any
-/// case: of eight pairs the first four are added, then the others, so that the bits are the same.
+/// Four or eight pairs at a time, in SI units, by the same records. Sums have eight lanes in any
+/// case: of packs of four each second one goes to the same lanes, so that the bits are the same.
 template <class V>
 struct RealPairs {
   using Number = Real;
   using Pack = V;
-  using Sum = brunt::Pack;                ///< of terms that are a Pack each
   using Stored = RealPairs<brunt::Pack>;  ///< whose records are read
   static constexpr int kLanes = lanes_of<V>;
+  static constexpr int kTurns =
+      2 * brunt::kLanes / kLanes;        ///< packs that share the lanes of a sum
   static constexpr Real kSupport = 4.0;  ///< (r/h)^2 below which a pair interacts
 };
 using DoublePairs = RealPairs<Pack>;
@@ -26,9 +27,9 @@ using WidePairs = RealPairs<Wide>;
 struct SinglePairs {
   using Number = float;
   using Pack = SinglePack;
-  using Sum = SinglePack;
   using Stored = SinglePairs;
   static constexpr int kLanes = kSingleLanes;
+  static constexpr int kTurns = 1;
   /// Rounding takes in no pair that a list, made in double, may lack: a gradient is 1e-10 there.
   static constexpr Real kSupport = 3.9999;
   /// Steps in a unit of length: an arm of up to four units is exact as a float, and what is nearer
@@ -44,24 +45,10 @@ struct SinglePairs {
 template <class P>
 inline constexpr bool kIsSingle = std::is_same_v<P, SinglePairs>;
 
-/// sum += term, in the order of the pairs.
-BRUNT_INLINE void add_to(Pack& sum, Pack term) { sum = sum + term; }
-BRUNT_INLINE void add_to(SinglePack& sum, SinglePack term) { sum = sum + term; }
-BRUNT_INLINE void add_to(Pack& sum, Wide term) {
-  sum = sum + low_half(term);
-  sum = sum + high_half(term);
-}
-
-/// The same of several terms of each pair.
-template <class Pack, std::size_t n>
-BRUNT_INLINE void add_all(Pack& sum, const Pack (&terms)[n]) {
-  for (std::size_t k = 0; k < n; ++k) sum = sum + terms[k];
-}
-template <std::size_t n>
-BRUNT_INLINE void add_all(Pack& sum, const Wide (&terms)[n]) {
-  for (std::size_t k = 0; k < n; ++k) sum = sum + low_half(terms[k]);
-  for (std::size_t k = 0; k < n; ++k) sum = sum + high_half(terms[k]);
-}
+/// True where there are registers for all sums of a pass at once: pairs need not be kept from one
+/// sum to the next.
+template <class P>
+inline constexpr bool kSumsAtOnce = std::is_same_v<P, WidePairs>;
 
 /// The unit of length [m] of sums in single precision, a power of two near a spacing: scaling by it
 /// changes no bits.

@@ -104,6 +104,7 @@ BRUNT_INLINE void load_four(const Record* records, const LocalIndex* j, int g,
 
 /// Sum of the lanes in a fixed order.
 BRUNT_INLINE Real sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+BRUNT_INLINE Real sum_lanes(Wide a) { return sum_lanes(low_half(a) + high_half(a)); }
 BRUNT_INLINE Real sum_lanes(SinglePack a) { return sum_lanes(low_half(a) + high_half(a)); }
 BRUNT_INLINE Real max_lanes(Pack a) { return vmax(vmax(a[0], a[1]), vmax(a[2], a[3])); }
 BRUNT_INLINE Real max_lanes(Wide a) { return max_lanes(vmax(low_half(a), high_half(a))); }
@@ -162,7 +163,7 @@ BRUNT_INLINE void set_arms(const MotionRecord<Dim, typename P::Stored>* records,
   Pack arm[Dim];
   for (int d = 0; d < Dim; ++d) pairs.arm[d] = arm[d] = difference(part[d], own[d]);
   Pack r2 = arm[0] * arm[0];
-  for (int d = 1; d < Dim; ++d) r2 = r2 + arm[d] * arm[d];
+  for (int d = 1; d < Dim; ++d) r2 = vfma(arm[d], arm[d], r2);
   pairs.inverse_h = 0.5 * (part[Record::kInverse] + own[Record::kInverse]);
   pairs.q2 = r2 * (pairs.inverse_h * pairs.inverse_h);
 }

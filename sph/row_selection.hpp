@@ -93,7 +93,7 @@ struct GroupLanes {
       Pack arm[Dim];
       for (int d = 0; d < Dim; ++d) arm[d] = difference(j[d], x[pack][d]);
       Pack r2 = arm[0] * arm[0];
-      for (int d = 1; d < Dim; ++d) r2 = r2 + arm[d] * arm[d];
+      for (int d = 1; d < Dim; ++d) r2 = vfma(arm[d], arm[d], r2);
       const Pack inverse_h = 0.5 * (j[MotionRecord<Dim>::kInverse] + inverse[pack]);
       const Pack q2 = r2 * (inverse_h * inverse_h);
       bits |= mask_bits(q2 < number_of<Pack>(P::kSupport)) << (pack * P::kLanes);
