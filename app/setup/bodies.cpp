@@ -90,11 +90,18 @@ StlSurface read_surface(const std::string& path, const deck::Body& body) {
 void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
                   BodyGeometry<3>& geometry) {
   geometry.left_out = surface.degenerate;
+  std::vector<std::array<int, 4>> faces;
+  for (const auto& [a, b, c] : surface.triangles) faces.push_back({a, b, c, -1});
   if (body.rigid) {
     require_one_side(surface.nodes, surface.triangles);
+    face_outward(surface.nodes, faces, geometry.notes);
     geometry.points = std::move(surface.nodes);
-    for (const auto& [a, b, c] : surface.triangles) geometry.facets.push_back({a, b, c, -1});
+    geometry.facets = std::move(faces);
   } else {
+    turn_outward(surface.nodes, faces);  // what is open, or badly turned, is refused next
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      std::copy_n(faces[f].begin(), 3, surface.triangles[f].begin());
+    }
     const ClosedSurface closed(std::move(surface.nodes), std::move(surface.triangles),
                                body.size->front());
     Real count = closed.volume();

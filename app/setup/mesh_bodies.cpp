@@ -262,6 +262,14 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<std::array<int, 4
 }
 }  // namespace
 
+void face_outward(const std::vector<Vec3>& nodes, std::vector<std::array<int, 4>>& faces,
+                  std::vector<std::string>& notes) {
+  const TurnedShells shells = turn_outward(nodes, faces);
+  if (shells.turned == 0) return;
+  notes.push_back("closed surfaces that faced inwards, and have been turned: " +
+                  std::to_string(shells.turned) + " of " + std::to_string(shells.closed));
+}
+
 template <int Dim>
 void take_mesh_facets(const deck::Body& body, const MeshFile& mesh, BodyGeometry<Dim>& geometry) {
   Taken taken;
@@ -283,6 +291,7 @@ void take_mesh_facets(const deck::Body& body, const MeshFile& mesh, BodyGeometry
       facet[c] = at;
     }
   }
+  if constexpr (Dim == 3) face_outward(nodes, geometry.facets, geometry.notes);
   place_points<Dim>(body, nodes, geometry.points);
   geometry.piece_names = {""};
 }

@@ -31,6 +31,11 @@ void take_mesh_elements(const deck::Body& body, const MeshFile& mesh, int max_ce
 template <int Dim>
 void take_mesh_facets(const deck::Body& body, const MeshFile& mesh, BodyGeometry<Dim>& geometry);
 
+/// Turns closed surfaces that face inwards, which nothing outside would touch; notes say so.
+/// nodes  [m];  faces  of three corners and -1, or of four
+void face_outward(const std::vector<Vec3>& nodes, std::vector<std::array<int, 4>>& faces,
+                  std::vector<std::string>& notes);
+
 /// The closed surface of a part, as particles fill it, scaled, in the axes of the file.
 StlSurface mesh_surface(const deck::Body& body, const MeshFile& mesh);
 

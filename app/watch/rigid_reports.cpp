@@ -7,6 +7,21 @@
 
 namespace brunt {
 
+template <int Dim>
+std::optional<RigidPlace<Dim>> rigid_place(const Scene<Dim>& scene, Label body, Real time) {
+  const auto center = scene.rigid_centers.find(body);
+  if (center == scene.rigid_centers.end()) return std::nullopt;
+  for (const auto& group : scene.rigid_motions.all()) {
+    for (const auto& motion : group.motions) {
+      const bool held = &motion == &group.motions.back();
+      if (held || motion.body != body) continue;
+      return RigidPlace<Dim>{motion.position(center->second, time),
+                             motion.velocity_at(center->second, time)};
+    }
+  }
+  return RigidPlace<Dim>{center->second, Vec<Dim>::Zero()};
+}
+
 namespace {
 /// The pieces of each body together; torques about the centre of mass of all.
 template <int Dim>
@@ -48,8 +63,10 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
   for (const Label body : rigid.bodies) {
     number.try_emplace(body, number.size());
     about[body] = -in_space<Dim>(scene.origin);
-    reports[body] = {};
-    reports[body].position = in_space<Dim>(scene.rigid_centers.at(body));
+    const auto place = rigid_place(scene, body, time);
+    auto& report = reports[body] = {};
+    report.position = in_space<Dim>(place->position);
+    report.velocity = in_space<Dim>(place->velocity);
   }
   for (const auto& motion : rigid.motions) {
     const auto place = reports.find(motion.body);
@@ -58,9 +75,6 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
     const Eigen::Quaternion<Real> turn(Eigen::AngleAxis<Real>(motion.spin * time, motion.axis));
     place->second.rotation = rotation_vector(turn);
     place->second.spin = motion.spin * motion.axis;
-    const auto& center = scene.rigid_centers.at(motion.body);
-    place->second.position = in_space<Dim>(motion.position(center, time));
-    place->second.velocity = in_space<Dim>(motion.velocity_at(center, time));
     about[motion.body] = in_space<Dim>(Vec<Dim>(motion.center + time * motion.velocity));
   }
   std::vector<Sums> sums(number.size());
@@ -98,6 +112,8 @@ std::map<Label, RigidReport> rigid_reports(const Scene<Dim>& scene, Real time) {
   return reports;
 }
 
+template std::optional<RigidPlace<2>> rigid_place<2>(const Scene<2>&, Label, Real);
+template std::optional<RigidPlace<3>> rigid_place<3>(const Scene<3>&, Label, Real);
 template std::map<Label, RigidReport> rigid_reports<2>(const Scene<2>&, Real);
 template std::map<Label, RigidReport> rigid_reports<3>(const Scene<3>&, Real);
 

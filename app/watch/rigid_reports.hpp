@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 
 #include "app/scene/scene.hpp"
 
@@ -16,6 +17,17 @@ struct RigidReport {
   Vec3 torque = Vec3::Zero();    ///< [N m] about its centre of mass; a body without mass: about
                                  ///< the point of its motion, held: the deck's origin
 };
+
+/// Where the centre of a rigid body without mass is, and how it moves, relative to the scene's
+/// origin.
+template <int Dim>
+struct RigidPlace {
+  Vec<Dim> position, velocity;  ///< [m], [m/s]
+};
+
+/// Of a body that is held or has a prescribed motion, at a time [s]; none of others.
+template <int Dim>
+std::optional<RigidPlace<Dim>> rigid_place(const Scene<Dim>& scene, Label body, Real time);
 
 /// Rigid bodies by label, at a whole step. time [s]. Collective where some are held or of
 /// prescribed motion.

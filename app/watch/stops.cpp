@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/watch/rigid_reports.hpp"
+
 namespace brunt {
 
 namespace {
@@ -14,9 +16,13 @@ Label label_of(const Scene<Dim>& scene, const std::string& body) {
   return static_cast<Label>(std::find(names.begin(), names.end(), body) - names.begin());
 }
 
-/// Coordinate [m] of a body's centre of mass, absolute.
+/// Coordinate [m] of a body's centre of mass at a time [s], absolute; of one without mass that of
+/// its shape.
 template <int Dim>
-Real center(const Scene<Dim>& scene, Label body, int axis) {
+Real center(const Scene<Dim>& scene, Label body, int axis, Real time) {
+  if (const auto place = rigid_place(scene, body, time)) {
+    return place->position[axis] + scene.origin[axis];
+  }
   std::array<ExactSum, 2> sums;
   auto& [mass, moment] = sums;
   for (const auto& solid : scene.solids) {
@@ -57,7 +63,8 @@ template <int Dim>
 void StopConditions<Dim>::begin(const Scene<Dim>& scene, const std::vector<std::string>& columns) {
   const auto& beyond = stop_.beyond;
   if (beyond && static_cast<int>(beyond->axis) < Dim) {
-    start_center_ = center(scene, label_of(scene, beyond->body), static_cast<int>(beyond->axis));
+    const Label body = label_of(scene, beyond->body);
+    start_center_ = center(scene, body, static_cast<int>(beyond->axis), 0);
   }
   if (!stop_.when.empty()) when_.emplace(stop_.when, columns);
 }
@@ -81,7 +88,8 @@ std::string StopConditions<Dim>::look(const Scene<Dim>& scene, const Clock& cloc
   if (stop_.at_rest && is_at_rest(scene, clock.time())) why = stop_.at_rest->body + " is at rest";
   const auto& beyond = stop_.beyond;
   if (beyond && static_cast<int>(beyond->axis) < Dim) {
-    const Real now = center(scene, label_of(scene, beyond->body), static_cast<int>(beyond->axis));
+    const Label body = label_of(scene, beyond->body);
+    const Real now = center(scene, body, static_cast<int>(beyond->axis), clock.time());
     const bool passed = (start_center_ - beyond->at) * (now - beyond->at) <= 0;
     if (passed) why = beyond->body + " is beyond its place";
   }

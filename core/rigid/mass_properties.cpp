@@ -1,6 +1,7 @@
 #include "core/rigid/mass_properties.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace brunt {
@@ -137,10 +138,15 @@ Vec<Dim> center_of_shape(const Points<Dim>& points, std::span<const Facet<Dim>> 
   const bool open = std::any_of(facets.begin(), facets.end(), [](auto& one) { return one.open; });
   if (open) return center_of_area(points, facets, geometry);
   try {
-    return mass_properties(points, facets, 1, geometry, 1).center.template head<Dim>();
-  } catch (const std::invalid_argument&) {
-    return center_of_area(points, facets, geometry);
+    constexpr Real kNone = 1e-9;  // of the cube of its size: a sheet that is there twice
+    const MassProperties body = mass_properties(points, facets, 1, geometry, 1);
+    const bool plane = geometry == Geometry::plane_strain;
+    const Real size = plane ? body.area : std::sqrt(body.area);
+    const Real cube = plane ? size * size : size * size * size;
+    if (body.volume > kNone * cube) return body.center.template head<Dim>();
+  } catch (const std::invalid_argument&) {  // inside out, in the plane
   }
+  return center_of_area(points, facets, geometry);
 }
 
 template Vec<2> center_of_shape<2>(const Points<2>&, std::span<const Facet<2>>, Geometry);

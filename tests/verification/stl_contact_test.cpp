@@ -82,6 +82,25 @@ TEST(StlContact, ParticlesFeelTheSameBox) {
   expect_same({"bodies.block.method=sph", "parameters.x=3 mm", "parameters.y=-2 mm"}, 1e-12);
 }
 
+// A file that is inside out is the same body, held or free: it would touch nothing from outside.
+TEST(StlContact, ABoxThatIsInsideOutIsTurned) {
+  for (const bool free : {false, true}) {
+    const auto run = [&](bool outward) {
+      const std::string file = write_stl_box("turned", {-30, -30, -20}, {30, 30, 0}, outward);
+      const std::string material = free ? "material: oak, velocity: [0, 0, 0.2 m/s], " : "";
+      return simulate_text(kDeck + kBodies + material + "file: " + file + ", scale: 1 mm}\n",
+                           {"bodies.block.method=sph"});
+    };
+    const auto inside_out = run(false), box = run(true);
+    ASSERT_EQ(inside_out.failure + box.failure, "");
+    EXPECT_GT(box.last("body.block.velocity.z"), 0);
+    for (const std::string column : {"body.block.velocity.z", "contact.block-box.force.z"}) {
+      EXPECT_LT(difference(inside_out, box, column), 1e-12) << column;
+    }
+    EXPECT_NEAR(inside_out.last("body.box.position.z"), box.last("body.box.position.z"), 1e-12);
+  }
+}
+
 // Friction sees slips of some um in places of some cm, and roundings of 1e-11 of them, which
 // nodes that stick and let go make larger.
 TEST(StlContact, HexesWithinATriangleFeelTheSameBox) {

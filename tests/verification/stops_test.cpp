@@ -60,5 +60,21 @@ TEST(Stops, NotWhereItNeverHolds) {
   EXPECT_NEAR(run.last("time"), 1, 1e-12);
 }
 
+// A tool at 2 m/s passes 5 mm from where it begins after 2.5 ms; it has no mass to have a centre.
+TEST(Stops, BeyondIsOfDrivenBodiesToo) {
+  const auto result = simulate_text(R"(
+time: {end: 10 ms, max_step: 10 us}
+materials: {oak: {density: 700, elastic: {E: 1.5 GPa, nu: 0.3}}}
+bodies:
+  apart: {rigid: true, material: oak, shape: {box: {min: [1, 0, 0], max: [1.1, 0.1, 0.1]}}}
+  tool: {rigid: true, shape: {box: {min: [0, 0, 0], max: [10 mm, 10 mm, 10 mm]}},
+    motion: {velocity: [0, 0, -2]}}
+stop: {beyond: {body: tool, axis: z, at: 0}}
+)");
+  ASSERT_EQ(result.failure, "");
+  EXPECT_NEAR(result.last("time"), 2.5e-3, 2e-5);
+  EXPECT_NEAR(result.last("body.tool.position.z"), 0, 5e-5);
+}
+
 }  // namespace
 }  // namespace brunt::test
