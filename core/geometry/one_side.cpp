@@ -54,6 +54,7 @@ std::vector<Shell> shells_of(const std::vector<Face>& faces) {
     if (use.times % 2 == 1) shells[root(use.first)].closed = false;
   }
   std::vector<Shell> list;
+  list.reserve(shells.size());
   for (auto& [number, shell] : shells) list.push_back(std::move(shell));
   return list;
 }
