@@ -161,6 +161,64 @@ bool same_element(const ElementOptions& a, const ElementOptions& b) {
 }
 }  // namespace
 
+namespace {
+/// The set that elements of a body belong to, without elements.
+template <int Dim>
+ElementSet<Dim> empty_set_of(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                             const BodyGeometry<Dim>& geometry, GroupKind kind) {
+  const auto& body = loaded.deck.bodies[geometry.label].value;
+  ElementSet<Dim> set;
+  set.material = material_of(loaded.deck, scene.materials, body);
+  set.options = element_options<Dim>(loaded.deck, body, geometry.elements);
+  set.temperature = body.temperature.value_or(loaded.deck.ambient);
+  set.adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
+  set.stress = scene.initial_stress[geometry.label].get();
+  set.conducts = kind.conducts, set.held = kind.held, set.rigid = kind.rigid;
+  return set;
+}
+
+template <int Dim>
+bool same_set(const ElementSet<Dim>& a, const ElementSet<Dim>& b) {
+  return a.material == b.material && a.temperature == b.temperature && a.adiabatic == b.adiabatic &&
+         a.stress == b.stress && same_element(a.options, b.options);
+}
+
+/// Sets in the order in which their elements come, with room for all of them.
+template <int Dim>
+class SetsOfBodies {
+ public:
+  SetsOfBodies(const LoadedDeck& loaded, const Scene<Dim>& scene,
+               const std::vector<BodyGeometry<Dim>>& bodies, const std::vector<std::size_t>& chosen,
+               GroupKind kind)
+      : bodies_(bodies), chosen_(chosen), of_body_(bodies.size()), number_(bodies.size(), kNone) {
+    for (const std::size_t b : chosen) of_body_[b] = empty_set_of(loaded, scene, bodies[b], kind);
+  }
+  ElementSet<Dim>& of(std::size_t body) {
+    if (number_[body] == kNone) begin(body);
+    return sets_[number_[body]];
+  }
+  const std::vector<ElementSet<Dim>>& all() const { return sets_; }
+
+ private:
+  void begin(std::size_t body) {
+    std::size_t n = 0;
+    for (const std::size_t b : chosen_) {
+      if (!same_set(of_body_[b], of_body_[body])) continue;
+      number_[b] = sets_.size();
+      n += bodies_[b].elements.size();
+    }
+    auto& set = sets_.emplace_back(of_body_[body]);
+    set.corners.reserve(n), set.id.reserve(n), set.body.reserve(n), set.piece.reserve(n);
+  }
+
+  static constexpr auto kNone = static_cast<std::size_t>(-1);
+  const std::vector<BodyGeometry<Dim>>& bodies_;
+  const std::vector<std::size_t>& chosen_;
+  std::vector<ElementSet<Dim>> of_body_, sets_;  // the first without elements
+  std::vector<std::size_t> number_;              // of the set of each body
+};
+}  // namespace
+
 template <int Dim>
 std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                           const std::vector<BodyGeometry<Dim>>& bodies,
@@ -168,12 +226,15 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
   const auto chosen = choose(loaded, bodies, deck::Method::fe, kind);
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
+  std::size_t n = 0;
   for (const std::size_t b : chosen) {
     add_sets(bodies[b], gathered.place_of[b], gathered.points, next.sets);
+    n += bodies[b].elements.size();
   }
 
   std::vector<Origin> elements;
   std::vector<Vec<Dim>> centers;
+  elements.reserve(n), centers.reserve(n);
   for (const std::size_t b : chosen) {
     for (std::size_t e = 0; e < bodies[b].elements.size(); ++e) {
       Vec<Dim> center = Vec<Dim>::Zero();
@@ -184,37 +245,21 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
       centers.push_back(center / static_cast<Real>(bodies[b].elements.type->corners));
     }
   }
-  std::vector<ElementSet<Dim>> sets;
+  SetsOfBodies<Dim> sets(loaded, scene, bodies, chosen, kind);
   for (const std::size_t k : order_of(curve_keys<Dim>(centers))) {
     const auto [b, e] = elements[k];
     const auto& geometry = bodies[b];
-    const auto& body = loaded.deck.bodies[geometry.label].value;
-    const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
-    const Material* material = material_of(loaded.deck, scene.materials, body);
-    const ElementOptions options = element_options<Dim>(loaded.deck, body, geometry.elements);
-    const Real temperature = body.temperature.value_or(loaded.deck.ambient);
-    const InitialStress* stress = scene.initial_stress[geometry.label].get();
-    auto set = std::find_if(sets.begin(), sets.end(), [&](const ElementSet<Dim>& s) {
-      return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
-             s.stress == stress && same_element(s.options, options);
-    });
-    if (set == sets.end()) {
-      sets.emplace_back();
-      set = sets.end() - 1;
-      set->material = material, set->options = options, set->stress = stress;
-      set->temperature = temperature, set->adiabatic = adiabatic;
-      set->conducts = kind.conducts, set->held = kind.held, set->rigid = kind.rigid;
-    }
-    auto& corners = set->corners.emplace_back();
+    auto& set = sets.of(b);
+    auto& corners = set.corners.emplace_back();
     for (const int node : geometry.elements[e]) {
       corners[corners.n++] = gathered.place_of[b][node];
       gathered.points.piece[corners[corners.n - 1]] = geometry.piece[e];
     }
-    set->id.push_back(next.element++);
-    set->body.push_back(geometry.label);
-    set->piece.push_back(geometry.piece[e]);
+    set.id.push_back(next.element++);
+    set.body.push_back(geometry.label);
+    set.piece.push_back(geometry.piece[e]);
   }
-  auto group = std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets,
+  auto group = std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets.all(),
                                                      scene.geometry, scene.depth);
   if (kind.conducts) group->points().conduct_every(loaded.deck.time.heat_every);
   return group;
