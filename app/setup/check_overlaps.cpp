@@ -4,6 +4,7 @@
 
 #include "app/deck/findings.hpp"
 #include "app/setup/scene_checks.hpp"
+#include "core/geometry/solid_angle.hpp"
 
 namespace brunt {
 
@@ -27,16 +28,12 @@ struct Skin {
 Real turn(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Share of the full angle under which a point sees a simplex; the sum is 1 inside a closed skin.
-/// Solid angle of a triangle: Van Oosterom & Strackee 1983, eq. 8.
 Real angle(const std::array<Vec<2>, 2>& s, const Vec<2>& x) {
   const Vec<2> a = s[0] - x, b = s[1] - x;
   return std::atan2(turn(a, b), a.dot(b)) / (2 * kPi);
 }
 Real angle(const std::array<Vec3, 3>& s, const Vec3& x) {
-  const Vec3 a = s[0] - x, b = s[1] - x, c = s[2] - x;
-  const Real la = a.norm(), lb = b.norm(), lc = c.norm();
-  const Real below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  return 2 * std::atan2(a.dot(b.cross(c)), below) / (4 * kPi);
+  return solid_angle(s[0], s[1], s[2], x) / (4 * kPi);
 }
 
 Real distance(const Vec<2>& a, const Vec<2>& b, const Vec<2>& x) {

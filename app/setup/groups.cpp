@@ -159,9 +159,7 @@ bool same_element(const ElementOptions& a, const ElementOptions& b) {
          a.bulk_viscosity.linear == b.bulk_viscosity.linear &&
          a.bulk_viscosity.quadratic == b.bulk_viscosity.quadratic;
 }
-}  // namespace
 
-namespace {
 /// The set that elements of a body belong to, without elements.
 template <int Dim>
 ElementSet<Dim> empty_set_of(const LoadedDeck& loaded, const Scene<Dim>& scene,

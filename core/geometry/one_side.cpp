@@ -1,10 +1,11 @@
 #include "core/geometry/one_side.hpp"
 
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
+
+#include "core/geometry/solid_angle.hpp"
 
 namespace brunt {
 
@@ -77,17 +78,13 @@ void measure(const std::vector<Vec3>& nodes, const std::vector<Face>& faces, She
   if (!(std::fabs(shell.volume) > kNone * area * std::sqrt(area))) shell.volume = 0;
 }
 
-/// True where a closed shell, however it faces, goes round x: x sees it under the full angle. Solid
-/// angle of a triangle: Van Oosterom & Strackee 1983, eq. 8.
+/// True where a closed shell, however it faces, goes round x: x sees it under the full angle.
 bool goes_round(const std::vector<Vec3>& nodes, const std::vector<Face>& faces, const Shell& shell,
                 const Vec3& x) {
   Real angle = 0;  // [sr]
   for (const std::size_t f : shell.faces) {
     for_triangles(faces[f], [&](int i, int j, int k) {
-      const Vec3 a = nodes[slot_of(i)] - x, b = nodes[slot_of(j)] - x, c = nodes[slot_of(k)] - x;
-      const Real la = a.norm(), lb = b.norm(), lc = c.norm();
-      const Real below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-      angle += 2 * std::atan2(a.dot(b.cross(c)), below);
+      angle += solid_angle(nodes[slot_of(i)], nodes[slot_of(j)], nodes[slot_of(k)], x);
     });
   }
   return std::fabs(angle) > 2 * kPi;
