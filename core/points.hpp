@@ -9,6 +9,16 @@
 
 namespace brunt {
 
+/// Moves a component of a position by dx [m]; what rounding leaves out goes with the next move
+/// (Kahan, 1965). Volumes are those of x and strains those of v: in 2,000 steps of 1e-8 m at
+/// x = 1 m they came apart by 1e-13 m, and a body that was pressed evenly was uneven by 1e-8 of its
+/// stress.
+inline void move_value(Real dx, Real& x, Real& rest) {
+  const Real whole = dx + rest, moved = x + whole;
+  rest = whole - (moved - x);
+  x = moved;
+}
+
 /// Material points of one group: FE nodes, SPH particles or the points of rigid surfaces.
 /// Owned points come first, ghosts after them; both along a space-filling curve, ids ascending.
 /// Positions are relative to the scene's origin. An absent field is an empty array.
@@ -98,13 +108,9 @@ struct Points {
     fit(slot_of(n));
   }
 
-  /// Moves point i by dx [m]; what rounding leaves out goes with the next move (Kahan, 1965).
-  /// Volumes are those of x and strains those of v: in 2,000 steps of 1e-8 m at x = 1 m they came
-  /// apart by 1e-13 m, and a body that was pressed evenly was uneven by 1e-8 of its stress.
+  /// Moves point i by dx [m], as move_value does.
   void move(std::size_t i, const Vec<Dim>& dx) {
-    const Vec<Dim> whole = dx + x_rest[i], moved = x[i] + whole;
-    x_rest[i] = whole - (moved - x[i]);
-    x[i] = moved;
+    for (int c = 0; c < Dim; ++c) move_value(dx[c], x[i][c], x_rest[i][c]);
   }
 
   /// From now on the points have a temperature, capacities are 0 yet; [K] by point.
