@@ -1,9 +1,14 @@
-/// Large blocks of memory stand in large pages. A step of a scene with millions of points goes
-/// through a gigabyte in a score of streams, each of which the processor follows to the end of a
-/// page only, and looks up where the next one stands.
+/// Where memory stands. A step goes through a gigabyte in scores of streams, element by element:
+///
+/// - Blocks of a page or more begin cache lines, so that eight doubles of a field are one line.
+/// - Those of some pages begin at different lines: where forty fields began pages, the same element
+///   of each fell into the same eight places of the first cache.
+/// - Large ones stand in large pages: a processor follows a stream to the end of a page only, and
+///   looks up where the next one stands.
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <new>
@@ -13,22 +18,50 @@
 // What new is made of:
 // NOLINTBEGIN(cppcoreguidelines-no-malloc, cppcoreguidelines-owning-memory)
 namespace {
-constexpr std::size_t kPage = std::size_t{1} << 21;
+constexpr std::size_t kLine = 64, kPage = 4096, kLargePage = std::size_t{1} << 21;
 /// What is smaller may be rounded up by too much, and fits the caches.
-constexpr std::size_t kLarge = 2 * kPage;
+constexpr std::size_t kLarge = 2 * kLargePage;
+/// What two more pages do not matter to. Smaller ones stand anywhere in a page as it is.
+constexpr std::size_t kStaggered = 16 * kPage;
+/// What malloc aligns to; before each block stands the address that malloc gave.
+constexpr std::size_t kHead = 16;
+static_assert(kHead >= sizeof(void*) && kHead >= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
-/// align  [byte] 0: that of malloc
-void* block(std::size_t bytes, std::size_t align) {
-  if (bytes < kLarge || align > kPage) {
-    if (align == 0) return std::malloc(bytes != 0 ? bytes : 1);
-    void* at = nullptr;
-    return posix_memalign(&at, std::max(align, sizeof(void*)), bytes) == 0 ? at : nullptr;
-  }
-  if (bytes > SIZE_MAX - kPage) return nullptr;
-  void* const at = std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage);
+/// Lines from the begin of a page to that of a block: others for each in turn, over the lines of a
+/// page, of large blocks over sixteen pages. Strides are odd: all come before one comes again.
+std::size_t stagger(std::size_t bytes) {
+  static std::atomic<std::size_t> turns{0};
+  const std::size_t turn = turns.fetch_add(1, std::memory_order_relaxed);
+  return bytes < kLarge ? turn * 7 % 64 : turn * 37 % 1024;
+}
+
+void* allocate(std::size_t bytes) {
+  if (bytes < kLarge) return std::malloc(bytes);
+  void* const at =
+      std::aligned_alloc(kLargePage, (bytes + kLargePage - 1) / kLargePage * kLargePage);
   // Where the system has none, ordinary pages do.
   if (at != nullptr) static_cast<void>(madvise(at, bytes, MADV_HUGEPAGE));
   return at;
+}
+
+/// align  [byte] a power of 2
+void* block(std::size_t bytes, std::size_t align) {
+  std::size_t lines = 0;
+  std::size_t from = align;
+  if (bytes >= kPage) align = from = std::max(align, kLine);
+  if (bytes >= kStaggered) from = std::max(align, kPage), lines = stagger(bytes);
+  const std::size_t before = lines * kLine / align * align, extra = kHead + from + before;
+  if (bytes > SIZE_MAX - kLargePage - extra) return nullptr;
+  char* const given = static_cast<char*>(allocate(bytes + extra));
+  if (given == nullptr) return nullptr;
+  const auto free = reinterpret_cast<std::uintptr_t>(given) + kHead;
+  char* const at = given + kHead + (from - free % from) % from + before;
+  reinterpret_cast<void**>(at)[-1] = given;
+  return at;
+}
+
+void give_back(void* at) noexcept {
+  if (at != nullptr) std::free(static_cast<void**>(at)[-1]);
 }
 
 void* block_or_throw(std::size_t bytes, std::size_t align) {
@@ -42,15 +75,16 @@ void* block_or_throw(std::size_t bytes, std::size_t align) {
 }  // namespace
 
 // Not inlined: the compiler would find that what a caller frees came from new.
-[[gnu::noinline]] void* operator new(std::size_t bytes) { return block_or_throw(bytes, 0); }
+[[gnu::noinline]] void* operator new(std::size_t bytes) { return block_or_throw(bytes, kHead); }
 [[gnu::noinline]] void* operator new(std::size_t bytes, std::align_val_t align) {
-  return block_or_throw(bytes, static_cast<std::size_t>(align));
+  return block_or_throw(bytes, std::max(static_cast<std::size_t>(align), kHead));
 }
-[[gnu::noinline]] void operator delete(void* at) noexcept { std::free(at); }
-[[gnu::noinline]] void operator delete(void* at, std::size_t) noexcept { std::free(at); }
-[[gnu::noinline]] void operator delete(void* at, std::align_val_t) noexcept { std::free(at); }
+[[gnu::noinline]] void operator delete(void* at) noexcept { give_back(at); }
+[[gnu::noinline]] void operator delete(void* at, std::size_t) noexcept { give_back(at); }
+[[gnu::noinline]] void operator delete(void* at, std::align_val_t) noexcept { give_back(at); }
 [[gnu::noinline]] void operator delete(void* at, std::size_t, std::align_val_t) noexcept {
-  std::free(at);
+  give_back(at);
 }
 // NOLINTEND(cppcoreguidelines-no-malloc, cppcoreguidelines-owning-memory)
 #endif
+// Tested by tests/unit/core/large_blocks_test.cpp.

@@ -10,7 +10,6 @@
 #include "fe/element_check.hpp"
 #include "fe/element_values.hpp"
 #include "fe/erosion.hpp"
-#include "fe/fetch_tile.hpp"
 #include "fe/mass_scaling.hpp"
 #include "fe/outer_facets.hpp"
 #include "fe/rest.hpp"
@@ -130,7 +129,6 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
         ElementStep<Dim> step = common;
         if (rests(block, tile, step)) return;
         step.sums = sums;
-        fetch_tile(block, tile + 1, step.x, step.v);
         block.formulation->advance(block, tile, step);
         keep_rest(block, tile, step);
       },

@@ -2,7 +2,7 @@
 /// Elements with 2^Dim Gauss points: full integration, and q1p0, where one dilatation and one
 /// pressure serve the element (mean dilatation, Nagtegaal, Parks & Rice 1974; B-bar, Hughes 1980);
 /// lanes_of<V> at a time.
-#include "fe/element_step.hpp"
+#include "fe/fetch_group.hpp"
 #include "fe/gauss_point.hpp"
 #include "fe/shape_guard.hpp"
 
@@ -307,7 +307,10 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
     return gauss::Group<Dim, V>{
         block, step, slot_of(e), point, static_cast<int>(point - tile.first), mean};
   };
-  for (int k = 0; k < kElements / kLanesOfV; ++k) gauss::kinematics(group(k), tile, work[k]);
+  for (int k = 0; k < kElements / kLanesOfV; ++k) {
+    fetch_ahead(block, group(k).e, step);
+    gauss::kinematics(group(k), tile, work[k]);
+  }
   block.material->update(tile, step.dt);
   for (int k = 0; k < kElements / kLanesOfV; ++k) gauss::dynamics(group(k), work[k]);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// One-point elements, Flanagan & Belytschko 1981, in modal coordinates, lanes_of<V> at a time.
 /// docs/theory/elements.md (E1) to (E3).
+#include "fe/fetch_group.hpp"
 #include "fe/hourglass_control.hpp"
 #include "fe/shape_guard.hpp"
 
@@ -147,8 +148,9 @@ void advance_one_point(ElementBlock<Dim>& block, int index, const ElementStep<Di
   MaterialTile tile;
   open_tile(block, index, tile);
   for (int g = 0; g < kGroups; ++g) {
-    one_point::kinematics(OnePointLane<Dim, V>{block, step, tile.first + g * kLanesOfV},
-                          g * kLanesOfV, tile, work[g]);
+    const OnePointLane<Dim, V> lane{block, step, tile.first + g * kLanesOfV};
+    fetch_ahead(block, lane.e, step);
+    one_point::kinematics(lane, g * kLanesOfV, tile, work[g]);
   }
   block.material->update(tile, step.dt);
   for (int g = 0; g < kGroups; ++g) {

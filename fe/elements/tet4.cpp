@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "fe/conduction_kernel.hpp"
-#include "fe/element_step.hpp"
+#include "fe/fetch_group.hpp"
 
 namespace brunt {
 namespace {
@@ -241,7 +241,9 @@ class TetFormulation final : public Formulation<3> {
     MaterialTile tile;
     open_tile(block, index, tile);
     for (int g = 0; g < kGroups; ++g) {
-      kinematics(Lane{block, step, tile.first + g * kLanes}, g * kLanes, tile, work[g]);
+      const Lane lane{block, step, tile.first + g * kLanes};
+      fetch_ahead(block, lane.e, step);
+      kinematics(lane, g * kLanes, tile, work[g]);
     }
     block.material->update(tile, step.dt);
     for (int g = 0; g < kGroups; ++g) {

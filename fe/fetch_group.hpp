@@ -1,0 +1,61 @@
+#pragma once
+/// Asks for what elements read before their turn comes. It has forty places far apart, more than a
+/// processor follows by itself; no value depends on it.
+#include "fe/element_step.hpp"
+
+namespace brunt {
+
+/// Into the second cache: what a tile hands from its kinematics to its forces fills the first.
+BRUNT_INLINE void fetch(const void* at) {
+  constexpr int kRead = 0, kSecondCache = 1;
+  __builtin_prefetch(at, kRead, kSecondCache);
+}
+/// kGroup values of a field, which begin a cache line; none where it is empty.
+BRUNT_INLINE void fetch(const std::vector<Real>& field, std::size_t first) {
+  if (!field.empty()) fetch(field.data() + first);
+}
+
+/// What the kGroup elements from e on read and write; nothing behind the last of the block.
+template <int Dim>
+BRUNT_INLINE void fetch_group(const ElementBlock<Dim>& block, std::size_t e,
+                              const ElementStep<Dim>& step) {
+  const auto padded = slot_of(block.n_padded);
+  if (e >= padded) return;
+  const auto corners = slot_of(block.corners);
+  const LocalIndex* corner = block.corner.data() + e * corners;
+  for (int k = 0; k < kGroup; ++k, corner += corners) {
+    // Two that lie across: others are theirs, or near them in memory.
+    for (const LocalIndex node : {corner[0], corner[corners - 2]}) {
+      fetch(step.x + node);
+      fetch(step.v + node);
+    }
+  }
+  const MaterialState& state = block.state;
+  const std::size_t first = block.point(static_cast<LocalIndex>(e), 0);
+  for (std::size_t p = first; p < first + slot_of(kGroup * block.gauss); p += kGroup) {
+    for (const auto& component : state.deviator) fetch(component, p);
+    for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.strain_rate,
+                              &state.temperature, &state.heat, &state.energy}) {
+      fetch(*field, p);
+    }
+    if (block.gauss > 1) fetch(block.reference_volume, p);
+  }
+  for (const auto* field : {&block.element_volume, &block.mass, &block.reference_size,
+                            &block.guard_reach, &block.viscous_pressure, &block.stress_work,
+                            &block.hourglass_work, &block.viscous_work, &block.stable_step}) {
+    fetch(*field, e);
+  }
+  for (std::size_t k = 0; k < block.hourglass.size(); k += padded) fetch(block.hourglass, k + e);
+}
+
+/// Where a group begins at element e, asks for that of the next tile which stands as this one does:
+/// a tile's requests are spread over the work of the one before. All at once they waited for each
+/// other.
+template <int Dim>
+BRUNT_INLINE void fetch_ahead(const ElementBlock<Dim>& block, std::size_t e,
+                              const ElementStep<Dim>& step) {
+  if (e % kGroup == 0) fetch_group(block, e + slot_of(block.elements_per_tile()), step);
+}
+
+}  // namespace brunt
+// Tested by tests/unit/fe/finite_elements_test.cpp.
