@@ -56,25 +56,55 @@ struct GuardPlaces {
 template <int Dim>
 inline constexpr GuardPlaces<Dim> kGuardPlaces;
 
-/// True for those of several elements whose dx/dxi = a has |a^-1|^2 needed < 1: with
-/// |a^-1| = |cof a|/det a.
+/// The determinant and |cof a|^2 of dx/dxi = a: |a^-1| is the root of this over that.
 template <int Dim, class V>
-BRUNT_INLINE MaskOf<V> is_open(const V (&a)[Dim][Dim], V needed) {
+struct Flatness {
   V J = broadcast<V>(0), square = broadcast<V>(0);
-  for (int i = 0; i < Dim; ++i) {
-    for (int j = 0; j < Dim; ++j) {
-      V cofactor;
-      if constexpr (Dim == 2) {
-        cofactor = (i == j ? 1.0 : -1.0) * a[1 - i][1 - j];
-      } else {
-        const int p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
-        cofactor = a[p][r] * a[q][s] - a[p][s] * a[q][r];
+
+  BRUNT_INLINE explicit Flatness(const V (&a)[Dim][Dim]) {
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < Dim; ++j) {
+        V cofactor;
+        if constexpr (Dim == 2) {
+          cofactor = (i == j ? 1.0 : -1.0) * a[1 - i][1 - j];
+        } else {
+          const int p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
+          cofactor = a[p][r] * a[q][s] - a[p][s] * a[q][r];
+        }
+        if (i == 0) J += a[0][j] * cofactor;
+        square += cofactor * cofactor;
       }
-      if (i == 0) J += a[0][j] * cofactor;
-      square += cofactor * cofactor;
     }
   }
-  return (J > 0) & (J * J > needed * square);
+  /// True where |a^-1|^2 needed < 1.
+  BRUNT_INLINE MaskOf<V> is_open(V needed) const { return (J > 0) & (J * J > needed * square); }
+};
+
+/// True for those of several elements with modes c that are open at all places, as their linear
+/// modes A and the sizes of the others show. These change dx/dxi by at most t, the root of the
+/// squares of its columns; the least singular value is at least that of A, J/|cof A|, less t; and
+/// |a^-1| at most the root of Dim over it.
+template <int Dim, class V>
+BRUNT_INLINE MaskOf<V> are_open_by_size(const Modal<Dim, V>& c, V needed) {
+  V A[Dim][Dim], size[Shape<Dim>::kHourglass], sum = broadcast<V>(0), t_square = broadcast<V>(0);
+  for (int i = 0; i < Dim; ++i) {
+    for (int j = 0; j < Dim; ++j) A[i][j] = c.m[j][i];
+  }
+  for (int a = 0; a < Shape<Dim>::kHourglass; ++a) {
+    V square = broadcast<V>(0);
+    for (int i = 0; i < Dim; ++i) square += c.m[Dim + a][i] * c.m[Dim + a][i];
+    size[a] = vsqrt(square);
+    sum += size[a];
+  }
+  for (int j = 0; j < Dim; ++j) {
+    // In 3D mode j has two of the other directions; in 2D, and the last in 3D, all.
+    const V column = Dim == 3 ? sum - size[j] : sum;
+    t_square += column * column;
+  }
+  const Flatness<Dim, V> linear(A);
+  const V least = vsqrt(t_square) + vsqrt(static_cast<Real>(Dim) * needed);
+  constexpr Real kRounding = 1 + 1e-9;
+  return linear.J > kRounding * (least * vsqrt(linear.square));
 }
 
 /// Square of the most that |dv/dxi| may be anywhere in an element with these modes of v: each of
@@ -106,7 +136,9 @@ __attribute__((noinline)) MaskOf<V> are_open(const ElementBlock<Dim>& block, std
   const Modal<Dim, V> c = modes_of<Dim>(node);
   const V reach = load_as<V>(block.guard_reach.data() + e);
   const V needed = vmax(ShapeGuard::kOpen * ShapeGuard::kOpen * reach, closing);
-  auto open = broadcast<V>(0) < broadcast<V>(1);
+  auto open = are_open_by_size<Dim>(c, needed);
+  if (!any(~open)) return open;
+  open = broadcast<V>(0) < broadcast<V>(1);
   for (const auto& slope : kGuardPlaces<Dim>.slope) {
     V a[Dim][Dim];
     for (int i = 0; i < Dim; ++i) {
@@ -115,7 +147,7 @@ __attribute__((noinline)) MaskOf<V> are_open(const ElementBlock<Dim>& block, std
         for (int m = Dim; m < Shape<Dim>::kModes - 1; ++m) a[i][j] += slope[m][j] * c.m[m][i];
       }
     }
-    open = open & is_open<Dim, V>(a, needed);
+    open = open & Flatness<Dim, V>(a).is_open(needed);
   }
   return open;
 }
