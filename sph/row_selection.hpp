@@ -40,13 +40,24 @@ struct Rest {
   }
 };
 
+/// Lanes of a below b, a bit each.
+template <class V, class Number>
+BRUNT_INLINE unsigned bits_below(V a, Number b) {
+#ifdef BRUNT_WIDE
+  if constexpr (std::is_same_v<V, Wide>) {
+    return _mm512_cmp_pd_mask(a, broadcast<Wide>(b), _CMP_LT_OQ);
+  }
+#endif
+  return mask_bits(a < b);
+}
+
 /// Which pairs (i, j) of a pack interact, a bit a lane.
 template <int Dim, class P>
 BRUNT_INLINE unsigned inside_support(const MotionRecord<Dim, typename P::Stored>* records,
                                      const typename P::Number* own, const LocalIndex* j) {
   PairPack<Dim, P> pairs;
   set_arms(records, own, j, pairs);
-  return mask_bits(pairs.q2 < number_of<typename P::Pack>(P::kSupport));
+  return bits_below(pairs.q2, number_of<typename P::Pack>(P::kSupport));
 }
 
 /// Writes those of n candidates that interact with i to `out`, up to a whole pack more; returns how
@@ -96,9 +107,13 @@ struct GroupLanes {
       for (int d = 1; d < Dim; ++d) r2 = vfma(arm[d], arm[d], r2);
       const Pack inverse_h = 0.5 * (j[MotionRecord<Dim>::kInverse] + inverse[pack]);
       const Pack q2 = r2 * (inverse_h * inverse_h);
-      bits |= mask_bits(q2 < number_of<Pack>(P::kSupport)) << (pack * P::kLanes);
+      bits |= bits_below(q2, number_of<Pack>(P::kSupport)) << (pack * P::kLanes);
     }
     return bits;
+  }
+  /// The same as byte c of a word.
+  BRUNT_INLINE std::uint64_t word_of(const typename P::Number* j, int c) const {
+    return static_cast<std::uint64_t>(inside_support(j)) << (kByte * c);
   }
 };
 
@@ -127,6 +142,28 @@ BRUNT_INLINE std::uint64_t transposed_bits(std::uint64_t x) {
   return x ^ t ^ (t << 28);
 }
 
+/// True where any of n candidates, up to eight, may be one of a group: between its first and its
+/// last. Eight are read.
+struct GroupRange {
+  LocalIndex first, last;
+
+  BRUNT_INLINE explicit GroupRange(const ParticleGroup& group) : first(group[0]), last(group[0]) {
+    for (const LocalIndex i : group) {
+      first = i < first ? i : first;
+      last = i > last ? i : last;
+    }
+  }
+  BRUNT_INLINE bool has_any(const LocalIndex* candidate) const {
+    // Of those that are not there the answer does not matter.
+    std::uint32_t found = 0;
+    for (int c = 0; c < kByte; ++c) {
+      const auto above = static_cast<std::uint32_t>(candidate[c] - first);
+      found |= above <= static_cast<std::uint32_t>(last - first) ? 1U : 0U;
+    }
+    return found != 0;
+  }
+};
+
 /// Which of n candidates interact with which of a group, those of the group with themselves left
 /// out: of every eight candidates a word, its byte m the bits of member m.
 template <int Dim, class P>
@@ -134,13 +171,22 @@ BRUNT_INLINE void select_group(const MotionRecord<Dim, typename P::Stored>* reco
                                const ParticleGroup& group, const LocalIndex* candidate, int n,
                                std::uint64_t* word) {
   const GroupLanes<Dim, P> lanes(records, group);
+  const GroupRange range(group);
   for (int first = 0; first < n; first += kByte) {
+    const int count = n - first < kByte ? n - first : kByte;
     std::uint64_t by_candidate = 0;
-    const int end = std::min(first + kByte, n);
-    for (int c = first; c < end; ++c) {
-      const LocalIndex j = candidate[c];
-      const unsigned bits = lanes.inside_support(records[j].data) & ~bits_of(group, j);
-      by_candidate |= static_cast<std::uint64_t>(bits) << (kByte * (c - first));
+    // Eight are a loop of their own: its shifts are known.
+    for (int c = 0; count == kByte && c < kByte; ++c) {
+      by_candidate |= lanes.word_of(records[candidate[first + c]].data, c);
+    }
+    for (int c = 0; count < kByte && c < count; ++c) {
+      by_candidate |= lanes.word_of(records[candidate[first + c]].data, c);
+    }
+    if (range.has_any(candidate + first)) {
+      for (int c = 0; c < count; ++c) {
+        const std::uint64_t own = bits_of(group, candidate[first + c]);
+        by_candidate &= ~(own << (kByte * c));
+      }
     }
     *word++ = transposed_bits(by_candidate);
   }
