@@ -258,6 +258,54 @@ TEST(ShapeGuard, LeavesAloneWhatIsFarFromFlatAndClosesSlowly) {
   expect_left_alone_rightly<3>();
 }
 
+/// What is open by the sizes of its modes is open at random places inside and at all corners:
+/// |a^-1|^2 needed < 1, a = dx/dxi put together from the slopes of the modes. Of warped elements,
+/// flattened or inside out, whose linear modes are turned and sheared; needed spans what is open
+/// and what is not.
+template <int Dim>
+void expect_sizes_to_be_enough() {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<Real> noise(-1, 1);
+  int n_open = 0, n_not = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Modal<Dim, Real> c;
+    const Real warp = std::pow(10.0, -1.5 * (1 + noise(random))), height = noise(random);
+    for (int m = 0; m < Shape<Dim>::kModes; ++m) {
+      for (int i = 0; i < Dim; ++i) {
+        const Real linear = (m == i ? 0.5 : 0.0) + 0.1 * noise(random);
+        c.m[m][i] = (m < Dim ? linear : warp * noise(random)) * (i == 0 ? height : 1.0);
+      }
+    }
+    const Real needed = std::pow(10.0, -3 + 2 * noise(random));
+    if (!are_open_by_size<Dim>(c, needed)) {
+      ++n_not;
+      continue;
+    }
+    ++n_open;
+    for (int place = 0; place < 40; ++place) {
+      std::array<Real, Dim> at;
+      for (int j = 0; j < Dim; ++j) {
+        at[j] = place < Shape<Dim>::kCorners ? Real{Shape<Dim>::kSign[place][j]} : noise(random);
+      }
+      const auto slope = Shape<Dim>::mode_slopes(at);
+      Eigen::Matrix<Real, Dim, Dim> a = Eigen::Matrix<Real, Dim, Dim>::Zero();
+      for (int m = 0; m < Shape<Dim>::kModes - 1; ++m) {
+        for (int i = 0; i < Dim; ++i) {
+          for (int j = 0; j < Dim; ++j) a(i, j) += slope[m][j] * c.m[m][i];
+        }
+      }
+      ASSERT_GT(a.determinant(), 0);
+      ASSERT_LT(a.inverse().squaredNorm() * needed, 1);
+    }
+  }
+  EXPECT_GT(n_open, 500);
+  EXPECT_GT(n_not, 500);
+}
+TEST(ShapeGuard, SizesOfModesAreEnough) {
+  expect_sizes_to_be_enough<2>();
+  expect_sizes_to_be_enough<3>();
+}
+
 /// What viscous control takes of any motion in a step of the length of the limit leaves no more of
 /// it than there was: v + dt f/m is no longer than v, in the norm of the masses. Power iteration
 /// finds the motion that it acts on most. A crushed and warped element.
