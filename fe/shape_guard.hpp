@@ -97,7 +97,7 @@ BRUNT_INLINE MaskOf<V> are_open_by_size(const Modal<Dim, V>& c, V needed) {
     sum += size[a];
   }
   for (int j = 0; j < Dim; ++j) {
-    // In 3D mode j has two of the other directions; in 2D, and the last in 3D, all.
+    // In 3D mode Dim + j does not depend on direction j; all others do, and the one in 2D.
     const V column = Dim == 3 ? sum - size[j] : sum;
     t_square += column * column;
   }

@@ -142,8 +142,7 @@ BRUNT_INLINE std::uint64_t transposed_bits(std::uint64_t x) {
   return x ^ t ^ (t << 28);
 }
 
-/// True where any of n candidates, up to eight, may be one of a group: between its first and its
-/// last. Eight are read.
+/// From the first of a group to its last.
 struct GroupRange {
   LocalIndex first, last;
 
@@ -153,8 +152,8 @@ struct GroupRange {
       last = i > last ? i : last;
     }
   }
+  /// True where any of eight candidates may be of the group. More than a row has do no harm.
   BRUNT_INLINE bool has_any(const LocalIndex* candidate) const {
-    // Of those that are not there the answer does not matter.
     std::uint32_t found = 0;
     for (int c = 0; c < kByte; ++c) {
       const auto above = static_cast<std::uint32_t>(candidate[c] - first);
@@ -175,12 +174,14 @@ BRUNT_INLINE void select_group(const MotionRecord<Dim, typename P::Stored>* reco
   for (int first = 0; first < n; first += kByte) {
     const int count = n - first < kByte ? n - first : kByte;
     std::uint64_t by_candidate = 0;
-    // Eight are a loop of their own: its shifts are known.
-    for (int c = 0; count == kByte && c < kByte; ++c) {
-      by_candidate |= lanes.word_of(records[candidate[first + c]].data, c);
-    }
-    for (int c = 0; count < kByte && c < count; ++c) {
-      by_candidate |= lanes.word_of(records[candidate[first + c]].data, c);
+    if (count == kByte) {  // a loop of its own, whose shifts are known: 4 % of a step
+      for (int c = 0; c < kByte; ++c) {
+        by_candidate |= lanes.word_of(records[candidate[first + c]].data, c);
+      }
+    } else {
+      for (int c = 0; c < count; ++c) {
+        by_candidate |= lanes.word_of(records[candidate[first + c]].data, c);
+      }
     }
     if (range.has_any(candidate + first)) {
       for (int c = 0; c < count; ++c) {

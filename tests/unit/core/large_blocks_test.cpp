@@ -1,5 +1,7 @@
 // Blocks of a page or more begin cache lines of 64 bytes, and not all the same line of a page:
-// eight of them that did would fill the eight places that a first cache has for it.
+// eight of them that did would fill the eight places that a first cache has for it. What cannot be
+// had is said as anywhere: std::bad_alloc. The address sanitizer has an operator new of its own,
+// which ends the program there.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -14,8 +16,10 @@ namespace {
 
 std::uintptr_t place(const void* at) { return reinterpret_cast<std::uintptr_t>(at); }
 
+constexpr std::size_t kLargePage = std::size_t{1} << 21;
+
 TEST(LargeBlocks, EveryAlignmentIsGiven) {
-  for (std::size_t align = 1; align <= std::size_t{1} << 22; align *= 2) {
+  for (std::size_t align = 1; align <= 2 * kLargePage; align *= 2) {
     for (const std::size_t bytes :
          {std::size_t{0}, std::size_t{1}, std::size_t{5000}, std::size_t{5} << 20}) {
       void* const at = ::operator new (bytes, std::align_val_t{align});
@@ -26,7 +30,31 @@ TEST(LargeBlocks, EveryAlignmentIsGiven) {
   }
 }
 
-// The address sanitizer brings its own blocks, and ends a program that asks for too much.
+// Blocks of state ask for lines of the cache, or more.
+TEST(LargeBlocks, OfAlignedTypesBeginWhereTheseDo) {
+  struct alignas(64) Line {
+    char bytes[64];
+  };
+  struct alignas(2 * kLargePage) Wide {
+    char bytes[2 * kLargePage];
+  };
+  const std::vector<Line> few(3), many(2 * kLargePage / sizeof(Line));
+  EXPECT_EQ(place(few.data()) % sizeof(Line), 0U);
+  EXPECT_EQ(place(many.data()) % sizeof(Line), 0U);
+  const std::vector<Wide> wide(2);
+  EXPECT_EQ(place(wide.data()) % sizeof(Wide), 0U);
+}
+
+TEST(LargeBlocks, KeepWhatIsInThemWhenTheyGrow) {
+  for (const std::size_t bytes :
+       {std::size_t{100}, std::size_t{4095}, std::size_t{65535}, 2 * kLargePage - 1, 2 * kLargePage,
+        2 * kLargePage + 1, 7 * kLargePage - 1}) {
+    std::vector<char> block(bytes, 1);
+    block.resize(bytes + kLargePage, 2);
+    EXPECT_EQ(block.front() + block[bytes - 1] + block.back(), 4) << bytes;
+  }
+}
+
 #ifndef __SANITIZE_ADDRESS__
 TEST(LargeBlocks, FieldsBeginAtDifferentLines) {
   for (const std::size_t bytes : {std::size_t{65536}, std::size_t{160000}, std::size_t{6} << 20}) {
@@ -46,7 +74,15 @@ TEST(LargeBlocks, FieldsBeginAtDifferentLines) {
   }
 }
 
-TEST(LargeBlocks, WhatNoMachineHasIsRefused) {
+TEST(LargeBlocks, SayThatThereIsNoRoom) {
+  // Close to the end of all addresses, where rounding up would begin anew.
+  volatile std::size_t bytes = SIZE_MAX - 5;
+  const std::align_val_t line{64};
+  EXPECT_THROW(::operator delete(::operator new(bytes)), std::bad_alloc);
+  EXPECT_THROW(::operator delete(::operator new(bytes, line), line), std::bad_alloc);
+  bytes = SIZE_MAX / 4;
+  EXPECT_THROW(::operator delete(::operator new(bytes, line), line), std::bad_alloc);
+  EXPECT_THROW(::operator delete(::operator new(bytes)), std::bad_alloc);
   for (const std::size_t less : {0, 1, 100, 5000, 3 << 20}) {
     EXPECT_EQ(::operator new(SIZE_MAX / 2 - less, std::nothrow), nullptr);
     EXPECT_EQ(::operator new(SIZE_MAX - less, std::nothrow), nullptr);
