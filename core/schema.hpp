@@ -116,6 +116,9 @@ class Schema {
   /// A quantity, or `word` where there is none: skin: auto.
   virtual void real_or_word(const Key& key, std::optional<Real>& value, const Quantity& quantity,
                             const char* word) = 0;
+  /// A whole number, or `word` where there is none: heat_every: auto.
+  virtual void integer_or_word(const Key& key, std::optional<int>& value, const Range& range,
+                               const char* word) = 0;
   /// A word out of `words`; index into them. Words may have synonyms: "off|false". A word that
   /// begins with "!" is known and refused: "!conduct|heat is not conducted yet".
   virtual void choice(const Key& key, int& index, std::span<const char* const> words) = 0;

@@ -6,15 +6,35 @@
 namespace brunt {
 namespace {
 
-/// Rate [W] of the plastic and compression heat that the nodes of element k do not have yet; they
-/// have it then.
+/// Adds the heat [J] of a group of elements from that of their material points [J/m^3 reference],
+/// the first of which is `first`; none where there is none.
 template <int Dim>
-BRUNT_INLINE Real take_mechanical_heat(ElementBlock<Dim>& block, std::size_t k, Real inverse_dt) {
-  const auto e = static_cast<LocalIndex>(k);
-  const Real heat = plastic_heat(block, e) + compression_heat(block, e);
-  const Real rate = (heat - block.heat_given[k]) * inverse_dt;
-  block.heat_given[k] = heat;
-  return rate;
+BRUNT_INLINE void add_heat_of(const ElementBlock<Dim>& block, std::size_t first,
+                              const std::vector<Real>& by_point, Real (&heat)[kGroup]) {
+  if (by_point.empty()) return;
+  Real sum[kGroup] = {};
+  for (std::size_t p = first; p < first + slot_of(kGroup * block.gauss); p += kGroup) {
+    for (std::size_t k = 0; k < kGroup; ++k) {
+      sum[k] += block.reference_volume[p + k] * by_point[p + k];
+    }
+  }
+  for (std::size_t k = 0; k < kGroup; ++k) heat[k] += sum[k];
+}
+
+/// Rates [W] of the plastic and compression heat that the nodes of the group of elements from e on
+/// do not have yet; they have it then.
+template <int Dim>
+BRUNT_INLINE void take_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
+                                       Real (&rate)[kGroup]) {
+  const std::size_t first = block.point(static_cast<LocalIndex>(e), 0);
+  Real heat[kGroup] = {};
+  add_heat_of(block, first, block.state.heat, heat);
+  add_heat_of(block, first, block.state.compression_heat, heat);
+  Real* const given = block.heat_given.data() + e;
+  for (std::size_t k = 0; k < kGroup; ++k) {
+    rate[k] = (heat[k] - given[k]) * inverse_dt;
+    given[k] = heat[k];
+  }
 }
 
 }  // namespace
@@ -22,12 +42,13 @@ BRUNT_INLINE Real take_mechanical_heat(ElementBlock<Dim>& block, std::size_t k, 
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step) {
   if (!(step.inverse_dt > 0) || block.heat_given.empty()) return;
+  Real rate[kGroup];
+  take_mechanical_heat(block, e, step.inverse_dt, rate);
   const auto n = slot_of(block.corners);
-  for (std::size_t k = e; k < e + kGroup; ++k) {
-    const Real rate = take_mechanical_heat(block, k, step.inverse_dt);
-    if (rate == 0) continue;
-    for (std::size_t I = k * n; I < (k + 1) * n; ++I) {
-      step.corner_heat[2 * I] += rate * block.heat_share[I];
+  for (std::size_t k = 0; k < kGroup; ++k) {
+    if (rate[k] == 0) continue;
+    for (std::size_t I = (e + k) * n; I < (e + k + 1) * n; ++I) {
+      step.corner_heat[2 * I] += rate[k] * block.heat_share[I];
     }
   }
 }
@@ -35,10 +56,13 @@ void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const Conducti
 template <int Dim>
 void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
                           Real* corner_heat) {
+  Real rate[kGroup];
+  take_mechanical_heat(block, e, inverse_dt, rate);
   const auto n = slot_of(block.corners);
-  for (std::size_t k = e; k < e + kLanes; ++k) {
-    const Real rate = take_mechanical_heat(block, k, inverse_dt);
-    for (std::size_t I = k * n; I < (k + 1) * n; ++I) corner_heat[I] = rate * block.heat_share[I];
+  const Real* const share = block.heat_share.data() + e * n;
+  Real* const to = corner_heat + e * n;
+  for (std::size_t k = 0; k < kGroup; ++k) {
+    for (std::size_t I = k * n; I < (k + 1) * n; ++I) to[I] = rate[k] * share[I];
   }
 }
 

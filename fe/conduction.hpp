@@ -33,8 +33,8 @@ void conduct_hexes(const LocalIndex* corner, const Real* conductivity,
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
 
-/// Writes heat rates [W] that the mechanical heat of the step gives to the corners of four elements
-/// from e on, [element][corner], without conduction.
+/// Writes heat rates [W] that the mechanical heat of the step gives to the corners of the kGroup
+/// elements from e on, [element][corner], without conduction.
 template <int Dim>
 void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
                           Real* corner_heat);

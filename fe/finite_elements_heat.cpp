@@ -153,9 +153,9 @@ void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
       std::fill_n(rates, block.corner.size(), 0.0);
       continue;
     }
-    const int n = block.n_padded / kLanes;
+    const int n = block.n_padded / kGroup;
     for_each(n, kGroupsWorthThreads,
-             [&](int k) { give_mechanical_heat(block, slot_of(k) * kLanes, inverse_dt, rates); });
+             [&](int k) { give_mechanical_heat(block, slot_of(k) * kGroup, inverse_dt, rates); });
   }
   node_mechanical_.assign(points_.x.size(), Vec<1>::Zero());
   gather_.template add<1>(corner_heat_.data(), node_mechanical_);

@@ -280,12 +280,14 @@ void print_plan(const RunArguments& arguments, const LoadedDeck& loaded, Real pr
   scene->rigid_motions.start();
   scene->boundaries.start();
   scene->rearrange();
-  const StepLimit step_limit = scene->stable_step(0);
   const Deck& deck = loaded.deck;
-  const Real dt =
-      std::min(deck.time.safety * step_limit.step, deck.time.max_step.value_or(kInfinity));
+  const Real max_step = deck.time.max_step.value_or(kInfinity);
+  scene->choose_heat_windows(deck.time.safety, max_step);
+  const int heat_every = scene->heat_every;
+  const StepLimit step_limit = scene->stable_step(0);
+  const Real dt = std::min(deck.time.safety * step_limit.step, max_step);
   const Real kept = std::ceil(deck.time.end / dt);
-  const Real heat_step = deck.time.heat_every * scene->heat_step().step;
+  const Real heat_step = heat_every * scene->heat_step().step;
   const MemoryEstimate memory = memory_of(*scene, memory_inputs(deck, *scene, program));
   const std::string whose = scene->body_names[step_limit.body];
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
@@ -300,8 +302,7 @@ void print_plan(const RunArguments& arguments, const LoadedDeck& loaded, Real pr
   print_steps(deck, steps);
   if (heat_step < kInfinity) {
     std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
-                deck::time_text(deck.time.real(heat_step)).c_str(), heat_step / dt,
-                deck.time.heat_every);
+                deck::time_text(deck.time.real(heat_step)).c_str(), heat_step / dt, heat_every);
   }
   print_columns(*scene);
   print_time(steps, measured);

@@ -33,9 +33,9 @@ struct Time {
   std::optional<Real> max_step;  ///< [s]
   std::optional<Real> min_step;  ///< [s] a smaller step stops the run
   std::optional<MassScaling> mass_scaling;
-  int check_step = 0;         ///< steps between two checks of the step limits; 0: never
-  int heat_every = 1;         ///< steps between two evaluations of conduction
-  Real max_drift = 0.05;      ///< energy drift over the largest energy at which the run stops
+  int check_step = 0;             ///< steps between two checks of the step limits; 0: never
+  std::optional<int> heat_every;  ///< steps between two evaluations of conduction; none: auto
+  Real max_drift = 0.05;          ///< energy drift over the largest energy at which the run stops
   Real max_created = 0.05;    ///< energy that nobody put in, over the largest, at which it stops
   std::optional<Real> until;  ///< [s] stops, with a checkpoint, at the first step that gets there
   Real process_speed = 1;     ///< seconds of the process in a second that is stepped

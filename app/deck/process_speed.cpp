@@ -81,6 +81,7 @@ class FasterDeck final : public Schema {
 
   // What has no time in it.
   void integer(const Key&, int&, const Range&) override {}
+  void integer_or_word(const Key&, std::optional<int>&, const Range&, const char*) override {}
   void flag(const Key&, bool&) override {}
   void text(const Key&, std::string&) override {}
   void choice(const Key&, int&, std::span<const char* const>) override {}

@@ -38,12 +38,13 @@ Phase phase_of(const Solid<Dim>& solid) {
 
 /// What stands before the first step: boundaries of time 0, lists, contacts.
 template <int Dim>
-void start(Scene<Dim>& scene) {
+void start(Scene<Dim>& scene, const Clock& clock) {
   scene.rigid_motions.start();
   scene.boundaries.start();
   if (scene.rigid) scene.rigid->start();
   scene.refresh_motion();
   scene.rearrange();
+  scene.choose_heat_windows(clock.safety(), clock.max_step());
   if (scene.contact) scene.contact->start();
 }
 
@@ -64,7 +65,7 @@ template <int Dim>
 void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
                    Balance<Dim>* balance) {
   Phases& phases = scene.phases;
-  start(scene);
+  start(scene, clock);
   observer.begin(scene, clock);
   const WallTimer loop(scene.loop, *phases.ranks);
   while (!clock.finished()) {

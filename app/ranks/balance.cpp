@@ -140,6 +140,7 @@ void Balance<Dim>::repartition(Scene<Dim>& scene) {
   scene.save_state(tables);
   const StateTables state(of_all_ranks(tables, ranks));
   auto fresh = build_();
+  if (scene.heat_every > 0) fresh->conduct_every(scene.heat_every);
   distribute(*fresh, ranks, std::move(partition));
   fresh->phases = scene.phases;
   scene = std::move(*fresh);

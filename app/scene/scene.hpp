@@ -58,6 +58,7 @@ struct Scene {
   std::vector<Probe> probes;
   Phases phases;
   std::vector<std::string> notes;  ///< of its building, for the log
+  int heat_every = 0;              ///< steps between two evaluations of conduction; 0: not chosen
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Partition> partition;  ///< whose each point is; none on a lone rank
   WallTime loop;  ///< of all steps, whatever they are spent on; what comes before the first aside
@@ -77,6 +78,11 @@ struct Scene {
   void add_heat(Real time, Real dt, std::int64_t step);
   /// The longest stable step of heat of the owned points of this rank, and whose it is.
   StepLimit heat_step() const;
+  /// From now on conduction is evaluated at every `every`-th step.
+  void conduct_every(int every);
+  /// The same with as many steps of at most max_step [s] as are sensible, once lists are there and
+  /// before the first step, where the deck has not said how many. Collective.
+  void choose_heat_windows(Real safety, Real max_step);
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
   /// may miss a pair, after the motion; no answer depends on when.
   void rearrange();

@@ -259,7 +259,6 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
   }
   auto group = std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets.all(),
                                                      scene.geometry, scene.depth);
-  if (kind.conducts) group->points().conduct_every(loaded.deck.time.heat_every);
   return group;
 }
 
@@ -315,7 +314,6 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
                                                        std::move(sets), Dim == 2 ? scene.depth : 1,
                                                        sums_of_pieces(loaded.deck, bodies));
   particles->set_search(loaded.deck.contact.search);
-  if (kind.conducts) particles->points().conduct_every(loaded.deck.time.heat_every);
   return particles;
 }
 

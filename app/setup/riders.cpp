@@ -98,7 +98,6 @@ std::unique_ptr<SphParticles<Dim>> make_riders(const LoadedDeck& loaded, const S
   auto riders = std::make_unique<SphParticles<Dim>>(std::move(points), spacing, std::move(sets),
                                                     Dim == 2 ? scene.depth : 1, std::move(sums));
   riders->set_search(loaded.deck.contact.search);
-  if (nodes.conducts) riders->points().conduct_every(loaded.deck.time.heat_every);
   riders->ride_on(elements, std::move(on));
   return riders;
 }

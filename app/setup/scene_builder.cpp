@@ -219,6 +219,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     throw DeckError(problems);
   }
   add_riders(loaded, *scene, next);
+  if (deck.time.heat_every) scene->conduct_every(*deck.time.heat_every);
   return scene;
 }
 

@@ -98,7 +98,7 @@ void warn_of_scene(const LoadedDeck& loaded, const Scene<Dim>& scene, bool print
     warnings.push_back(loaded.places.problem("time.mass_scaling", text));
     if (print) std::fprintf(stderr, "warning: %s\n", warnings.back().text().c_str());
   }
-  if (loaded.deck.time.heat_every > 1 && !scene.conducts()) {
+  if (loaded.deck.time.heat_every.value_or(1) > 1 && !scene.conducts()) {
     warn("time.heat_every", "changes nothing: no body conducts heat");
   }
 }

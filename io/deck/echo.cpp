@@ -63,6 +63,10 @@ void Echo::real_or_word(const Key& key, std::optional<Real>& value, const Quanti
                         const char* word) {
   put(key.name, value ? number(*value) : scalar_node(word));
 }
+void Echo::integer_or_word(const Key& key, std::optional<int>& value, const Range&,
+                           const char* word) {
+  put(key.name, scalar_node(value ? std::to_string(*value) : word));
+}
 void Echo::integer(const Key& key, int& value, const Range&) {
   put(key.name, scalar_node(std::to_string(value)));
 }

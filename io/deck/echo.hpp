@@ -21,6 +21,8 @@ class Echo final : public Schema {
   void real_or_word(const Key& key, std::optional<Real>& value, const Quantity& quantity,
                     const char* word) override;
   void integer(const Key& key, int& value, const Range& range) override;
+  void integer_or_word(const Key& key, std::optional<int>& value, const Range& range,
+                       const char* word) override;
   void flag(const Key& key, bool& value) override;
   void text(const Key& key, std::string& value) override;
   void choice(const Key& key, int& index, std::span<const char* const> words) override;

@@ -174,6 +174,10 @@ class SchemaWriter {
     return key.children.size() == 1 && key.children.front().bare;
   }
 
+  Json whole_number(const Range& range) {
+    return {{"allOf", {Json{{"type", "integer"}}, quantity("", range)}}};
+  }
+
   /// Several numbers.
   Json list_schema(const KeyInfo& key) {
     using Type = KeyInfo::Type;
@@ -190,10 +194,7 @@ class SchemaWriter {
                                    {"minItems", 3},
                                    {"items", list_of(quantity(key.unit, key.range), 2)}});
       case Type::integers:
-        return list_of(
-            any_of(
-                {Json{{"allOf", {Json{{"type", "integer"}}, quantity("", key.range)}}}, parameter}),
-            key.size);
+        return list_of(any_of({whole_number(key.range), parameter}), key.size);
       case Type::components:
         return with_unit_once(
             list_of(any_of({Json{{"enum", {"free"}}}, varying_schema(key)}), key.size));
@@ -234,10 +235,10 @@ class SchemaWriter {
         return quantity(key.unit, key.range);
       case Type::real_or_word:
         return any_of({quantity(key.unit, key.range), words_schema(key.words)});
-      case Type::integer: {
-        Json number = quantity("", key.range);
-        return any_of({Json{{"allOf", {Json{{"type", "integer"}}, number}}}, parameter});
-      }
+      case Type::integer:
+        return any_of({whole_number(key.range), parameter});
+      case Type::integer_or_word:
+        return any_of({whole_number(key.range), parameter, words_schema(key.words)});
       case Type::flag:
         return any_of({Json{{"enum", {true, false, "true", "false"}}}, parameter});
       case Type::text:

@@ -40,6 +40,12 @@ class KeyWalker final : public Schema {
     KeyInfo& info = add(key, KeyInfo::Type::integer, {"1", range});
     if (!info.required) info.fallback = std::to_string(value);
   }
+  void integer_or_word(const Key& key, std::optional<int>& value, const Range& range,
+                       const char* word) override {
+    KeyInfo& info = add(key, KeyInfo::Type::integer_or_word, {"1", range});
+    info.words = {word};
+    info.fallback = value ? std::to_string(*value) : word;
+  }
   void flag(const Key& key, bool& value) override {
     add(key, KeyInfo::Type::flag).fallback = value ? "true" : "false";
   }
@@ -244,6 +250,8 @@ std::string type_text(const KeyInfo& key) {
       return word_text(key.words) + " or number" + unit;
     case Type::integer:
       return "whole number";
+    case Type::integer_or_word:
+      return word_text(key.words) + " or whole number";
     case Type::flag:
       return "true or false";
     case Type::text:

@@ -17,6 +17,7 @@ struct KeyInfo {
     real,
     real_or_word,
     integer,
+    integer_or_word,
     flag,
     text,
     choice,

@@ -28,6 +28,10 @@ bool in_range(Real value, const Range& range) {
 
 namespace {
 
+bool starts_with_letter(const Node& node) {
+  return !node.text.empty() && std::isalpha(static_cast<unsigned char>(node.text.front()));
+}
+
 std::vector<std::string> spellings(const char* words) {
   std::vector<std::string> all;
   std::string text = words;
@@ -147,8 +151,7 @@ void Reader::real_or_word(const Key& key, std::optional<Real>& value, const Quan
   if (!node) return;
   if (node->is_scalar() && node->text == word) {
     value.reset();
-  } else if (!node->is_scalar() || (!node->text.empty() &&
-                                    std::isalpha(static_cast<unsigned char>(node->text.front())))) {
+  } else if (!node->is_scalar() || starts_with_letter(*node)) {
     problem(*node, path_of(key.name),
             "expects '" + std::string(word) + "' or " + describe_unit(quantity.unit) + ", got " +
                 what_stands(*node));
@@ -193,6 +196,20 @@ void Reader::integer(const Key& key, int& value, const Range& range) {
   const Node* node = find(key);
   if (!node) return;
   if (const auto read = integer_value(*node, path_of(key.name), range)) value = *read;
+}
+
+void Reader::integer_or_word(const Key& key, std::optional<int>& value, const Range& range,
+                             const char* word) {
+  const Node* node = find(key);
+  if (!node) return;
+  if (node->is_scalar() && node->text == word) {
+    value.reset();
+  } else if (!node->is_scalar() || starts_with_letter(*node)) {
+    problem(*node, path_of(key.name),
+            "expects '" + std::string(word) + "' or a whole number, got " + what_stands(*node));
+  } else if (const auto read = integer_value(*node, path_of(key.name), range)) {
+    value = *read;
+  }
 }
 
 void Reader::flag(const Key& key, bool& value) {

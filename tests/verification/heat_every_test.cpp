@@ -215,10 +215,9 @@ TEST(HeatEvery, AMeltFreezesAsBefore) {
 // bodies is faster than 2 G/C, so that none changes by more than N dt G/C, which is 4e-4 with 16
 // steps; what passes the contact depends on both sides.
 TEST(HeatEvery, AHotBlockKeepsItsHeatAndItsBits) {
-  const std::vector<std::string> deck{"time.end=20 us"};
-  auto with = deck;
-  with.push_back(every(16));
-  const auto once = simulate_shipped("hot-block", deck), kept = simulate_shipped("hot-block", with);
+  const std::vector<std::string> with{"time.end=20 us", every(16)};
+  const auto once = simulate_shipped("hot-block", {"time.end=20 us", every(1)});
+  const auto kept = simulate_shipped("hot-block", with);
   ASSERT_EQ(kept.failure, "");
   EXPECT_EQ(kept.steps, once.steps);
   for (const Real drift : kept.column("heat.drift")) EXPECT_LT(std::fabs(drift), 1e-12);
@@ -238,11 +237,10 @@ TEST(HeatEvery, AHotBlockKeepsItsHeatAndItsBits) {
 TEST(HeatEvery, PlasticHeatDoesNotWait) {
   for (const auto& [name, size] : {std::pair("taylor-bar", "parameters.size=0.9 mm"),
                                    std::pair("taylor-bar-sph", "parameters.spacing=0.8 mm")}) {
-    const std::vector<std::string> deck{"materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
-                                        "heat=conduct", "time.end=4 us", "output.history=40 ns",
-                                        size};
+    std::vector<std::string> deck{"materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",
+                                  "heat=conduct", "time.end=4 us", "output.history=40 ns", size};
     auto with = deck;
-    with.push_back(every(64));
+    with.push_back(every(64)), deck.push_back(every(1));
     const auto once = simulate_shipped(name, deck), kept = simulate_shipped(name, with);
     ASSERT_EQ(kept.failure, "");
     const auto a = once.column("heat.plastic"), b = kept.column("heat.plastic");
@@ -253,6 +251,61 @@ TEST(HeatEvery, PlasticHeatDoesNotWait) {
       EXPECT_NEAR(stored[k], b[k] + shock[k], 1e-12 * a.back());
     }
     EXPECT_GT(a.back(), 0);
+  }
+}
+
+// Where the deck does not say, a window is a hundredth of heat's step. The bar has lambda_max =
+// 12 alpha/h^2 of an inner node, C/G = 0.375 h^2/alpha of a corner: 0.33 us: steps of 0.7 ns
+// are taken four at a time, of 0.5 ns six, of 0.1 ns sixteen, the most.
+TEST(HeatEvery, WithoutANumberAWindowIsAHundredthOfHeatsStep) {
+  for (const auto& [max_step, expected] :
+       {std::pair("0.7 ns", 4), {"0.5 ns", 6}, {"0.1 ns", 16}, {"4 ns", 1}}) {
+    for (const char* method : {"fe", "sph"}) {
+      const std::string step = std::string("time.max_step=") + max_step;
+      SceneHooks hooks;
+      int chosen = 0;
+      Real ratio = 0;
+      hooks.step_done = [&](Scene<3>& scene, const Clock& clock) {
+        if (clock.step() != 1) return;
+        chosen = scene.heat_every;
+        ratio = 0.01 * scene.heat_every * scene.heat_step().step / clock.dt();
+      };
+      const auto run =
+          simulate_text(bar(method, 4), {step, "time.end=20 ns", "time.safety=0.5"}, {}, hooks);
+      ASSERT_EQ(run.failure, "");
+      EXPECT_EQ(chosen, std::clamp(static_cast<int>(std::floor(ratio)), 1, 16)) << method;
+      if (std::string(method) == "fe" && std::string(max_step) != "4 ns") {
+        EXPECT_EQ(chosen, expected) << max_step;
+      }
+      const auto said = simulate_text(
+          bar(method, 4), {step, "time.end=20 ns", "time.safety=0.5", every(chosen)}, {}, {});
+      EXPECT_EQ(said.hashes, run.hashes) << method;
+    }
+  }
+}
+
+// Bodies that do not move step as heat asks: no window is shorter than one of its steps.
+TEST(HeatEvery, WhereHeatBoundsTheStepItIsConductedInEach) {
+  SceneHooks hooks;
+  int chosen = 0;
+  hooks.step_done = [&](Scene<3>& scene, const Clock&) { chosen = scene.heat_every; };
+  const std::string held =
+      "geometry: 3d\nheat: conduct\ntime: {end: 1 ms}\nambient: 300 K\n"
+      "materials: {copper: {density: 8960, elastic: {E: 124 GPa, nu: 0.34}, "
+      "thermal: {cp: 383, k: 386}}}\nbodies: {plate: {material: copper, rigid: true, "
+      "size: 1 mm, shape: {box: {min: [0, 0, 0], max: [4 mm, 2 mm, 2 mm]}}}}\n";
+  const auto run = simulate_text(held, {}, {}, hooks);
+  ASSERT_EQ(run.failure, "");
+  EXPECT_EQ(chosen, 1);
+}
+
+// The choice is of the start: a restart, another order of lists and other cadences have its bits.
+TEST(HeatEvery, WhatIsChosenIsOfTheDeckAlone) {
+  const std::vector<std::string> deck{"time.end=20 us"};
+  const auto chosen = simulate_shipped("hot-block", deck);
+  EXPECT_EQ(chosen.hashes, simulate_shipped("hot-block", {"time.end=20 us", every(16)}).hashes);
+  for (const RunVariation& variation : {RunVariation{2, false, 0}, RunVariation{0, false, 50}}) {
+    EXPECT_EQ(simulate_shipped("hot-block", deck, variation).hashes, chosen.hashes);
   }
 }
 
