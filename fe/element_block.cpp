@@ -1,11 +1,13 @@
 #include "fe/element_block.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <string>
 
 #include "core/errors.hpp"
+#include "core/parallel/threads.hpp"
 #include "fe/elements/catalog.hpp"
 #include "fe/initial_stress.hpp"
 
@@ -58,6 +60,35 @@ ElementSet<Dim> in_order(const ElementSet<Dim>& set) {
   return sorted;
 }
 
+/// Reference volumes and masses of the four elements from e on; which is the first of them without
+/// volume, kLanes where all have some.
+template <int Dim>
+int measure_four(const Points<Dim>& points, const Thickness& thickness, ElementBlock<Dim>& block,
+                 std::size_t e) {
+  const Formulation<Dim>& kind = *block.formulation;
+  const auto of = kind.parts_of_four(block, e, points, thickness);
+  std::array<Real, kLanes> volume{};
+  // By the arithmetic of the steps: what has not moved is not strained by a rounding.
+  if (block.gauss == 1) volume = kind.step_volumes(block, e, points, thickness);
+  int wrong = kLanes;
+  for (int lane = kLanes - 1; lane >= 0; --lane) {
+    const PartVolumes& parts = of[lane];
+    const auto k = static_cast<LocalIndex>(e) + lane;
+    const auto places = [&] { return corner_positions(block, k, points); };
+    if (block.gauss > 1) volume[lane] = kind.volume(places(), false, thickness);
+    block.element_volume[k] = volume[lane];
+    block.mass[k] = block.material->density * parts.sum();
+    const Real size = Dim == 3 ? volume[lane] : kind.volume(places(), true, Thickness{1, 0});
+    block.reference_size[k] = Dim == 3 ? std::cbrt(size) : std::sqrt(size);
+    for (int g = 0; g < block.gauss; ++g) {
+      block.reference_volume[block.point(k, g)] = block.gauss == 1 ? volume[lane] : parts.part[g];
+    }
+    const Real least = *std::min_element(parts.part.begin(), parts.part.begin() + parts.n);
+    if (!(volume[lane] > 0) || (block.gauss > 1 && !(least > 0))) wrong = lane;
+  }
+  return wrong;
+}
+
 /// Reference volumes and masses. Throws at the first element in order of storage without volume.
 template <int Dim>
 void measure_elements(const Points<Dim>& points, const Thickness& thickness,
@@ -67,23 +98,16 @@ void measure_elements(const Points<Dim>& points, const Thickness& thickness,
   block.element_volume.resize(padded);
   block.reference_size.resize(padded);
   block.mass.resize(padded);
-  const Formulation<Dim>& kind = *block.formulation;
-  for (LocalIndex e = 0; e < block.n_padded; ++e) {
-    const auto x = corner_positions(block, e, points);
-    const PartVolumes parts = kind.part_volumes(x, thickness);
-    // By the arithmetic of the steps: what has not moved is not strained by a rounding.
-    const Real volume =
-        block.gauss == 1 ? kind.step_volume(x, thickness) : kind.volume(x, false, thickness);
-    const Real least = *std::min_element(parts.part.begin(), parts.part.begin() + parts.n);
-    if (!(volume > 0) || (block.gauss > 1 && !(least > 0))) report_inverted(block.id[e], volume);
-    block.element_volume[e] = volume;
-    block.mass[e] = block.material->density * parts.sum();
-    const Real size = Dim == 3 ? volume : kind.volume(x, true, Thickness{1, 0});
-    block.reference_size[e] = Dim == 3 ? std::cbrt(size) : std::sqrt(size);
-    for (int g = 0; g < block.gauss; ++g) {
-      block.reference_volume[block.point(e, g)] = block.gauss == 1 ? volume : parts.part[g];
+  std::atomic<LocalIndex> wrong{block.n_padded};
+  for_each(block.n_padded / kLanes, kPointsWorthThreads / kLanes, [&](LocalIndex four) {
+    const LocalIndex e = four * kLanes;
+    const int lane = measure_four(points, thickness, block, slot_of(e));
+    if (lane == kLanes) return;
+    LocalIndex first = wrong;
+    while (e + lane < first && !wrong.compare_exchange_weak(first, e + lane)) {
     }
-  }
+  });
+  if (wrong < block.n_padded) report_inverted(block.id[wrong], block.element_volume[wrong]);
 }
 
 }  // namespace
@@ -182,26 +206,21 @@ std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim
 }
 
 template <int Dim>
-std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim>& points,
-                                const Thickness& thickness) {
+void corner_masses(const ElementBlock<Dim>& block, LocalIndex e, const Points<Dim>& points,
+                   const Thickness& thickness, Real* share) {
   const auto n = slot_of(block.corners);
-  std::vector<Real> mass(slot_of(block.n) * n);
-  for (LocalIndex e = 0; e < block.n; ++e) {
-    Real* share = mass.data() + slot_of(e) * n;
-    std::fill_n(share, n, block.mass[e] / block.corners);
-    if (block.gauss == 1 || thickness.radial == 0) continue;
-    std::fill_n(share, n, 0.0);
-    const auto x = corner_positions(block, e, points);
-    Real density = block.material->density;
-    if (block.stress != nullptr) {
-      density = block.material_mass(slot_of(e)) / block.formulation->volume(x, false, thickness);
-    }
-    block.formulation->add_corner_volumes(x, thickness, density, share);
-    if (block.mass_scale.empty()) continue;
-    const Real scale = block.mass_scale[slot_of(e)];
-    for (std::size_t I = 0; I < n; ++I) share[I] *= scale;
+  std::fill_n(share, n, block.mass[e] / block.corners);
+  if (block.gauss == 1 || thickness.radial == 0) return;
+  std::fill_n(share, n, 0.0);
+  const auto x = corner_positions(block, e, points);
+  Real density = block.material->density;
+  if (block.stress != nullptr) {
+    density = block.material_mass(slot_of(e)) / block.formulation->volume(x, false, thickness);
   }
-  return mass;
+  block.formulation->add_corner_volumes(x, thickness, density, share);
+  if (block.mass_scale.empty()) return;
+  const Real scale = block.mass_scale[slot_of(e)];
+  for (std::size_t I = 0; I < n; ++I) share[I] *= scale;
 }
 
 template std::vector<LocalIndex> axis_nodes(const Points<2>&, const Thickness&);
@@ -212,9 +231,9 @@ template std::vector<Real> corner_shares(const ElementBlock<2>&, const Points<2>
                                          const Thickness&);
 template std::vector<Real> corner_shares(const ElementBlock<3>&, const Points<3>&,
                                          const Thickness&);
-template std::vector<Real> corner_masses(const ElementBlock<2>&, const Points<2>&,
-                                         const Thickness&);
-template std::vector<Real> corner_masses(const ElementBlock<3>&, const Points<3>&,
-                                         const Thickness&);
+template void corner_masses(const ElementBlock<2>&, LocalIndex, const Points<2>&, const Thickness&,
+                            Real*);
+template void corner_masses(const ElementBlock<3>&, LocalIndex, const Points<3>&, const Thickness&,
+                            Real*);
 
 }  // namespace brunt

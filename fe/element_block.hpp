@@ -148,12 +148,12 @@ template <int Dim>
 ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
                              const Thickness& thickness);
 
-/// Mass [kg] that each corner of each element carries, n x corners: equal shares, and in
-/// axisymmetry with several Gauss points the row sums rho int N_I dV, with which alone a plane wave
-/// along the axis stays plane.
+/// Writes the mass [kg] that each corner of element e carries: equal shares, and in axisymmetry
+/// with several Gauss points the row sums rho int N_I dV, with which alone a plane wave along the
+/// axis stays plane.
 template <int Dim>
-std::vector<Real> corner_masses(const ElementBlock<Dim>& block, const Points<Dim>& points,
-                                const Thickness& thickness);
+void corner_masses(const ElementBlock<Dim>& block, LocalIndex e, const Points<Dim>& points,
+                   const Thickness& thickness, Real* share);
 
 /// The part of an element's volume that each corner stands for, int N_I dV / V, one after another:
 /// so its heat capacity is shared; n_padded x corners.

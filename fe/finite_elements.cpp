@@ -16,20 +16,47 @@
 
 namespace brunt {
 namespace {
+[[maybe_unused]] constexpr int kTilesWorthThreads = 32;  // tiles; of some 3 us each
 
+/// True where storage goes through all elements by ascending id.
 template <int Dim>
-void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const CornerGather& gather,
-                const Thickness& thickness, std::size_t n_corners, Points<Dim>& points) {
-  std::vector<Real> share(n_corners, 0.0);
-  for (const auto& block : blocks) {
-    const std::vector<Real> mass = corner_masses(block, points, thickness);
-    std::copy(mass.begin(), mass.end(),
-              share.begin() + static_cast<std::ptrdiff_t>(block.first_corner));
+bool ids_ascend(const std::vector<ElementBlock<Dim>>& blocks) {
+  for (std::size_t b = 1; b < blocks.size(); ++b) {
+    if (blocks[b].id.front() < blocks[b - 1].id.back()) return false;
   }
-  std::vector<Vec<1>> sum(points.x.size(), Vec<1>::Zero());
-  gather.add<1>(share.data(), sum);
-  points.mass.resize(sum.size());
-  for (std::size_t k = 0; k < sum.size(); ++k) points.mass[k] = sum[k][0];
+  return true;
+}
+
+/// Masses of the nodes that are owned: sums of those of their corners, by ascending id of elements.
+template <int Dim>
+void set_masses(const std::vector<ElementBlock<Dim>>& blocks, const Thickness& thickness,
+                std::size_t n_corners, Points<Dim>& points) {
+  if (!ids_ascend(blocks)) {
+    std::vector<Real> share(n_corners, 0.0);
+    for (const auto& block : blocks) {
+      Real* to = share.data() + block.first_corner;
+      for (LocalIndex e = 0; e < block.n; ++e, to += block.corners) {
+        corner_masses(block, e, points, thickness, to);
+      }
+    }
+    std::vector<Vec<1>> sum(points.x.size(), Vec<1>::Zero());
+    make_corner_gather(blocks, points.n_owned).template add<1>(share.data(), sum);
+    points.mass.resize(sum.size());
+    for (std::size_t k = 0; k < sum.size(); ++k) points.mass[k] = sum[k][0];
+    return;
+  }
+  points.mass.assign(points.x.size(), 0.0);
+  for (const auto& block : blocks) {
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      std::array<Real, kMostCorners> share;
+      corner_masses(block, e, points, thickness, share.data());
+      const Real* of_corner = share.data();
+      for (const LocalIndex node : block.corners_of(e)) {
+        if (node < points.n_owned) points.mass[node] += *of_corner;
+        ++of_corner;
+      }
+    }
+  }
 }
 
 /// Bits of the state of one element.
@@ -49,7 +76,7 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
                                     Geometry geometry, Real depth)
     : points_(std::move(points)), thickness_(thickness_of(geometry, depth)) {
   make_blocks(sets);
-  set_masses(blocks_, gather_, thickness_, n_corners_, points_);
+  set_masses(blocks_, thickness_, n_corners_, points_);
   points_.x_start = points_.x;
   held_ =
       !sets.empty() && std::all_of(sets.begin(), sets.end(), [](const auto& s) { return s.held; });
@@ -60,10 +87,8 @@ FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<Elemen
   refresh_steps();
   start_erosion();
   const auto conducts = [](const auto& block) { return block.conducts; };
-  if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) {
-    if (!averages_volumes_ && !erosion_) gather_ = {};  // masses were all that it had to sum
-    return;
-  }
+  if (erosion_) order_corners();
+  if (!std::any_of(blocks_.begin(), blocks_.end(), conducts)) return;
   set_capacities();
   start_conduction();
   if (blocks_.front().rigid) make_rigid();
@@ -82,13 +107,19 @@ void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) 
     corners += blocks_.back().corner.size();
   }
   n_corners_ = corners;
-  gather_ = make_corner_gather(blocks_, points_.n_owned);
+  gather_ = {};
+  if (erosion_) order_corners();
   force_chunks_ = ForceChunks<Dim>(blocks_, points_.n_owned, points_.size());
   start_volumes();
   const std::vector<Vec<Dim>> at_rest(points_.x.size(), Vec<Dim>::Zero());
   ElementStep<Dim> step = element_step(1.0);
   step.v = at_rest.data();
   for (auto& block : blocks_) scale_masses(block, step);
+}
+
+template <int Dim>
+void FiniteElements<Dim>::order_corners() {
+  if (gather_.offset.empty()) gather_ = make_corner_gather(blocks_, points_.n_owned);
 }
 
 template <int Dim>
@@ -100,9 +131,8 @@ template <int Dim>
 void FiniteElements<Dim>::refresh_steps() {
   const ElementStep<Dim> step = element_step(1.0);
   for (auto& block : blocks_) {
-    for (int t = 0; t < block.n_tiles(); ++t) {
-      block.formulation->refresh_stable_steps(block, t, step);
-    }
+    for_each(block.n_tiles(), kTilesWorthThreads,
+             [&](int t) { block.formulation->refresh_stable_steps(block, t, step); });
   }
 }
 

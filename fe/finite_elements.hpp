@@ -111,12 +111,13 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void add_eroded(Totals<Dim>& totals) const;
   void save_eroded(std::vector<StateTable>& tables) const;
   void load_eroded(const StateTables& tables);
+  void order_corners();
   ElementStep<Dim> element_step(Real dt);
 
   Points<Dim> points_;
   Thickness thickness_;
   std::vector<ElementBlock<Dim>> blocks_;
-  CornerGather gather_;
+  CornerGather gather_;  ///< empty where nothing but forces is summed at nodes
   ForceChunks<Dim> force_chunks_;
   std::size_t n_corners_ = 0;            ///< of all blocks, padding included
   std::vector<Vec<2>> node_heat_;        ///< [W], [W/K] of each node, while they are summed

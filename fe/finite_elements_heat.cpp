@@ -14,6 +14,7 @@ namespace {
 /// Temperatures at time 0 and heat capacities of nodes, from the elements around them.
 template <int Dim>
 void FiniteElements<Dim>::set_capacities() {
+  order_corners();
   std::vector<Real> at_start(points_.x.size(), 0.0);
   std::vector<Real> share(n_corners_, 0.0);
   for (const auto& block : blocks_) {
@@ -91,6 +92,7 @@ void FiniteElements<Dim>::make_rigid() {
 /// Conductances of the start, which the first step limit needs.
 template <int Dim>
 void FiniteElements<Dim>::start_conduction() {
+  order_corners();
   corner_heat_.assign(n_corners_ * 2, 0.0);
   std::fill(points_.conductance.begin(), points_.conductance.end(), 0.0);
   conduct(0);

@@ -20,6 +20,7 @@ void FiniteElements<Dim>::start_volumes() {
   averages_volumes_ =
       averages_volumes_ || std::any_of(blocks_.begin(), blocks_.end(), averages<Dim>);
   if (!averages_volumes_) return;
+  order_corners();
   node_ratio_.assign(points_.x.size(), 1.0);
   corner_volume_.assign(n_corners_, 0.0);
   sum_volumes(points_.x);

@@ -48,6 +48,10 @@ class Formulation {
   virtual int material_points(const ElementOptions& options) const = 0;
   /// Exact, by Gauss points.
   virtual PartVolumes part_volumes(CornerPlaces<Dim> x, const Thickness& thickness) const = 0;
+  /// The same of the four elements from e on.
+  virtual std::array<PartVolumes, kLanes> parts_of_four(const ElementBlock<Dim>& block,
+                                                        std::size_t e, const Points<Dim>& points,
+                                                        const Thickness& thickness) const = 0;
   /// Volume [m^3] as elements of one material point, or of several, measure it.
   virtual Real volume(CornerPlaces<Dim> x, bool one_point, const Thickness& thickness) const = 0;
   /// That of one material point as steps compute it: to rounding the same.

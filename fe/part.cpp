@@ -119,11 +119,8 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   }
   ghosts_ = plan_ghosts(ranks, ids, places, owners, points_.owned_ids());
   refresh_steps();
-  if (points_.conducts) {
-    start_conduction();
-  } else if (!averages_volumes_ && !erosion_) {
-    gather_ = {};  // no sums but of forces
-  }
+  if (erosion_) order_corners();
+  if (points_.conducts) start_conduction();
 }
 
 template <int Dim>

@@ -73,6 +73,9 @@ Gathered<Dim> gather(const LoadedDeck& loaded, const Scene<Dim>& scene,
   gathered.place_of.resize(bodies.size());
   std::vector<Origin> origins;
   std::vector<Vec<Dim>> positions;
+  std::size_t n = 0;
+  for (const std::size_t b : chosen) n += bodies[b].points.size();
+  origins.reserve(n), positions.reserve(n), gathered.from.reserve(n);
   for (const std::size_t b : chosen) {
     gathered.place_of[b].resize(bodies[b].points.size());
     for (std::size_t i = 0; i < bodies[b].points.size(); ++i) {
@@ -244,8 +247,15 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     }
   }
   SetsOfBodies<Dim> sets(loaded, scene, bodies, chosen, kind);
-  for (const std::size_t k : order_of(curve_keys<Dim>(centers))) {
-    const auto [b, e] = elements[k];
+  const auto order = order_of(curve_keys<Dim>(centers));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    // The curve goes through bodies in jumps, which no processor foresees.
+    constexpr std::size_t kAhead = 16;
+    if (i + kAhead < order.size()) {
+      const auto [b, e] = elements[order[i + kAhead]];
+      __builtin_prefetch(bodies[b].elements[e].data());
+    }
+    const auto [b, e] = elements[order[i]];
     const auto& geometry = bodies[b];
     auto& set = sets.of(b);
     auto& corners = set.corners.emplace_back();

@@ -157,6 +157,7 @@ void warn_of_sheets(const LoadedDeck& loaded, const Scene<Dim>& scene, const War
   std::vector<std::size_t> count(bodies.size());
   std::vector<Real> mass(bodies.size());
   for (const auto& solid : scene.solids) {
+    if (solid->n_particles() == 0) continue;
     solid->add_totals(totals);
     const auto& points = solid->points();
     for (std::size_t i = 0; i < points.body.size(); ++i) {

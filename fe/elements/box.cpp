@@ -1,5 +1,6 @@
 #include "fe/elements/box.hpp"
 
+#include "core/parallel/threads.hpp"
 #include "core/wide_lanes.hpp"
 #include "fe/conduction_kernel.hpp"
 #include "fe/element_step.hpp"
@@ -179,6 +180,18 @@ class BoxFormulation final : public Formulation<Dim> {
     std::copy(volume.begin(), volume.end(), parts.part.begin());
     return parts;
   }
+  std::array<PartVolumes, kLanes> parts_of_four(const ElementBlock<Dim>& block, std::size_t e,
+                                                const Points<Dim>& points,
+                                                const Thickness& thickness) const override {
+    std::array<PartVolumes, kLanes> of;
+    const Modal<Dim, Pack> c = modes_of_four(block, e, points);
+    for (int g = 0; g < kGauss<Dim>; ++g) {
+      const Pack volume = gauss_volume<Dim>(c, g, thickness);
+      for (int lane = 0; lane < kLanes; ++lane) of[lane].part[g] = volume[lane];
+    }
+    for (auto& parts : of) parts.n = kGauss<Dim>;
+    return of;
+  }
   Real volume(CornerPlaces<Dim> x, bool one_point, const Thickness& thickness) const override {
     return element_volume<Dim>(x, one_point, thickness);
   }
@@ -230,9 +243,10 @@ class BoxFormulation final : public Formulation<Dim> {
   }
   void start(const Points<Dim>& points, ElementBlock<Dim>& block) const override {
     if (block.material->yields()) {
-      for (LocalIndex e = 0; e < block.n_padded; ++e) {
-        block.guard_reach.push_back(guard_reach<Dim>(corner_positions(block, e, points)));
-      }
+      block.guard_reach.resize(slot_of(block.n_padded));
+      for_each(block.n_padded, kPointsWorthThreads, [&](LocalIndex e) {
+        block.guard_reach[e] = guard_reach<Dim>(corner_positions(block, e, points));
+      });
     }
     if (block.gauss == 1) start_hourglass(points, block);
   }

@@ -193,6 +193,16 @@ class TetFormulation final : public Formulation<3> {
   PartVolumes part_volumes(CornerPlaces<3> x, const Thickness&) const override {
     return {{tet_volume(x)}, 1};
   }
+  std::array<PartVolumes, kLanes> parts_of_four(const ElementBlock<3>& block, std::size_t e,
+                                                const Points<3>& points,
+                                                const Thickness& thickness) const override {
+    std::array<PartVolumes, kLanes> of;
+    for (auto& parts : of) {
+      parts =
+          part_volumes(corner_positions(block, static_cast<LocalIndex>(e++), points), thickness);
+    }
+    return of;
+  }
   Real volume(CornerPlaces<3> x, bool, const Thickness&) const override { return tet_volume(x); }
   Real step_volume(CornerPlaces<3> x, const Thickness&) const override { return tet_volume(x); }
   std::array<Real, kLanes> step_volumes(const ElementBlock<3>& block, std::size_t e,
