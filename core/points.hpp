@@ -46,9 +46,11 @@ struct Points {
   /// at most capacity/conductance is stable, and makes no new extremes where all pairs exchange
   /// heat from hot to cold.
   std::vector<Real> conductance;
-  /// Steps between two evaluations of conduction; with more than one the points keep what follows,
-  /// and step n evaluates it anew where n is a multiple.
-  int conduction_every = 1;
+  /// Steps that the present evaluation of conduction acts for, and whether this one makes it anew;
+  /// where they may be more than one the points keep what follows.
+  int conduction_steps = 1;
+  bool evaluates_conduction = true;
+  bool keeps_conduction = false;
   std::vector<Real> kept_rate;         ///< [W] that the last evaluation gave
   std::vector<Real> kept_conductance;  ///< [W/K] with it
   /// Those of the group that vary with temperature, of single materials first, then of mixtures
@@ -94,8 +96,7 @@ struct Points {
     f(points.heat, kState);
     f(points.heat_rate, {});
     f(points.conductance, kSaved);
-    if (points.conduction_every > 1)
-      f(points.kept_rate, kState), f(points.kept_conductance, kState);
+    if (points.keeps_conduction) f(points.kept_rate, kState), f(points.kept_conductance, kState);
     if (points.specific_heats.empty()) return;
     f(points.specific_heat, {.blank = -1});
     f(points.heated_mass, {});
@@ -119,13 +120,11 @@ struct Points {
     fit(x.size());
     temperature = start_temperature = at_start;
   }
-  /// From now on conduction is evaluated at every `every`-th step, and acts as it was in between.
-  void conduct_every(int every) {
-    conduction_every = every;
+  /// From now on an evaluation of conduction may act for several steps.
+  void keep_conduction() {
+    keeps_conduction = true;
     fit(x.size());
   }
-  /// True where step n [1] since time 0 evaluates conduction.
-  bool evaluates_conduction(std::int64_t n) const { return n % conduction_every == 0; }
   /// Adds what is kept to the heat rates and conductances of owned points.
   void add_kept_conduction() {
     for (std::size_t i = 0; i < owned(); ++i) {

@@ -45,8 +45,7 @@ class Solid {
   virtual void add_internal_forces(Real dt) = 0;
   /// Adds the heat that neighbours conduct and plastic work gives to the points' heat_rate, and to
   /// their conductance. Groups without temperature: nothing. Collective where the group is.
-  /// step  steps since time 0: points().conduction_every says which evaluate conduction
-  virtual void add_conduction(Real, std::int64_t) {}
+  virtual void add_conduction(Real) {}
   /// The group's own bound, without `safety`. Called at the head of a step.
   virtual StepLimit stable_step() const = 0;
   /// Rebuilds lists at the present positions. Reads and writes lists and places, nothing else.

@@ -43,7 +43,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   /// Brings the ratios of volumes about nodes to copies of the nodes.
   void refresh_state() override;
   void add_internal_forces(Real dt) override;
-  void add_conduction(Real dt, std::int64_t step) override;
+  void add_conduction(Real dt) override;
   StepLimit stable_step() const override;
   /// At time 0, once boundaries have given nodes their velocities, bounds the first step by these.
   void rearrange() override;

@@ -167,10 +167,10 @@ void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
 }
 
 template <int Dim>
-void FiniteElements<Dim>::add_conduction(Real dt, std::int64_t step) {
+void FiniteElements<Dim>::add_conduction(Real dt) {
   if (!points_.conducts) return;
-  if (points_.conduction_every == 1) return conduct(1.0 / dt);
-  if (points_.evaluates_conduction(step)) keep_conduction();
+  if (points_.conduction_steps == 1) return conduct(1.0 / dt);
+  if (points_.evaluates_conduction) keep_conduction();
   points_.add_kept_conduction();
   add_mechanical_heat(1.0 / dt);
 }
@@ -183,8 +183,8 @@ template void FiniteElements<2>::start_conduction();
 template void FiniteElements<3>::start_conduction();
 template void FiniteElements<2>::interpolate_temperatures();
 template void FiniteElements<3>::interpolate_temperatures();
-template void FiniteElements<2>::add_conduction(Real, std::int64_t);
-template void FiniteElements<3>::add_conduction(Real, std::int64_t);
+template void FiniteElements<2>::add_conduction(Real);
+template void FiniteElements<3>::add_conduction(Real);
 
 }  // namespace brunt
 // Tested by tests/unit/fe/conduction_test.cpp.

@@ -117,7 +117,7 @@ class SphParticles final : public Solid<Dim> {
   void update_state(Real dt) override;
   void refresh_state() override;
   void add_internal_forces(Real dt) override;
-  void add_conduction(Real dt, std::int64_t step) override;
+  void add_conduction(Real dt) override;
   StepLimit stable_step() const override;
   void rearrange() override;
   void add_totals(Totals<Dim>& totals) const override;

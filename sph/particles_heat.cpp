@@ -139,12 +139,12 @@ void SphParticles<Dim>::give_mechanical_heat(Real inverse_dt) {
 }
 
 template <int Dim>
-void SphParticles<Dim>::add_conduction(Real dt, std::int64_t step) {
+void SphParticles<Dim>::add_conduction(Real dt) {
   if (!points_.conducts) return;
-  if (points_.conduction_every == 1) {
+  if (points_.conduction_steps == 1) {
     conduct(points_.heat_rate, points_.conductance);
   } else {
-    if (points_.evaluates_conduction(step)) {
+    if (points_.evaluates_conduction) {
       for (auto* kept : {&points_.kept_rate, &points_.kept_conductance}) {
         std::fill(kept->begin(), kept->end(), 0.0);
       }
@@ -162,8 +162,8 @@ template void SphParticles<2>::start_conduction();
 template void SphParticles<3>::start_conduction();
 template void SphParticles<2>::take_temperatures();
 template void SphParticles<3>::take_temperatures();
-template void SphParticles<2>::add_conduction(Real, std::int64_t);
-template void SphParticles<3>::add_conduction(Real, std::int64_t);
+template void SphParticles<2>::add_conduction(Real);
+template void SphParticles<3>::add_conduction(Real);
 
 }  // namespace brunt
 // Tested by tests/unit/sph/conduction_test.cpp.

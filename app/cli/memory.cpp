@@ -189,7 +189,7 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     const auto points = static_cast<Real>(solid->points().x.size());
     const auto elements = static_cast<Real>(solid->n_elements());
     const auto particles = static_cast<Real>(solid->n_particles());
-    const int heat = scene.heat_every != 1 ? 8 : 6;  // fields of points that conduct
+    const int heat = solid->points().keeps_conduction ? 8 : 6;  // fields of points that conduct
     const Real point = point_bytes<Dim>() + (solid->points().conducts ? heat * sizeof(Real) : 0.0);
     (particles > 0 ? estimate.particles : estimate.elements) += points * point;
     estimate.elements += elements * element_bytes<Dim>(inputs.gauss);

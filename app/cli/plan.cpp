@@ -267,6 +267,22 @@ std::unique_ptr<Scene<Dim>> build_and_warn(const LoadedDeck& loaded) {
   return scene;
 }
 
+/// The longest stable step of heat, and for how many steps an evaluation of conduction acts.
+/// dt, heat_step  [s] of the run, of heat alone
+void print_heat(const Deck& deck, const HeatWindows& windows, Real dt, Real heat_step) {
+  constexpr std::int64_t kLate = 1000000;  // steps after which only physics bounds a window
+  const int steps = windows.length(kLate, dt, heat_step);
+  const std::string every =
+      windows.is_chosen() ? "auto, " + std::to_string(steps) + " at time 0" : std::to_string(steps);
+  if (heat_step == kInfinity) {
+    std::printf("heat step  no heat flows at time 0; time.heat_every: %s\n",
+                windows.is_chosen() ? "auto" : every.c_str());
+    return;
+  }
+  std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %s\n",
+              deck::time_text(deck.time.real(heat_step)).c_str(), heat_step / dt, every.c_str());
+}
+
 template <int Dim>
 void print_plan(const RunArguments& arguments, const LoadedDeck& loaded, Real program) {
   auto scene = build_and_warn<Dim>(loaded);
@@ -282,12 +298,12 @@ void print_plan(const RunArguments& arguments, const LoadedDeck& loaded, Real pr
   scene->rearrange();
   const Deck& deck = loaded.deck;
   const Real max_step = deck.time.max_step.value_or(kInfinity);
-  scene->choose_heat_windows(deck.time.safety, max_step);
-  const int heat_every = scene->heat_every;
   const StepLimit step_limit = scene->stable_step(0);
   const Real dt = std::min(deck.time.safety * step_limit.step, max_step);
   const Real kept = std::ceil(deck.time.end / dt);
-  const Real heat_step = heat_every * scene->heat_step().step;
+  const Real heat_step = scene->longest_heat_step();
+  const bool conducts = scene->conducts();
+  const HeatWindows windows = scene->heat_windows;
   const MemoryEstimate memory = memory_of(*scene, memory_inputs(deck, *scene, program));
   const std::string whose = scene->body_names[step_limit.body];
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),
@@ -300,10 +316,7 @@ void print_plan(const RunArguments& arguments, const LoadedDeck& loaded, Real pr
               step_limit.reason, whose.c_str());
   const PlannedSteps steps = plan_steps(arguments, loaded, kept, measured);
   print_steps(deck, steps);
-  if (heat_step < kInfinity) {
-    std::printf("heat step  stable up to %s, %.2g of the run's steps; time.heat_every: %d\n",
-                deck::time_text(deck.time.real(heat_step)).c_str(), heat_step / dt, heat_every);
-  }
+  if (conducts) print_heat(deck, windows, dt, heat_step);
   print_columns(*scene);
   print_time(steps, measured);
 }

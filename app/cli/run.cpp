@@ -67,20 +67,13 @@ struct Ended {
   std::string reason;
 };
 
-/// How long the windows of conduction are at the end, of which their error is reported. Collective.
-template <int Dim>
-void log_windows(const Scene<Dim>& scene, const Clock& clock, spdlog::logger& log) {
-  const int heat_every = scene.heat_every;
-  if (heat_every <= 1) return;
-  const auto smallest = [&](const StepLimit& step_limit) {
-    return over_ranks({step_limit, {}}, *scene.ranks).step_limit;
-  };
-  const Real step = clock.unshortened(smallest(scene.stable_step(clock.time())));
-  const Real longest = smallest(scene.heat_step()).step;
+/// How often conduction was evaluated, and how long that acted, of which its error is reported.
+void log_windows(const HeatWindows& windows, std::int64_t steps, spdlog::logger& log) {
+  if (windows.evaluations() == 0 || windows.evaluations() == steps) return;
   log.info(
-      "conduction is evaluated once in {} steps: it acts for {} s, {:.2g} of its longest "
+      "conduction was evaluated in {} of {} steps, and acted for at most {:.2g} of its longest "
       "stable step",
-      heat_every, clock.real(heat_every * step), step / longest);
+      windows.evaluations(), steps, windows.largest_part());
 }
 
 /// Steps the scene; a broken physics is reported after a last frame.
@@ -378,7 +371,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
   const Ended ended = step_to_end(*scene, clock, monitor, checkpointing, balance);
   log_refused(refused, summary, *log);
-  log_windows(*scene, clock, *log);
+  log_windows(scene->heat_windows, clock.step() - checkpointing.first_step(), *log);
   fill_summary(loaded, ended, clock, monitor, summary);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();

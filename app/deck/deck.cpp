@@ -38,7 +38,7 @@ void describe(Schema& s, Time& time) {
       {"heat_every",
        "conduction is evaluated at every N-th step and acts as it was in between: what fades with "
        "a time constant tau fades too fast by the part N dt/(2 tau); 1: at every step; auto: as "
-       "many steps as 1 % of the longest stable step of heat holds at the start, 16 at the most"},
+       "many steps as 1 % of the longest stable step of heat holds, 16 at the most"},
       time.heat_every, at_least(1), "auto");
   s.real({"max_drift", "energy drift over the largest energy at which the run stops"},
          time.max_drift, {"1", positive(), between(0, 1)});

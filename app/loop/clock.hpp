@@ -23,11 +23,9 @@ class Clock {
         process_speed_(process_speed) {}
 
   bool finished() const { return stopped_ || time_ >= end_; }
-  Real time() const { return time_; }          ///< [s]
-  Real end() const { return end_; }            ///< [s]
-  Real dt() const { return dt_; }              ///< [s] of the last step
-  Real safety() const { return safety_; }      ///< [1] of step limits that is used
-  Real max_step() const { return max_step_; }  ///< [s]
+  Real time() const { return time_; }  ///< [s]
+  Real end() const { return end_; }    ///< [s]
+  Real dt() const { return dt_; }      ///< [s] of the last step
   /// A time of the process [s], of one that is stepped: what is reported and written.
   Real real(Real stepped) const { return process_speed_ * stepped; }
   Real real_time() const { return real(time_); }  ///< [s]

@@ -1,5 +1,6 @@
 #include "app/loop/step_head.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <set>
@@ -24,6 +25,7 @@ const char* interned(const std::string& text) {
 bool StepHead::take(const StepHead& other) {
   requests.checkpoint = requests.checkpoint || other.requests.checkpoint;
   requests.stop = requests.stop || other.requests.stop;
+  heat_step = std::min(heat_step, other.heat_step);
   const bool number = step_limit.step == step_limit.step,
              other_number = other.step_limit.step == other.step_limit.step;
   if (!number || (other_number && !other.step_limit.before(step_limit))) return false;

@@ -7,8 +7,9 @@ namespace brunt {
 
 /// All that ranks must agree on before a step.
 struct StepHead {
-  StepLimit step_limit;  ///< the smallest bound on the step, and whose
-  Requests requests;     ///< what the run is asked for from outside
+  StepLimit step_limit;        ///< the smallest bound on the step, and whose
+  Requests requests;           ///< what the run is asked for from outside
+  Real heat_step = kInfinity;  ///< [s] the longest stable step of heat, where a step asks for it
 
   /// Joins what another rank says; the order does not matter. True if its step limit is the smaller
   /// one, or no number, which ends the run.

@@ -12,7 +12,9 @@ template <int Dim>
 StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
   const PhaseTimer timer(scene.phases, Phase::step_bound);
   const StepLimit step_limit = scene.stable_step(clock.time());
-  return over_ranks({step_limit, observer.requests(scene, clock)}, *scene.ranks);
+  const bool due = scene.heat_windows.is_due(clock.step());
+  const Real heat_step = due ? scene.longest_heat_step() : kInfinity;
+  return over_ranks({step_limit, observer.requests(scene, clock), heat_step}, *scene.ranks);
 }
 
 template <int Dim>
@@ -31,6 +33,14 @@ Real choose_step(const StepLimit& step_limit, Scene<Dim>& scene, Clock& clock) {
   return clock.limit(step_limit);
 }
 
+/// The step [s] that is taken, and whether it evaluates conduction.
+template <int Dim>
+Real begin_step(const StepHead& head, Scene<Dim>& scene, Clock& clock) {
+  const Real dt = choose_step(head.step_limit, scene, clock);
+  if (scene.conducts()) scene.begin_heat(clock.step(), dt, head.heat_step);
+  return dt;
+}
+
 template <int Dim>
 Phase phase_of(const Solid<Dim>& solid) {
   return solid.n_particles() > 0 ? Phase::particles : Phase::elements;
@@ -38,13 +48,12 @@ Phase phase_of(const Solid<Dim>& solid) {
 
 /// What stands before the first step: boundaries of time 0, lists, contacts.
 template <int Dim>
-void start(Scene<Dim>& scene, const Clock& clock) {
+void start(Scene<Dim>& scene) {
   scene.rigid_motions.start();
   scene.boundaries.start();
   if (scene.rigid) scene.rigid->start();
   scene.refresh_motion();
   scene.rearrange();
-  scene.choose_heat_windows(clock.safety(), clock.max_step());
   if (scene.contact) scene.contact->start();
 }
 
@@ -65,7 +74,7 @@ template <int Dim>
 void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
                    Balance<Dim>* balance) {
   Phases& phases = scene.phases;
-  start(scene, clock);
+  start(scene);
   observer.begin(scene, clock);
   const WallTimer loop(scene.loop, *phases.ranks);
   while (!clock.finished()) {
@@ -76,7 +85,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
     const StepHead head = agree(scene, clock, observer);
     observer.answer(head, scene, clock);
     if (clock.finished()) break;
-    const Real dt = choose_step(head.step_limit, scene, clock);
+    const Real dt = begin_step(head, scene, clock);
     move(scene, clock, dt);
     scene.erode(dt);
     for (auto& solid : scene.solids) {
@@ -109,7 +118,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
       solid.add_internal_forces(dt);
       scene.sections.after_internal(s, solid.points());
     }
-    if (scene.conducts()) scene.add_heat(clock.time() + dt, dt, clock.step());
+    if (scene.conducts()) scene.add_heat(clock.time() + dt, dt);
     {
       const PhaseTimer timer(scene.phases, Phase::points);
       if (scene.rigid) scene.rigid->collect_forces(*scene.ranks, clock.time() + dt, dt);

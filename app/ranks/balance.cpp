@@ -140,9 +140,9 @@ void Balance<Dim>::repartition(Scene<Dim>& scene) {
   scene.save_state(tables);
   const StateTables state(of_all_ranks(tables, ranks));
   auto fresh = build_();
-  if (scene.heat_every > 0) fresh->conduct_every(scene.heat_every);
   distribute(*fresh, ranks, std::move(partition));
   fresh->phases = scene.phases;
+  fresh->heat_windows = scene.heat_windows;
   scene = std::move(*fresh);
   scene.load_state(state);
   cost_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -11,6 +11,10 @@
 
 namespace brunt {
 
+namespace {
+constexpr const char* kHeatWindows = "heat windows";
+}
+
 template <int Dim>
 StepLimit Scene<Dim>::stable_step(Real time) const {
   StepLimit step_limit;
@@ -39,40 +43,30 @@ StepLimit Scene<Dim>::heat_step() const {
 }
 
 template <int Dim>
-void Scene<Dim>::conduct_every(int every) {
-  heat_every = every;
+Real Scene<Dim>::longest_heat_step() const {
+  if (!conducts()) return kInfinity;
+  return heat_windows.steps() * heat_step().step;  // that of a window is an evaluation's part
+}
+
+template <int Dim>
+void Scene<Dim>::begin_heat(std::int64_t step, Real dt, Real longest) {
+  const bool due = heat_windows.is_due(step);
+  if (due) heat_windows.begin(step, dt, longest);
   for (auto& solid : solids) {
-    if (solid->points().conducts) solid->points().conduct_every(every);
+    solid->points().evaluates_conduction = due;
+    solid->points().conduction_steps = heat_windows.steps();
   }
 }
 
 template <int Dim>
-void Scene<Dim>::choose_heat_windows(Real safety, Real max_step) {
-  if (heat_every > 0 || !ranks->any(conducts())) return;
-  // A window of a hundredth of heat's step: no mode fades faster than by 2/step (Gershgorin), so
-  // that none fades more than 1 % too fast, and those that elements resolve 0.02 %.
-  constexpr Real kWindow = 0.01;
-  constexpr Real kMostSteps = 16;  // what more would save is a hundredth of a step
-  const auto smallest = [&](const StepLimit& mine) {
-    return ranks->reduce(mine.step, [](Real& a, Real b) { a = std::min(a, b); });
-  };
-  StepLimit motion;
-  for (const auto& solid : solids) motion.take(solid->stable_step());
-  const Real heat = smallest(heat_step());
-  const Real step = std::min(safety * std::min(smallest(motion), heat), max_step);
-  const Real steps = std::min(std::floor(kWindow * heat / step), kMostSteps);
-  conduct_every(steps >= 1 ? static_cast<int>(steps) : 1);
-}
-
-template <int Dim>
-void Scene<Dim>::add_heat(Real time, Real dt, std::int64_t step) {
+void Scene<Dim>::add_heat(Real time, Real dt) {
   {
     const PhaseTimer timer(phases, Phase::points);
     boundaries.add_heat(time, dt);
   }
   for (auto& solid : solids) {
     const PhaseTimer timer(phases, solid->n_particles() ? Phase::particles : Phase::elements);
-    solid->add_conduction(dt, step);
+    solid->add_conduction(dt);
   }
   if (contact) {
     const PhaseTimer timer(phases, Phase::contact);
@@ -335,6 +329,9 @@ void Scene<Dim>::save_state(std::vector<StateTable>& tables) const {
   if (rigid) rigid->save_state(tables);
   loads.save_state(tables);
   if (contact) contact->save_state(tables);
+  if (!conducts()) return;
+  save_row(
+      kHeatWindows, [&](auto& row) { HeatWindows::visit(row, heat_windows); }, tables);
 }
 
 template <int Dim>
@@ -347,6 +344,10 @@ void Scene<Dim>::load_state(const StateTables& tables) {
   if (rigid) rigid->load_state(tables);
   loads.load_state(tables);
   if (contact) contact->load_state(tables);
+  if (!conducts()) return;
+  load_row(
+      kHeatWindows, [&](auto& row) { HeatWindows::visit(row, heat_windows); }, tables);
+  for (auto& solid : solids) solid->points().conduction_steps = heat_windows.steps();
 }
 
 template <int Dim>

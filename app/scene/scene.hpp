@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/heat_windows.hpp"
 #include "app/scene/phases.hpp"
 #include "app/scene/probes.hpp"
 #include "app/scene/sections.hpp"
@@ -58,7 +59,7 @@ struct Scene {
   std::vector<Probe> probes;
   Phases phases;
   std::vector<std::string> notes;  ///< of its building, for the log
-  int heat_every = 0;              ///< steps between two evaluations of conduction; 0: not chosen
+  HeatWindows heat_windows;        ///< of evaluations of conduction
   const Communicator* ranks = &lone_rank();
   std::unique_ptr<const Partition> partition;  ///< whose each point is; none on a lone rank
   WallTime loop;  ///< of all steps, whatever they are spent on; what comes before the first aside
@@ -74,15 +75,15 @@ struct Scene {
   /// follows.
   void refresh_motion();
   /// Conduction, and what boundaries do to it, after all other heat of a step; time is that of its
-  /// end, `step` counts those before it.
-  void add_heat(Real time, Real dt, std::int64_t step);
+  /// end.
+  void add_heat(Real time, Real dt);
   /// The longest stable step of heat of the owned points of this rank, and whose it is.
   StepLimit heat_step() const;
-  /// From now on conduction is evaluated at every `every`-th step.
-  void conduct_every(int every);
-  /// The same with as many steps of at most max_step [s] as are sensible, once lists are there and
-  /// before the first step, where the deck has not said how many. Collective.
-  void choose_heat_windows(Real safety, Real max_step);
+  /// That of heat alone if conduction were evaluated in each step [s]; infinite where none flows.
+  Real longest_heat_step() const;
+  /// Says whether `step` [1] since time 0 evaluates conduction, and for how many steps it acts.
+  /// longest  [s] the least longest_heat_step of all ranks; read where an evaluation is due
+  void begin_heat(std::int64_t step, Real dt, Real longest);
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
   /// may miss a pair, after the motion; no answer depends on when.
   void rearrange();

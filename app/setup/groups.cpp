@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "app/setup/bonds.hpp"
 #include "app/setup/heat.hpp"
@@ -40,15 +39,6 @@ Vec<Dim> start_velocity(const deck::Body& body, const Vec<Dim>& absolute) {
     v += (body.spin->rate * axis.cross(arm)).template head<Dim>();
   }
   return v;
-}
-
-/// Where each entry of `keys` goes: entries sorted by key, ties in their present order.
-std::vector<std::size_t> order_of(const std::vector<std::uint64_t>& keys) {
-  std::vector<std::size_t> order(keys.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-  return order;
 }
 
 /// One point before it has its place: its body, and which point of it.

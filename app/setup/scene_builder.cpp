@@ -219,7 +219,12 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     throw DeckError(problems);
   }
   add_riders(loaded, *scene, next);
-  if (deck.time.heat_every) scene->conduct_every(*deck.time.heat_every);
+  scene->heat_windows = HeatWindows(deck.time.heat_every);
+  for (auto& solid : scene->solids) {
+    auto& points = solid->points();
+    points.conduction_steps = scene->heat_windows.steps();
+    if (scene->heat_windows.may_last() && points.conducts) points.keep_conduction();
+  }
   return scene;
 }
 

@@ -6,7 +6,7 @@ template <int Dim>
 StepLimit heat_step(const Points<Dim>& points) {
   StepLimit step_limit;
   if (!points.conducts) return step_limit;
-  const Real steps = points.conduction_every;
+  const Real steps = points.conduction_steps;
   for (std::size_t i = 0; i < points.owned(); ++i) {
     // Infinite where nothing flows.
     const Real step = points.least_capacity(i) / (steps * points.conductance[i]);

@@ -5,8 +5,8 @@
 namespace brunt {
 
 /// The longest stable step of conducting points, least capacity/conductance over N =
-/// points.conduction_every, and whose it is: the N steps between two evaluations of conduction, a
-/// window, are together no longer than a stable step of heat.
+/// points.conduction_steps, and whose it is: the N steps that an evaluation of conduction acts for,
+/// a window, are together no longer than a stable step of heat.
 ///   Step n of a window makes of T_i  (1 - a_n) T_i + a_n T_f + dt_n/C_i sum_j G_ij (T_j0 - T_i0)
 /// with T_0 as at its start and a_n = dt_n H_i/C_i, H_i of all else, which draws T_i to T_f. T_i is
 /// then a sum of T_i0, the T_j0 and T_f whose weights sum to 1. That of T_i0 is, with G_i = sum_j

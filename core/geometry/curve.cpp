@@ -1,5 +1,8 @@
 #include "core/geometry/curve.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace brunt {
 
 template <int Dim>
@@ -23,6 +26,14 @@ std::vector<std::uint64_t> curve_keys(const std::vector<Vec<Dim>>& x) {
     keys[i] = key;
   }
   return keys;
+}
+
+std::vector<std::size_t> order_of(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  return order;
 }
 
 template std::vector<std::uint64_t> curve_keys<2>(const std::vector<Vec<2>>&);

@@ -23,7 +23,7 @@ Points<3> full(LocalIndex n) {
   Points<3> points;
   points.resize(n);
   points.conduct(std::vector<Real>(points.x.size(), 300.0));
-  points.conduct_every(4);
+  points.keep_conduction();
   points.vary_capacities({rising()});
   int next = 1;
   Points<3>::visit_fields(points, [&](auto& field, FieldUse) {
@@ -79,7 +79,7 @@ TEST(Points, EveryFieldGoesWithItsPoint) {
   });
   EXPECT_EQ(fields, 22);
   EXPECT_EQ(some.specific_heats.size(), 1u);
-  EXPECT_EQ(some.conduction_every, 4);
+  EXPECT_TRUE(some.keeps_conduction);
 }
 
 TEST(Points, WhatTheyDoNotHaveStaysEmpty) {

@@ -33,7 +33,7 @@ std::vector<Real> heat_rates(FiniteElements<Dim>& body, const std::vector<Real>&
   points.temperature = T;
   std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
   std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
-  body.add_conduction(1, 0);
+  body.add_conduction(1);
   return points.heat_rate;
 }
 
@@ -299,7 +299,8 @@ TEST(FeConduction, RatesStayUntilTheNextEvaluation) {
   auto body = body_of(box_mesh<3>({3, 2, 2}, Vec3::Zero(), Vec3(3, 2, 2), 0.2), material,
                       Geometry::three_d);
   auto& points = body->points();
-  points.conduct_every(3);
+  points.keep_conduction();
+  points.conduction_steps = 3;
   std::vector<std::vector<Real>> rates, conductances;
   for (std::int64_t step = 0; step < 7; ++step) {
     for (std::size_t i = 0; i < points.x.size(); ++i) {
@@ -307,7 +308,8 @@ TEST(FeConduction, RatesStayUntilTheNextEvaluation) {
     }
     std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
     std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
-    body->add_conduction(1, step);
+    points.evaluates_conduction = step % 3 == 0;
+    body->add_conduction(1);
     rates.push_back(points.heat_rate), conductances.push_back(points.conductance);
     const Real sum = std::accumulate(rates.back().begin(), rates.back().end(), 0.0);
     EXPECT_NEAR(sum, 0, 1e-12 * 20 * 17 * 7);  // of the largest coupling and temperature

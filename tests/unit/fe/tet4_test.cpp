@@ -230,7 +230,7 @@ TEST(Tet4, ALinearTemperatureConductsEvenly) {
   const Vec3 g(7, -3, 2);
   for (std::size_t i = 0; i < p.x.size(); ++i) p.temperature[i] = 300 + g.dot(p.x[i]);
   std::fill(p.heat_rate.begin(), p.heat_rate.end(), 0.0);
-  body.add_conduction(1e-6, 0);
+  body.add_conduction(1e-6);
   Real through = 0;
   for (std::size_t i = 0; i < p.x.size(); ++i) {
     const bool inner = p.x[i].minCoeff() > 0.1 && p.x[i].maxCoeff() < 2.9;

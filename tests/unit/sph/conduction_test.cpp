@@ -53,7 +53,7 @@ const std::vector<Real>& heat_rates(SphParticles<Dim>& solid, const std::vector<
   std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
   solid.renew_lists();
   solid.update_state(1);
-  solid.add_conduction(1, 0);
+  solid.add_conduction(1);
   return points.heat_rate;
 }
 
@@ -246,7 +246,8 @@ TEST(SphConduction, RatesStayUntilTheNextEvaluation) {
   const auto material = conductor();
   auto solid = still<2>(lattice<2>({6, 6}, 1, 1000), 1, *material);
   auto& points = solid->points();
-  points.conduct_every(3);
+  points.keep_conduction();
+  points.conduction_steps = 3;
   std::vector<std::vector<Real>> rates, conductances;
   for (std::int64_t step = 0; step < 7; ++step) {
     for (std::size_t i = 0; i < points.x.size(); ++i) {
@@ -256,7 +257,8 @@ TEST(SphConduction, RatesStayUntilTheNextEvaluation) {
     std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
     solid->renew_lists();
     solid->update_state(1);
-    solid->add_conduction(1, step);
+    points.evaluates_conduction = step % 3 == 0;
+    solid->add_conduction(1);
     rates.push_back(points.heat_rate), conductances.push_back(points.conductance);
   }
   EXPECT_EQ(rates[1], rates[0]);
