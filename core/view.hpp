@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,8 @@ struct WantedFields {
   std::optional<std::vector<std::string>> names;  ///< none: all
   /// True: fields may wait until they are read, which is before anything moves on.
   bool may_wait = false;
+  /// Elements or particles that are looked at, the first of the body: one says which fields it has.
+  std::size_t most = std::numeric_limits<std::size_t>::max();
   bool has(std::string_view name) const {
     return !names || std::find(names->begin(), names->end(), name) != names->end();
   }

@@ -174,6 +174,7 @@ BodyView FiniteElements<Dim>::view(Label body, const WantedFields& wanted) const
   const ShownPointer<Dim> of = shown;
   auto& cells = shown->cells;
   cells = cells_of(blocks_, body);
+  if (cells.size() > wanted.most) cells.resize(wanted.most);
   view.corners = cells.empty() ? Shape<Dim>::kCorners : cells.front().block->corners;
   view.cell_dimension = Dim;
   std::vector<std::int64_t> place;

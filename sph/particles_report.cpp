@@ -164,6 +164,7 @@ BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
       if (!sleeps(slot_of(block.set.particle[slot]))) shown->emplace_back(&block, slot);
     }
   }
+  if (shown->size() > wanted.most) shown->resize(wanted.most);
   BodyView view;
   const std::size_t n = shown->size();
   const std::shared_ptr<const Shown> of = shown;

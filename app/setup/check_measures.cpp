@@ -31,20 +31,13 @@ std::string columns_like(const std::string& column, const Names& columns) {
   return list.empty() ? "; brunt plan lists the columns" : "; there are " + list;
 }
 
-/// True where a body has a field; looked at by itself, for all fields of a body take its size.
-template <int Dim>
-bool has_field(const Scene<Dim>& scene, const std::string& body, const std::string& field) {
-  const auto found = std::find(scene.body_names.begin(), scene.body_names.end(), body);
-  const auto label = static_cast<Label>(found - scene.body_names.begin());
-  const BodyView view = scene.view(label, WantedFields{Names{field}});
-  return field_named(view.point_fields, field) != nullptr ||
-         field_named(view.cell_fields, field) != nullptr;
-}
-
+/// The fields that a body has: those of one of its elements or particles, for all are of one
+/// material.
 template <int Dim>
 Names fields_of(const Scene<Dim>& scene, const std::string& body) {
   const auto found = std::find(scene.body_names.begin(), scene.body_names.end(), body);
-  const BodyView view = scene.view(static_cast<Label>(found - scene.body_names.begin()));
+  const auto label = static_cast<Label>(found - scene.body_names.begin());
+  const BodyView view = scene.view(label, WantedFields{.names = {}, .most = 1});
   Names names;
   for (const auto* fields : {&view.point_fields, &view.cell_fields}) {
     for (const auto& field : *fields) {
@@ -144,9 +137,9 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
   const auto check_field = [&](const std::string& path, const auto& kind) {
     const std::string name = kind.field.substr(0, kind.field.find('.'));
     if (!contains(scene.body_names, kind.body) || name.empty()) return;
-    if (has_field(scene, kind.body, name)) return;
     auto [known, fresh] = fields.try_emplace(kind.body);
     if (fresh) known->second = fields_of(scene, kind.body);
+    if (contains(known->second, name)) return;
     if (wrong_elsewhere && name == "temperature") return;  // something may heat it yet
     problems.push_back(loaded.places.problem(
         path + ".field", "'" + kind.body + "' has no field '" + name + "'" + reason_for(name) +
