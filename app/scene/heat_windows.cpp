@@ -13,8 +13,9 @@ int HeatWindows::length(std::int64_t step, Real dt, Real longest) const {
   constexpr Real kMostSteps = 16;  // what more would save is a hundredth of a step
   // A jump at time 0 is conducted a window late: 0.158 of window over time, of the jump.
   constexpr std::int64_t kPartOfPast = 64;
-  const Real past = 1 + static_cast<Real>(step / kPartOfPast);
-  const Real steps = std::floor(std::min({kWindow * longest / dt, kMostSteps, past}));
+  const std::int64_t of_past = 1 + step / kPartOfPast;
+  const Real steps =
+      std::floor(std::min({kWindow * longest / dt, kMostSteps, static_cast<Real>(of_past)}));
   return steps >= 1 ? static_cast<int>(steps) : 1;
 }
 
