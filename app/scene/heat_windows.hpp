@@ -13,8 +13,7 @@ namespace brunt {
 class HeatWindows {
  public:
   /// given  steps of each window; none: as many as a hundredth of heat's step holds
-  explicit HeatWindows(std::optional<int> given = {})
-      : given_(given), steps_(given.value_or(1)) {}
+  explicit HeatWindows(std::optional<int> given = {}) : given_(given), steps_(given.value_or(1)) {}
 
   /// True where windows may have more than one step.
   bool may_last() const { return !given_ || *given_ > 1; }
@@ -38,7 +37,7 @@ class HeatWindows {
 
  private:
   std::optional<int> given_;
-  int steps_;  // those that are given bound the first step too
+  int steps_;              // those that are given bound the first step too
   std::int64_t next_ = 0;  ///< the step in which the next window begins
   std::int64_t evaluations_ = 0;
   Real largest_part_ = 0;
