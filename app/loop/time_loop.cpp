@@ -12,7 +12,8 @@ template <int Dim>
 StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
   const PhaseTimer timer(scene.phases, Phase::step_bound);
   const StepLimit step_limit = scene.stable_step(clock.time());
-  const bool due = scene.heat_windows.is_due(clock.step());
+  const HeatWindows& windows = scene.heat_windows;
+  const bool due = windows.may_last() && windows.is_due(clock.step());
   const Real heat_step = due ? scene.longest_heat_step() : kInfinity;
   return over_ranks({step_limit, observer.requests(scene, clock), heat_step}, *scene.ranks);
 }
