@@ -66,6 +66,11 @@ template <int Dim>
 Real compression_heat(const ElementBlock<Dim>& block, LocalIndex e) {
   return heat_of(block, block.state.compression_heat, e);
 }
+/// Mechanical heat of one element that its nodes do not have yet [J].
+template <int Dim>
+Real held_heat(const ElementBlock<Dim>& block, LocalIndex e) {
+  return plastic_heat(block, e) + compression_heat(block, e) - block.heat_given[slot_of(e)];
+}
 /// Work of the pressure of one element on its thermal expansion since time 0 [J].
 template <int Dim>
 Real expansion_work(const ElementBlock<Dim>& block, LocalIndex e) {

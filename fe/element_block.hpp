@@ -88,6 +88,7 @@ struct ElementBlock {
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;
   bool conducts = false, held = false, rigid = false;
+  bool holds_heat = false;  ///< its mechanical heat is its own until nodes get it, steps later
   Real temperature = 0;                   ///< [K] what the law sees where heat is off
   const InitialStress* stress = nullptr;  ///< at time 0; null: none
   LocalIndex n = 0;                       ///< elements

@@ -93,6 +93,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void make_rigid();
   void start_conduction();
   void interpolate_temperatures();
+  void hold_heat();
   void vary_capacities();
   void sum_conduction(Real inverse_dt);
   void conduct(Real inverse_dt);

@@ -111,6 +111,15 @@ void FiniteElements<Dim>::interpolate_temperatures() {
   }
 }
 
+/// Elements take the temperatures of their nodes where these have what elements gave. Where they
+/// give it after several steps only, it heats the element alone until then.
+template <int Dim>
+void FiniteElements<Dim>::hold_heat() {
+  if (points_.evaluated_conduction) interpolate_temperatures();
+  const bool waits = points_.conduction_steps > 1;
+  for (auto& block : blocks_) block.holds_heat = waits && block.conducts;
+}
+
 /// Writes node_heat_ of conduction, and of mechanical heat where inverse_dt is above 0.
 template <int Dim>
 void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
@@ -143,7 +152,7 @@ void FiniteElements<Dim>::keep_conduction() {
   }
 }
 
-/// The mechanical heat of a step alone. Its corner rates stand where those of conduction do, which
+/// The mechanical heat alone that nodes do not have yet, within a step. Its corner rates stand where those of conduction do, which
 /// are no longer needed.
 template <int Dim>
 void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
@@ -172,7 +181,7 @@ void FiniteElements<Dim>::add_conduction(Real dt) {
   if (points_.conduction_steps == 1) return conduct(1.0 / dt);
   if (points_.evaluates_conduction) keep_conduction();
   points_.add_kept_conduction();
-  add_mechanical_heat(1.0 / dt);
+  if (points_.evaluates_conduction) add_mechanical_heat(1.0 / dt);
 }
 
 template void FiniteElements<2>::set_capacities();

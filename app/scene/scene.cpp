@@ -50,10 +50,11 @@ Real Scene<Dim>::longest_heat_step() const {
 
 template <int Dim>
 void Scene<Dim>::begin_heat(std::int64_t step, Real dt, Real longest) {
-  const bool due = heat_windows.is_due(step);
+  const bool due = heat_windows.is_due(step), was_due = heat_windows.began_in(step - 1);
   if (due) heat_windows.begin(step, dt, longest);
   for (auto& solid : solids) {
     solid->points().evaluates_conduction = due;
+    solid->points().evaluated_conduction = was_due;
     solid->points().conduction_steps = heat_windows.steps();
   }
 }
