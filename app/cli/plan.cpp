@@ -298,12 +298,13 @@ void print_plan(const RunArguments& arguments, const LoadedDeck& loaded, Real pr
   scene->rearrange();
   const Deck& deck = loaded.deck;
   const Real max_step = deck.time.max_step.value_or(kInfinity);
-  const StepLimit step_limit = scene->stable_step(0);
+  const StepLimit of_heat = scene->heat_step();
+  const StepLimit step_limit = scene->stable_step(0, of_heat);
   const Real dt = std::min(deck.time.safety * step_limit.step, max_step);
   const Real kept = std::ceil(deck.time.end / dt);
-  const Real heat_step = scene->longest_heat_step();
   const bool conducts = scene->conducts();
   const HeatWindows windows = scene->heat_windows;
+  const Real heat_step = windows.bounding_steps() * of_heat.step;
   const MemoryEstimate memory = memory_of(*scene, memory_inputs(deck, *scene, program));
   const std::string whose = scene->body_names[step_limit.body];
   std::printf("points     %zu (%zu elements, %zu particles)\n", scene->n_points(),

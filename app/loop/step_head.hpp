@@ -9,7 +9,7 @@ namespace brunt {
 struct StepHead {
   StepLimit step_limit;        ///< the smallest bound on the step, and whose
   Requests requests;           ///< what the run is asked for from outside
-  Real heat_step = kInfinity;  ///< [s] the longest stable step of heat, where a step asks for it
+  Real heat_step = kInfinity;  ///< [s] that of heat alone
 
   /// Joins what another rank says; the order does not matter. True if its step limit is the smaller
   /// one, or no number, which ends the run.

@@ -11,11 +11,9 @@ namespace {
 template <int Dim>
 StepHead agree(Scene<Dim>& scene, const Clock& clock, Observer<Dim>& observer) {
   const PhaseTimer timer(scene.phases, Phase::step_bound);
-  const StepLimit step_limit = scene.stable_step(clock.time());
-  const HeatWindows& windows = scene.heat_windows;
-  const bool due = windows.may_last() && windows.is_due(clock.step());
-  const Real heat_step = due ? scene.longest_heat_step() : kInfinity;
-  return over_ranks({step_limit, observer.requests(scene, clock), heat_step}, *scene.ranks);
+  const StepLimit of_heat = scene.heat_step();
+  const StepLimit step_limit = scene.stable_step(clock.time(), of_heat);
+  return over_ranks({step_limit, observer.requests(scene, clock), of_heat.step}, *scene.ranks);
 }
 
 template <int Dim>
@@ -38,7 +36,7 @@ Real choose_step(const StepLimit& step_limit, Scene<Dim>& scene, Clock& clock) {
 template <int Dim>
 Real begin_step(const StepHead& head, Scene<Dim>& scene, Clock& clock) {
   const Real dt = choose_step(head.step_limit, scene, clock);
-  if (scene.conducts()) scene.begin_heat(clock.step(), dt, head.heat_step);
+  if (scene.conducts()) scene.begin_heat(clock.step(), clock.time(), dt, head.heat_step);
   return dt;
 }
 

@@ -16,12 +16,12 @@ constexpr const char* kHeatWindows = "heat windows";
 }
 
 template <int Dim>
-StepLimit Scene<Dim>::stable_step(Real time) const {
+StepLimit Scene<Dim>::stable_step(Real time, const StepLimit& of_heat) const {
   StepLimit step_limit;
   for (const auto& solid : solids) {
     step_limit.take(solid->stable_step());
   }
-  step_limit.take(heat_step());
+  step_limit.take(of_heat);
   if (contact) step_limit.take(contact->stable_step());
   if (rigid) step_limit.take(rigid->stable_step());
   step_limit.take(loads.stable_step(time));
@@ -38,20 +38,20 @@ bool Scene<Dim>::conducts() const {
 template <int Dim>
 StepLimit Scene<Dim>::heat_step() const {
   StepLimit step_limit;
-  for (const auto& solid : solids) step_limit.take(brunt::heat_step(solid->points()));
+  for (const auto& solid : solids) {
+    step_limit.take(brunt::heat_step(solid->points(), heat_windows.bounding_steps()));
+  }
   return step_limit;
 }
 
 template <int Dim>
-Real Scene<Dim>::longest_heat_step() const {
-  if (!conducts()) return kInfinity;
-  return heat_windows.steps() * heat_step().step;  // that of a window is an evaluation's part
-}
-
-template <int Dim>
-void Scene<Dim>::begin_heat(std::int64_t step, Real dt, Real longest) {
-  const bool due = heat_windows.is_due(step), was_due = heat_windows.began_in(step - 1);
+void Scene<Dim>::begin_heat(std::int64_t step, Real time, Real dt, Real bound) {
+  const Real longest = heat_windows.bounding_steps() * bound;
+  const bool was_due = heat_windows.began_in(step - 1);
+  if (boundaries.switches_heat(time, time + dt)) heat_windows.restart(step);
+  const bool due = heat_windows.is_due(step, dt, longest);
   if (due) heat_windows.begin(step, dt, longest);
+  heat_windows.advance(dt);
   for (auto& solid : solids) {
     solid->points().evaluates_conduction = due;
     solid->points().evaluated_conduction = was_due;

@@ -65,7 +65,7 @@ struct Scene {
   WallTime loop;  ///< of all steps, whatever they are spent on; what comes before the first aside
 
   /// The smallest step limit of this rank, and whose. Not collective.
-  StepLimit stable_step(Real time) const;
+  StepLimit stable_step(Real time, const StepLimit& of_heat) const;
   /// True where some group has temperatures.
   bool conducts() const;
   /// After the motion of a step of dt [s]: elements that have failed go, and boundaries let go of
@@ -77,13 +77,13 @@ struct Scene {
   /// Conduction, and what boundaries do to it, after all other heat of a step; time is that of its
   /// end.
   void add_heat(Real time, Real dt);
-  /// The longest stable step of heat of the owned points of this rank, and whose it is.
+  /// The longest step that heat allows of the owned points of this rank, and whose it is; infinite
+  /// where none flows.
   StepLimit heat_step() const;
-  /// That of heat alone if conduction were evaluated in each step [s]; infinite where none flows.
-  Real longest_heat_step() const;
   /// Says whether `step` [1] since time 0 evaluates conduction, and for how many steps it acts.
-  /// longest  [s] the least longest_heat_step of all ranks; read where an evaluation is due
-  void begin_heat(std::int64_t step, Real dt, Real longest);
+  /// time   [s] at its begin
+  /// bound  [s] the least heat_step of all ranks
+  void begin_heat(std::int64_t step, Real time, Real dt, Real bound);
   /// Rebuilds all lists: at the start. In a step solids and contact rebuild their own where they
   /// may miss a pair, after the motion; no answer depends on when.
   void rearrange();

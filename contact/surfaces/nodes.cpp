@@ -123,15 +123,16 @@ void ContactNodes<Dim>::read_matter(const std::vector<Surface<Dim>*>& surfaces) 
 
 template <int Dim>
 void ContactNodes<Dim>::predict_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (!owned[i]) continue;
+  for_each(near.size(), kWorthThreads, [&](std::size_t k) {
+    const auto i = slot_of(near[k]);
+    if (!owned[i]) return;
     const auto& points = *surfaces[slot_of(surface[i])]->points;
-    if (!points.conducts) continue;
+    if (!points.conducts) return;
     const auto p = slot_of(point[i]);
     temperature[i] = points.capacity_varies(p)
                          ? points.temperature_with(p, points.heat[p] + dt * points.heat_rate[p])
                          : points.temperature[p] + dt * points.heat_rate[p] / points.capacity[p];
-  }
+  });
 }
 
 template <int Dim>

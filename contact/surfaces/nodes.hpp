@@ -118,7 +118,8 @@ struct ContactNodes {
   void read_temperatures(const std::vector<Surface<Dim>*>& surfaces);
   /// Temperatures [K] of owned points now, by node; 0 elsewhere, and where none is kept.
   std::vector<Real> present_temperatures(const std::vector<Surface<Dim>*>& surfaces) const;
-  /// The temperatures that owned points will have after dt by the heat they have so far.
+  /// The temperatures that owned points will have after dt by the heat they have so far; of those
+  /// that touch nothing none.
   void predict_temperatures(const std::vector<Surface<Dim>*>& surfaces, Real dt);
   /// Takes over what outlives a step from the same points in an older table.
   void inherit(const ContactNodes& old);

@@ -33,6 +33,18 @@ void Boundaries<Dim>::keep_facets(const Surface<Dim>& surface) {
 }
 
 template <int Dim>
+bool Boundaries<Dim>::switches_heat(Real before, Real after) const {
+  bool any = false;
+  each([&]<class A>(const A& one) {
+    if constexpr (
+        requires { &A::add_heat; } || requires { &A::hold_temperature; }) {
+      any = any || one.patch.acts(before) != one.patch.acts(after);
+    }
+  });
+  return any;
+}
+
+template <int Dim>
 void Boundaries<Dim>::start() {
   change_each([]<class A>(A& one) {
     if constexpr (requires { &A::start; }) one.start();

@@ -75,6 +75,8 @@ class Boundaries {
   /// After all forces: complete_forces(time, dt, supports) of those that follow the velocity at the
   /// end of the step, which supports prescribe in part, then take_reactions(time, dt).
   void take_reactions(Real time, Real dt);
+  /// True where one that heats, cools or holds a temperature begins or ends between two times [s].
+  bool switches_heat(Real before, Real after) const;
   /// The smallest of stable_step() of the owned points.
   StepLimit stable_step() const;
   /// add_totals(totals): work to the column `boundary`, heat to the books of heat.

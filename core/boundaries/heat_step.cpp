@@ -3,10 +3,9 @@
 namespace brunt {
 
 template <int Dim>
-StepLimit heat_step(const Points<Dim>& points) {
+StepLimit heat_step(const Points<Dim>& points, int steps) {
   StepLimit step_limit;
   if (!points.conducts) return step_limit;
-  const Real steps = points.conduction_steps;
   for (std::size_t i = 0; i < points.owned(); ++i) {
     // Infinite where nothing flows.
     const Real step = points.least_capacity(i) / (steps * points.conductance[i]);
@@ -15,8 +14,8 @@ StepLimit heat_step(const Points<Dim>& points) {
   return step_limit;
 }
 
-template StepLimit heat_step(const Points<2>&);
-template StepLimit heat_step(const Points<3>&);
+template StepLimit heat_step(const Points<2>&, int);
+template StepLimit heat_step(const Points<3>&, int);
 
 }  // namespace brunt
 // Tested by tests/verification/heat_every_test.cpp.

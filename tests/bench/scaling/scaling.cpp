@@ -109,7 +109,8 @@ void measure(const Deck& deck, const Arguments& arguments, Scene<Dim>& scene, Ma
   if (arguments.ns_candidate > 0) machine.candidate = 1e-9 * arguments.ns_candidate;
   run_time_loop(scene, clock, observer);
   const auto steps = static_cast<Real>(clock.step());
-  const Real dt = steps > 0 ? clock.dt() : deck.time.safety * scene.stable_step(0).step;
+  const Real dt =
+      steps > 0 ? clock.dt() : deck.time.safety * scene.stable_step(0, scene.heat_step()).step;
   rates.particle_lists = 1.0 / 15, rates.contact_lists = 1.0 / 15;
   if (steps > 0) {
     const auto per_step = [&](auto before, auto after) {

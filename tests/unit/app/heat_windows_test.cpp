@@ -16,8 +16,11 @@ TEST(HeatWindows, AGivenNumberIsThatOfEach) {
   EXPECT_TRUE(windows.may_last());
   int begun = 0;
   for (std::int64_t step = 0; step < 9; ++step) {
-    EXPECT_EQ(windows.is_due(step), step % 3 == 0) << step;
-    if (windows.is_due(step)) windows.begin(step, 1, 2), ++begun;
+    const bool due = windows.is_due(step, 1, 1e-9);  // of which heat's step says nothing
+    EXPECT_EQ(due, step % 3 == 0) << step;
+    if (due) windows.begin(step, 1, 2), ++begun;
+    windows.advance(1);
+    EXPECT_EQ(windows.began_in(step), due) << step;
     EXPECT_EQ(windows.steps(), 3);
   }
   EXPECT_EQ(windows.evaluations(), begun);
@@ -41,6 +44,39 @@ TEST(HeatWindows, TheFirstAreShort) {
   EXPECT_EQ(windows.length(63, 1, 1e9), 1);
   EXPECT_EQ(windows.length(64, 1, 1e9), 2);
   EXPECT_EQ(windows.length(640, 1, 1e9), 11);
+}
+
+// Chosen for a hundredth of heat's step they end where they would take 0.015 of it: where steps
+// grow, and where heat's own becomes shorter.
+TEST(HeatWindows, ChosenOnesEndBeforeTheyAreLong) {
+  HeatWindows windows;
+  ASSERT_TRUE(windows.began_in(-1));  // nothing has begun: elements take what nodes have
+  ASSERT_TRUE(windows.is_due(kLate, 1, 800));
+  windows.begin(kLate, 1, 800);
+  ASSERT_EQ(windows.steps(), 8);
+  windows.advance(1);
+  EXPECT_FALSE(windows.is_due(kLate + 1, 1, 800));
+  EXPECT_FALSE(windows.is_due(kLate + 1, 10.9, 800));
+  EXPECT_TRUE(windows.is_due(kLate + 1, 11.1, 800));
+  EXPECT_FALSE(windows.is_due(kLate + 1, 1, 134));
+  EXPECT_TRUE(windows.is_due(kLate + 1, 1, 133));
+  EXPECT_TRUE(windows.is_due(kLate + 1, 1, std::numeric_limits<Real>::quiet_NaN()));
+  EXPECT_TRUE(windows.is_due(kLate + 8, 1, 800));
+  windows.begin(kLate + 1, 1, 133);
+  windows.advance(1);
+  EXPECT_EQ(windows.steps(), 1);
+  EXPECT_TRUE(windows.began_in(kLate + 1));
+  EXPECT_FALSE(windows.began_in(kLate));
+}
+
+TEST(HeatWindows, WhatChangesMakesThemShortAgain) {
+  HeatWindows windows, given(4);
+  windows.begin(kLate, 1, 1e9);
+  windows.restart(kLate + 3), given.restart(2);
+  EXPECT_TRUE(windows.is_due(kLate + 3, 1, 1e9));
+  EXPECT_EQ(windows.length(kLate + 3, 1, 1e9), 1);
+  EXPECT_EQ(windows.length(kLate + 3 + 64, 1, 1e9), 2);
+  EXPECT_EQ(given.length(2, 1, 1e9), 4);
 }
 
 TEST(HeatWindows, WhatIsNoNumberIsConductedInEachStep) {
