@@ -89,7 +89,7 @@ struct ElementBlock {
   bool adiabatic = false;
   bool conducts = false, held = false, rigid = false;
   bool holds_heat = false;  ///< its mechanical heat is its own until nodes get it, steps later
-  Real temperature = 0;                   ///< [K] what the law sees where heat is off
+  Real temperature = 0;     ///< [K] what the law sees where heat is off
   const InitialStress* stress = nullptr;  ///< at time 0; null: none
   LocalIndex n = 0;                       ///< elements
   LocalIndex n_padded = 0;
