@@ -152,8 +152,8 @@ void FiniteElements<Dim>::keep_conduction() {
   }
 }
 
-/// The mechanical heat alone that nodes do not have yet, within a step. Its corner rates stand where
-/// those of conduction do, which are no longer needed.
+/// The mechanical heat alone that nodes do not have yet, within a step. Its corner rates stand
+/// where those of conduction do, which are no longer needed.
 template <int Dim>
 void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
   const auto heats = [](const auto& block) { return !block.heat_given.empty(); };

@@ -4,97 +4,40 @@
 #include <cassert>
 
 #include "contact/contacts/record.hpp"
+#include "contact/contacts/side_corners.hpp"
 #include "contact/law/spring_slider.hpp"
 
 namespace brunt {
 
 namespace {
-/// The corners of one side about their mean, with the weights of the point of contact.
-template <int Dim>
-struct Corners {
-  int n = 0;
-  std::array<Vec<Dim>, Facet<Dim>::kNodes> arm;  // [m] from the mean
-  std::array<Vec<Dim>, Facet<Dim>::kNodes> v;    // [m/s] relative to the mean
-  std::array<Real, Facet<Dim>::kNodes> weight{};
-  Vec<Dim> point = Vec<Dim>::Zero();     // [m] of contact, on the face
-  Vec<Dim> velocity = Vec<Dim>::Zero();  // [m/s] there
-
-  Corners(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
-          const std::array<Real, Friction<Dim>::kNodes>& weights, const ContactSide& side) {
-    Vec<Dim> mean = Vec<Dim>::Zero(), mean_v = Vec<Dim>::Zero();
-    for (int i = side.first; i < side.last; ++i, ++n) {
-      const auto node = slot_of(record.node[slot_of(i)]);
-      const auto k = slot_of(n);
-      weight[k] = weights[slot_of(i)];
-      arm[k] = nodes.x[node], v[k] = nodes.v[node];
-      mean += arm[k], mean_v += v[k];
-      point += weight[k] * arm[k], velocity += weight[k] * v[k];
-    }
-    mean /= n, mean_v /= n;
-    for (std::size_t k = 0; k < slot_of(n); ++k) arm[k] -= mean, v[k] -= mean_v;
-  }
-};
-
-/// Turns the torque about a face into its turn, J^-1 torque with J = sum |r|^2 I - r r^T [m^2].
-Real turn_of(const Corners<2>& side, Real torque) {
-  const Real inertia = side.arm[0].squaredNorm() + side.arm[1].squaredNorm();
-  return inertia > 0 ? torque / inertia : 0.0;
-}
-Vec3 turn_of(const Corners<3>& side, const Vec3& torque) {
-  // Six numbers in registers: sums of whole matrices wait for memory, a quarter of all friction.
-  Real xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
-    const Vec3& r = side.arm[k];
-    const Real square = r.squaredNorm();
-    xx += square - r[0] * r[0], yy += square - r[1] * r[1], zz += square - r[2] * r[2];
-    xy -= r[0] * r[1], xz -= r[0] * r[2], yz -= r[1] * r[2];
-  }
-  Mat3 inertia;
-  inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-  // A face as thin as a line cannot carry a torque about it.
-  const Real size = inertia.trace();
-  if (!(inertia.determinant() > 1e-12 * size * size * size)) return Vec3::Zero();
-  return inertia.inverse() * torque;
-}
-
 /// Shares a force at `at` among the corners of a side, with its couple where the side turns.
 template <int Dim>
-void share(const Corners<Dim>& side, const ContactSide& which, const Vec<Dim>& at,
+void share(const SideCorners<Dim>& side, const ContactSide& which, const Vec<Dim>& at,
            const Vec<Dim>& force, Friction<Dim>& friction) {
   using brunt::cross, brunt::turn;
-  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
-    friction.force[slot_of(which.first) + k] = side.weight[k] * force;
+  CornerVectors<Dim> on_corner;
+  for (std::size_t c = 0; c < Dim; ++c) on_corner[c] = side.weight * force[c];
+  if (which.turns) {
+    const auto couple = turn_of(side, cross(Vec<Dim>(at - side.point), force));
+    const auto moved = turn(couple, side.arm);
+    for (std::size_t c = 0; c < Dim; ++c) on_corner[c] += moved[c];
   }
-  if (!which.turns) return;
-  const auto couple = turn_of(side, cross(Vec<Dim>(at - side.point), force));
-  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
-    friction.force[slot_of(which.first) + k] += turn(couple, side.arm[k]);
+  for (int k = 0; k < side.n; ++k) {
+    for (std::size_t c = 0; c < Dim; ++c) {
+      friction.force[slot_of(which.first + k)][c] = on_corner[c][k];
+    }
   }
 }
 
-/// Adds the spin of a face about the new normal, as a unit vector of its cosine and sine.
-void add_spin(const Corners<3>& side, const PlaneTurn<3>& turn, const Vec3& normal, Real dt,
-              Real& cosine, Real& sine) {
-  Real c = 0, s = 0;
-  for (std::size_t k = 0; k < slot_of(side.n); ++k) {
-    const Vec3 before = turn.tilted(side.arm[k] - dt * side.v[k]);
-    c += before.dot(side.arm[k]) - normal.dot(before) * normal.dot(side.arm[k]);
-    s += normal.dot(before.cross(side.arm[k]));
-  }
-  const Real size = std::sqrt(c * c + s * s);
-  if (!(size > 0)) return;
-  cosine += c / size, sine += s / size;
-}
-
-void find_spin(const Corners<3>& lower, const Corners<3>& upper, const Vec3& normal, Real dt,
-               PlaneTurn<3>& turn) {
+void find_spin(const SideCorners<3>& lower, const SideCorners<3>& upper, const Vec3& normal,
+               Real dt, PlaneTurn<3>& turn) {
   Real cosine = 0, sine = 0;
   for (const auto* side : {&lower, &upper}) {
     if (side->n > 1) add_spin(*side, turn, normal, dt, cosine, sine);
   }
   turn.spin(cosine, sine);
 }
-void find_spin(const Corners<2>&, const Corners<2>&, const Vec<2>&, Real, PlaneTurn<2>&) {}
+void find_spin(const SideCorners<2>&, const SideCorners<2>&, const Vec<2>&, Real, PlaneTurn<2>&) {}
 
 template <int Dim>
 Vec<Dim> in_plane(const Vec<Dim>& v, const Vec<Dim>& normal) {
@@ -229,7 +172,7 @@ Vec<Dim> sticking_drag(const FrictionStep<Dim>& step, const Vec<Dim>& traction,
 /// where they are.
 template <int Dim>
 Vec<Dim> place_of(const ContactRecord<Dim>& record, const FrictionStep<Dim>& step,
-                  const Corners<Dim>& lower, const Corners<Dim>& upper) {
+                  const SideCorners<Dim>& lower, const SideCorners<Dim>& upper) {
   return record.kind != ContactKind::face_face ? step.point
                                                : Vec<Dim>(0.5 * (lower.point + upper.point));
 }
@@ -239,8 +182,8 @@ template <int Dim>
 void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
                    const FrictionStep<Dim>& step, Friction<Dim>& friction) {
   begin(record, step, friction);
-  const Corners<Dim> lower(nodes, record, step.weight, step.lower);
-  const Corners<Dim> upper(nodes, record, step.weight, step.upper);
+  const SideCorners<Dim> lower(nodes, record, step.weight, step.lower);
+  const SideCorners<Dim> upper(nodes, record, step.weight, step.upper);
   const Vec<Dim>& n = record.normal;
   const Vec<Dim> point = place_of(record, step, lower, upper);
   friction.point = point;

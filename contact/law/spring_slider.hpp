@@ -2,8 +2,10 @@
 /// The spring-slider of Coulomb friction, and how its plane turns (docs/theory/contact.md (C27),
 /// (C28)).
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/simd.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -66,12 +68,22 @@ template <>
 class PlaneTurn<3> {
  public:
   PlaneTurn(const Vec3& from, const Vec3& to)
-      : normal_(to), axis_(from.cross(to)), cosine_(from.dot(to)) {}
+      : normal_(to), axis_(from.cross(to)), cosine_(from.dot(to)), part_(1 / (1 + cosine_)) {}
   Real cosine() const { return cosine_; }
   /// Rodrigues' formula for the shortest turn; cosine() > -1.
   Vec3 tilted(const Vec3& v) const {
     const Vec3 once = axis_.cross(v);
-    return v + once + axis_.cross(once) / (1 + cosine_);
+    return v + once + part_ * axis_.cross(once);
+  }
+  /// The same of four vectors, by component.
+  std::array<Pack, 3> tilted(const std::array<Pack, 3>& v) const {
+    const Vec3& a = axis_;
+    const auto turned = [&a](const std::array<Pack, 3>& w) -> std::array<Pack, 3> {
+      return {a[1] * w[2] - a[2] * w[1], a[2] * w[0] - a[0] * w[2], a[0] * w[1] - a[1] * w[0]};
+    };
+    const auto once = turned(v), twice = turned(once);
+    return {v[0] + once[0] + part_ * twice[0], v[1] + once[1] + part_ * twice[1],
+            v[2] + once[2] + part_ * twice[2]};
   }
   /// The spin that follows, by any positive multiples of its cosine and sine; none if both are 0.
   void spin(Real cosine, Real sine) {
@@ -87,7 +99,7 @@ class PlaneTurn<3> {
 
  private:
   Vec3 normal_, axis_;
-  Real cosine_, spin_cosine_ = 1, spin_sine_ = 0;
+  Real cosine_, part_, spin_cosine_ = 1, spin_sine_ = 0;
 };
 
 /// Torque of a force f at an arm r, and what a turn w does to an arm: a number in 2D.
