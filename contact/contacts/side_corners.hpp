@@ -17,6 +17,14 @@ using CornerVectors = std::array<Pack, Dim>;
 BRUNT_INLINE Real sum_of(const Pack& lanes) {
   return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
+/// Those of four at once, a lane each, in the same order.
+BRUNT_INLINE Pack sums_of(const Pack& a, const Pack& b, const Pack& c, const Pack& d) {
+  const Pack ab =
+      __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Pack cd =
+      __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
 
 template <int Dim>
 BRUNT_INLINE CornerVectors<Dim> all(const Vec<Dim>& v) {
@@ -24,11 +32,12 @@ BRUNT_INLINE CornerVectors<Dim> all(const Vec<Dim>& v) {
   for (std::size_t c = 0; c < Dim; ++c) of[c] = broadcast<Pack>(v[c]);
   return of;
 }
-template <int Dim>
-BRUNT_INLINE Vec<Dim> sum_of(const CornerVectors<Dim>& a) {
-  Vec<Dim> sum;
-  for (std::size_t c = 0; c < Dim; ++c) sum[c] = sum_of(a[c]);
-  return sum;
+/// The sum over corners, and in the last lane that of `more`.
+BRUNT_INLINE Pack sums_of(const CornerVectors<3>& a, const Pack& more) {
+  return sums_of(a[0], a[1], a[2], more);
+}
+BRUNT_INLINE Pack sums_of(const CornerVectors<2>& a, const Pack& more) {
+  return sums_of(a[0], a[1], more, more);
 }
 template <std::size_t n>
 BRUNT_INLINE Pack dot(const std::array<Pack, n>& a, const std::array<Pack, n>& b) {
@@ -72,17 +81,22 @@ struct SideCorners {
     const Pack lane{0, 1, 2, 3}, zero = broadcast<Pack>(0.0);
     const auto is_corner = lane < broadcast<Pack>(n);
     const Real part = 1.0 / n;
-    const auto take = [&](const Real* const(&from)[kLanes], std::size_t c, Pack& about_mean,
-                          Real& at_point) {
-      const Pack value{from[0][c], from[1][c], from[2][c], from[3][c]};
-      const Real mean = part * sum_of(select(is_corner, value, zero));
-      about_mean = select(is_corner, value - mean, zero);
-      at_point = sum_of(weight * value);
+    // The mean of values by corner, which are about it then, and their value at the point.
+    const auto take = [&](const Real* const(&from)[kLanes], CornerVectors<Dim>& value,
+                          Vec<Dim>& at_point) {
+      CornerVectors<Dim> weighted;
+      for (std::size_t c = 0; c < Dim; ++c) {
+        value[c] = select(is_corner, Pack{from[0][c], from[1][c], from[2][c], from[3][c]}, zero);
+        weighted[c] = weight * value[c];
+      }
+      const Pack mean = part * sums_of(value, zero), weighted_sum = sums_of(weighted, zero);
+      for (int c = 0; c < Dim; ++c) {
+        at_point[c] = weighted_sum[c];
+        value[slot_of(c)] = select(is_corner, value[slot_of(c)] - mean[c], zero);
+      }
     };
-    for (std::size_t c = 0; c < Dim; ++c) {
-      take(x, c, arm[c], point[c]);
-      take(speed, c, v[c], velocity[c]);
-    }
+    take(x, arm, point);
+    take(speed, v, velocity);
   }
 };
 
@@ -94,8 +108,10 @@ inline Real turn_of(const SideCorners<2>& side, Real torque) {
 inline Vec3 turn_of(const SideCorners<3>& side, const Vec3& torque) {
   const auto& [x, y, z] = side.arm;
   const Pack x2 = x * x, y2 = y * y, z2 = z * z;
-  const Real xx = sum_of(y2 + z2), yy = sum_of(z2 + x2), zz = sum_of(x2 + y2);
-  const Real xy = -sum_of(x * y), xz = -sum_of(x * z), yz = -sum_of(y * z);
+  const Pack square = sums_of(y2 + z2, z2 + x2, x2 + y2, x * y);
+  const Pack mixed = sums_of(x * z, y * z, x, x);
+  const Real xx = square[0], yy = square[1], zz = square[2];
+  const Real xy = -square[3], xz = -mixed[0], yz = -mixed[1];
   // Cofactors of this matrix.
   const Real c_xx = yy * zz - yz * yz, c_yy = xx * zz - xz * xz, c_zz = xx * yy - xy * xy;
   const Real c_xy = xz * yz - xy * zz, c_xz = xy * yz - xz * yy, c_yz = xy * xz - yz * xx;
@@ -115,8 +131,10 @@ inline void add_spin(const SideCorners<3>& side, const PlaneTurn<3>& turn, const
   CornerVectors<3> before;
   for (std::size_t c = 0; c < 3; ++c) before[c] = side.arm[c] - dt * side.v[c];
   before = turn.tilted(before);
-  const Real c = sum_of(dot(before, side.arm) - dot(n, before) * dot(n, side.arm));
-  const Real s = sum_of(dot(n, cross(before, side.arm)));
+  const Pack cosines = dot(before, side.arm) - dot(n, before) * dot(n, side.arm);
+  const Pack sines = dot(n, cross(before, side.arm));
+  const Pack sums = sums_of(cosines, sines, sines, sines);
+  const Real c = sums[0], s = sums[1];
   const Real size = std::sqrt(c * c + s * s);
   if (!(size > 0)) return;
   cosine += c / size, sine += s / size;
