@@ -50,6 +50,8 @@ class Solid {
   virtual StepLimit stable_step() const = 0;
   /// Rebuilds lists at the present positions. Reads and writes lists and places, nothing else.
   virtual void rearrange() = 0;
+  /// The same before the first step: lists of the building stay where they hold.
+  virtual void begin_lists() { rearrange(); }
   /// Adds internal energies of entities, by column and body, and their state hash.
   /// Kinetic energy, mass and momentum of points are added by the scene.
   virtual void add_totals(Totals<Dim>& totals) const = 0;

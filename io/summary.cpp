@@ -135,6 +135,7 @@ RunSummary from_json(const Json& json) {
   s.planned_memory = real_at(plan, "memory", s.planned_memory);
   s.first_step = json.value("first_step", s.first_step);
   s.wall_seconds = real_at(json, "wall_seconds", s.wall_seconds);
+  s.start_seconds = real_at(json, "start_seconds", s.start_seconds);
   s.cpu_seconds = real_at(json, "cpu_seconds", s.cpu_seconds);
   s.points = json.value("points", s.points);
   s.elements = json.value("elements", s.elements);
@@ -203,6 +204,7 @@ std::string to_json(const RunSummary& s) {
   json["plan"] = {{"steps", s.planned_steps}, {"memory", s.planned_memory}};
   json["first_step"] = s.first_step;
   json["wall_seconds"] = s.wall_seconds;
+  json["start_seconds"] = s.start_seconds;
   json["cpu_seconds"] = s.cpu_seconds;
   json["points"] = s.points;
   json["elements"] = s.elements;

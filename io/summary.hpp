@@ -67,6 +67,7 @@ struct RunSummary {
   Real planned_memory = 0;      ///< [byte] as `brunt plan` estimates it; 0: several ranks
   std::int64_t first_step = 0;  ///< the step from which this process went on; 0: from the start
   Real wall_seconds = 0;        ///< [s]
+  Real start_seconds = 0;       ///< [s] of it to the first step, the first row and frame included
   Real cpu_seconds = 0;         ///< [s] processor time of all threads and ranks of this process
   std::int64_t points = 0;
   std::int64_t elements = 0;

@@ -63,6 +63,7 @@ struct PlainKey {
 
 constexpr PlainKey kPlainKeys[] = {
     {"wall_seconds", [](const RunSummary& r) { return Cell(r.wall_seconds); }},
+    {"start_seconds", [](const RunSummary& r) { return Cell(r.start_seconds); }},
     {"cpu_seconds", [](const RunSummary& r) { return Cell(r.cpu_seconds); }},
     {"created", [](const RunSummary& r) { return Cell(r.energy.created); }},
     {"drift", [](const RunSummary& r) { return Cell(r.drift); }},
@@ -201,8 +202,8 @@ std::string title_of(const std::vector<TableRun>& runs, const std::string& key) 
     const auto* measure = find_measure(*run.summary, key);
     if (measure != nullptr && !measure->unit.empty()) return key + " [" + measure->unit + "]";
   }
-  if (key == "wall_seconds" || key == "loop_seconds" || key == "cpu_seconds" ||
-      key.starts_with("phases."))
+  if (key == "wall_seconds" || key == "start_seconds" || key == "loop_seconds" ||
+      key == "cpu_seconds" || key.starts_with("phases."))
     return key + " [s]";
   if (key == "ns_element_step" || key == "ns_particle_step") return key + " [ns]";
   if (key == "peak_memory") return key + " [byte]";

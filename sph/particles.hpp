@@ -120,6 +120,7 @@ class SphParticles final : public Solid<Dim> {
   void add_conduction(Real dt) override;
   StepLimit stable_step() const override;
   void rearrange() override;
+  void begin_lists() override { renew_lists(); }
   void add_totals(Totals<Dim>& totals) const override;
   void check(Real time, const std::vector<std::string>& body_names) const override;
   using Solid<Dim>::view;

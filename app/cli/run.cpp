@@ -319,6 +319,12 @@ void take_costs(const Scene<Dim>& scene, const Clock& clock, std::int64_t first_
   fill_traffic(ranks, clock.step() - first_step, summary);
 }
 
+double seconds_since(std::chrono::steady_clock::time_point from,
+                     std::optional<std::chrono::steady_clock::time_point> to = {}) {
+  return std::chrono::duration<double>(to.value_or(std::chrono::steady_clock::now()) - from)
+      .count();
+}
+
 template <int Dim>
 int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Communicator& ranks) {
   const auto wall_start = std::chrono::steady_clock::now();
@@ -331,9 +337,9 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const MemoryInputs inputs = memory_inputs(loaded.deck, *scene, program);
   if (ranks.alone()) summary.planned_memory = memory_of(*scene, inputs).total();
   distribute(*scene, ranks);
-  const std::chrono::duration<double> build_time = std::chrono::steady_clock::now() - wall_start;
+  const double build_time = seconds_since(wall_start);
   const auto anew = [&] { return build_scene<Dim>(loaded); };
-  Balance<Dim> balance(loaded.deck.ranks, anew, build_time.count());
+  Balance<Dim> balance(loaded.deck.ranks, anew, build_time);
   const auto folder = output_path(arguments);
   summary.threads = omp_get_max_threads();
   std::optional<OutputFolder> output;
@@ -373,8 +379,8 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   log_refused(refused, summary, *log);
   log_windows(scene->heat_windows, clock.step() - checkpointing.first_step(), *log);
   fill_summary(loaded, ended, clock, monitor, summary);
-  summary.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  summary.start_seconds = seconds_since(wall_start, monitor.begun());
+  summary.wall_seconds = seconds_since(wall_start);
   take_costs(*scene, clock, checkpointing.first_step(), ranks, summary);
   take_balance(balance, summary, *log);
   if (root) report_end(loaded, arguments, folder, ended, clock, monitor, summary, *log);

@@ -52,7 +52,8 @@ void start(Scene<Dim>& scene) {
   scene.boundaries.start();
   if (scene.rigid) scene.rigid->start();
   scene.refresh_motion();
-  scene.rearrange();
+  for (auto& solid : scene.solids) solid->begin_lists();
+  if (scene.contact) scene.contact->rearrange();
   if (scene.contact) scene.contact->start();
 }
 

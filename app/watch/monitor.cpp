@@ -93,6 +93,7 @@ void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
   write_row(scene, clock);
   write_frame(scene, clock.time());
   check_step(scene, clock);
+  begun_ = std::chrono::steady_clock::now();
 }
 
 template <int Dim>

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -53,6 +54,8 @@ class Monitor final : public Observer<Dim> {
   Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet, Warn warn = {});
 
   void begin(Scene<Dim>& scene, Clock& clock) override;
+  /// When what stands before the first step was done; none: it was not.
+  std::optional<std::chrono::steady_clock::time_point> begun() const { return begun_; }
   /// What begin does before it writes: all that measures and stops remember of the scene at time 0.
   void prepare(Scene<Dim>& scene);
   void step_done(Scene<Dim>& scene, Clock& clock) override;
@@ -136,6 +139,7 @@ class Monitor final : public Observer<Dim> {
   RealValues real_;
   StepCheck step_check_;
   Warn warn_;
+  std::optional<std::chrono::steady_clock::time_point> begun_;
   std::string reason_;
   // Times of the run [s], as it is stepped; rows and frames are in real time.
   Real history_every_, frame_every_;

@@ -60,7 +60,7 @@ def run(program, deck, options, until, threads):
     loop = summary.get("loop_seconds") or sum(phases.values())
     return {"n": n, "ns": 1e9 * loop / n / steps, "output": (phases["output"] + phases["ledger"]) / loop,
             "peak": summary["peak_memory"] / n, "steady": statistics.median([s for s in samples if s] or [0]) / n,
-            "start": summary["wall_seconds"] - loop, "frame": phases["output"] / frames}
+            "start": summary["start_seconds"], "frame": phases["output"] / frames}
 
 
 def floor_of(command, kind):

@@ -32,6 +32,7 @@ RunSummary example() {
   s.particles = 7;
   s.phases = {{"elements", 0.25}, {"contact", 0.125}};
   s.loop_seconds = 0.75;
+  s.start_seconds = 0.125;
   s.ns_element_step = 95.5;
   s.ns_particle_step = std::nan("");
   s.peak_memory = 123456768;
@@ -74,6 +75,7 @@ TEST(Summary, ReadsBackTheSame) {
   EXPECT_EQ(b.particles, a.particles);
   EXPECT_EQ(b.phases, a.phases);
   EXPECT_EQ(b.loop_seconds, a.loop_seconds);
+  EXPECT_EQ(b.start_seconds, a.start_seconds);
   EXPECT_EQ(b.ns_element_step, a.ns_element_step);
   EXPECT_TRUE(std::isnan(b.ns_particle_step));
   EXPECT_EQ(b.peak_memory, a.peak_memory);
@@ -111,13 +113,13 @@ TEST(Summary, ReadsBackTheSame) {
 
 TEST(Summary, KeepsTheKeysThatSweepsRead) {
   const std::string text = to_json(example());
-  for (const char* key :
-       {"version",     "deck_hash", "parameters",      "overrides",       "status",
-        "reason",      "steps",     "wall_seconds",    "points",          "elements",
-        "particles",   "phases",    "loop_seconds",    "ns_element_step", "ns_particle_step",
-        "peak_memory", "drift",     "state_hash",      "measures",        "warnings",
-        "ranks",       "threads",   "instruction_set", "value",           "unit",
-        "reference",   "error"}) {
+  for (const char* key : {"version",       "deck_hash",    "parameters",      "overrides",
+                          "status",        "reason",       "steps",           "wall_seconds",
+                          "start_seconds", "points",       "elements",        "particles",
+                          "phases",        "loop_seconds", "ns_element_step", "ns_particle_step",
+                          "peak_memory",   "drift",        "state_hash",      "measures",
+                          "warnings",      "ranks",        "threads",         "instruction_set",
+                          "value",         "unit",         "reference",       "error"}) {
     const std::string quoted = std::string(1, '"') + key + "\":";
     EXPECT_NE(text.find(quoted), std::string::npos) << key;
   }
