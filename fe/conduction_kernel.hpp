@@ -1,5 +1,6 @@
 #pragma once
 /// What kernels of conduction share, whatever the element: N corners, four elements at a time.
+#include "core/lane_sums.hpp"
 #include "fe/conduction.hpp"
 
 namespace brunt {
@@ -52,17 +53,36 @@ BRUNT_INLINE void exchange_heat(const V (&K)[N][N], V k, const V (&T)[N], Real* 
   }
 }
 
+/// Gives four material points from k on the temperatures of their nodes, and what they hold beside.
+template <int Dim>
+BRUNT_INLINE void take_temperature(ElementBlock<Dim>& block, std::size_t k, Pack of_nodes) {
+  Real* const own = block.state.temperature.data() + k;
+  if (block.gave_heat || block.node_temperature.empty()) {
+    store(own, of_nodes);
+  } else {
+    store(own, load(own) + (of_nodes - load(block.node_temperature.data() + k)));
+  }
+  if (block.holds_heat) store(block.node_temperature.data() + k, of_nodes);
+}
+
 /// What elements of one material point see: the mean of their corners, by their shares.
 template <int N, int Dim>
 BRUNT_INLINE void mean_temperature(ElementBlock<Dim>& block, std::size_t e,
                                    const Real* temperature) {
-  Pack T[N], sum = broadcast<Pack>(0);
-  gather_temperature(block.corner.data() + e * N, temperature, T);
-  for (int I = 0; I < N; ++I) {
-    const Real* share = block.heat_share.data() + e * N + I;
-    sum += Pack{share[0], share[N], share[2 * N], share[3 * N]} * T[I];
+  static_assert(N % kLanes == 0);
+  Pack of_element[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const LocalIndex* const corner = block.corner.data() + (e + lane) * N;
+    const Real* const share = block.heat_share.data() + (e + lane) * N;
+    const auto weighted = [&](int first) {
+      const LocalIndex* const node = corner + first;
+      return load(share + first) * Pack{temperature[node[0]], temperature[node[1]],
+                                        temperature[node[2]], temperature[node[3]]};
+    };
+    of_element[lane] = weighted(0);
+    if constexpr (N == 2 * kLanes) of_element[lane] += weighted(kLanes);
   }
-  store(block.state.temperature.data() + e, sum);
+  take_temperature(block, e, sums_of(of_element[0], of_element[1], of_element[2], of_element[3]));
 }
 
 }  // namespace brunt

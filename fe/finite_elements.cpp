@@ -157,6 +157,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
       [&](std::size_t b, int tile, const CornerSums& sums) {
         ElementBlock<Dim>& block = blocks_[b];
         ElementStep<Dim> step = common;
+        if (block.conducts) interpolate_temperatures(block, tile);
         if (rests(block, tile, step)) return;
         step.sums = sums;
         block.formulation->advance(block, tile, step);

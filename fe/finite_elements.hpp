@@ -92,6 +92,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void set_capacities();
   void make_rigid();
   void start_conduction();
+  void interpolate_temperatures(ElementBlock<Dim>& block, int tile);
   void interpolate_temperatures();
   void hold_heat();
   void vary_capacities();
@@ -99,6 +100,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void conduct(Real inverse_dt);
   void keep_conduction();
   void add_mechanical_heat(Real inverse_dt);
+  void release_heat(const std::vector<ErodedElement>& going, Real inverse_dt);
   void find_elements_of_facets();
   void start_erosion();
   std::vector<ErodedElement> failed_elements() const;

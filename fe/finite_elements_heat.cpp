@@ -4,6 +4,7 @@
 #include "core/parallel/threads.hpp"
 #include "fe/conduction.hpp"
 #include "fe/finite_elements.hpp"
+#include "fe/last_work.hpp"
 
 namespace brunt {
 namespace {
@@ -99,25 +100,32 @@ void FiniteElements<Dim>::start_conduction() {
   std::fill(points_.heat_rate.begin(), points_.heat_rate.end(), 0.0);
 }
 
+/// The temperatures of nodes at the material points of a tile.
 template <int Dim>
-void FiniteElements<Dim>::interpolate_temperatures() {
-  for (auto& block : blocks_) {
-    if (block.state.temperature.empty()) continue;
-    const int n = block.n_padded / kLanes;
-    for_each(n, kGroupsWorthThreads, [&](int k) {
-      block.formulation->interpolate_temperature(block, slot_of(k) * kLanes,
-                                                 points_.temperature.data());
-    });
+void FiniteElements<Dim>::interpolate_temperatures(ElementBlock<Dim>& block, int tile) {
+  if (block.state.temperature.empty()) return;
+  const int n = block.elements_per_tile();
+  for (int e = tile * n; e < (tile + 1) * n; e += kLanes) {
+    block.formulation->interpolate_temperature(block, slot_of(e), points_.temperature.data());
   }
 }
 
-/// Elements take the temperatures of their nodes where these have what elements gave. Where they
-/// give it after several steps only, it heats the element alone until then.
+template <int Dim>
+void FiniteElements<Dim>::interpolate_temperatures() {
+  for (auto& block : blocks_) {
+    for_each(block.n_tiles(), kGroupsWorthThreads / 8,
+             [&](int tile) { interpolate_temperatures(block, tile); });
+  }
+}
+
+/// In each step elements follow the temperatures of their nodes. What they hold of their mechanical
+/// heat, where nodes get it after several steps only, warms them beside.
 template <int Dim>
 void FiniteElements<Dim>::hold_heat() {
-  if (points_.evaluated_conduction) interpolate_temperatures();
-  const bool waits = points_.conduction_steps > 1;
-  for (auto& block : blocks_) block.holds_heat = waits && block.conducts;
+  for (auto& block : blocks_) {
+    block.gave_heat = points_.evaluated_conduction;
+    block.holds_heat = points_.conduction_steps > 1 && !block.heat_given.empty();
+  }
 }
 
 /// Writes node_heat_ of conduction, and of mechanical heat where inverse_dt is above 0.
@@ -152,7 +160,7 @@ void FiniteElements<Dim>::keep_conduction() {
   }
 }
 
-/// The mechanical heat alone that nodes do not have yet, within a step. Its corner rates stand
+/// The mechanical heat that nodes do not have yet, within a step. Its corner rates stand
 /// where those of conduction do, which are no longer needed.
 template <int Dim>
 void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
@@ -184,6 +192,25 @@ void FiniteElements<Dim>::add_conduction(Real dt) {
   if (points_.evaluates_conduction) add_mechanical_heat(1.0 / dt);
 }
 
+/// Gives nodes what elements hold that go, within the step: the others keep theirs.
+template <int Dim>
+void FiniteElements<Dim>::release_heat(const std::vector<ErodedElement>& going, Real inverse_dt) {
+  std::vector<Real> rates(n_corners_, 0.0);
+  for (auto& block : blocks_) {
+    for (LocalIndex e = 0; !block.heat_given.empty() && e < block.n; ++e) {
+      if (!is_among(going, block.id[e])) continue;
+      const Real rate = held_heat(block, e) * inverse_dt;
+      for (int c = 0; c < block.corners; ++c) {
+        const auto I = slot_of(e * block.corners + c);
+        rates[block.first_corner + I] = rate * block.heat_share[I];
+      }
+    }
+  }
+  std::vector<Vec<1>> to_nodes(points_.x.size(), Vec<1>::Zero());
+  gather_.template add<1>(rates.data(), to_nodes);
+  for (std::size_t i = 0; i < points_.owned(); ++i) points_.heat_rate[i] += to_nodes[i][0];
+}
+
 template void FiniteElements<2>::set_capacities();
 template void FiniteElements<3>::set_capacities();
 template void FiniteElements<2>::make_rigid();
@@ -192,6 +219,8 @@ template void FiniteElements<2>::start_conduction();
 template void FiniteElements<3>::start_conduction();
 template void FiniteElements<2>::interpolate_temperatures();
 template void FiniteElements<3>::interpolate_temperatures();
+template void FiniteElements<2>::release_heat(const std::vector<ErodedElement>&, Real);
+template void FiniteElements<3>::release_heat(const std::vector<ErodedElement>&, Real);
 template void FiniteElements<2>::add_conduction(Real);
 template void FiniteElements<3>::add_conduction(Real);
 

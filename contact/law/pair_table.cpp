@@ -79,6 +79,7 @@ PairTable::PairTable(const ContactOptions& options, const std::vector<Surface<Di
       pairs_.emplace_back(a, b);
       has_friction_ = has_friction_ || pair.has_friction();
       holds_ = holds_ || pair.holds();
+      passes_heat_ = passes_heat_ || pair.passes_heat();
       const Real phi = stiffness_of(pair, a, b);
       needs_material_ = needs_material_ || pair.needs_material();
       presses_ = presses_ || pair.initial_overlap == InitialOverlap::press;

@@ -51,6 +51,8 @@ class PairTable {
   bool has_friction() const { return has_friction_; }
   /// True if any of these pairs is tied, or a joint.
   bool holds() const { return holds_; }
+  /// True if in any of these pairs heat passes from one body to the other.
+  bool passes_heat() const { return passes_heat_; }
   /// True if in any of these pairs friction depends on temperature or flow stress.
   bool needs_material() const { return needs_material_; }
   /// True if in any of these pairs an overlap at time 0 is felt at once.
@@ -87,6 +89,7 @@ class PairTable {
   bool watched_ = false;
   bool presses_ = false;
   bool holds_ = false;
+  bool passes_heat_ = false;
   bool needs_material_ = false;
   std::vector<Real> gaps_;   // [m]
   std::set<Label> selves_;   // bodies that the deck pairs with themselves

@@ -128,8 +128,10 @@ void ContactManager<Dim>::add_heat(Real dt) {
   auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
   auto& nodes = search.entities().nodes;
   if (!nodes.conduct || !search.any_near()) return;
-  nodes.predict_temperatures(setup.surfaces, dt);
-  search.imports().refresh_temperatures(nodes.temperature);
+  if (setup.pairs.passes_heat()) {
+    nodes.predict_temperatures(setup.surfaces, dt);
+    search.imports().refresh_temperatures(nodes.temperature);
+  }
   evaluation.complete_pair_heat(setup, search);
   const auto& surfaces = setup.surfaces;
   evaluation.records().change_heat(

@@ -3,6 +3,7 @@
 /// instruction set agrees on.
 #include "core/simd.hpp"
 
+#include "core/lane_sums.hpp"
 #include "core/simd_single.hpp"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,18 @@ TEST(Simd, LoadAndStoreKeepOrder) {
   Real out[4] = {};
   store(out, load(in + 1));  // not aligned
   for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(out[lane], in[lane + 1]);
+}
+
+TEST(Simd, SumsOfFourPacksHaveTheBitsOfEach) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<Real> value(-1, 1);
+  Pack pack[4];
+  for (auto& one : pack) one = Pack{value(random), value(random), value(random), value(random)};
+  const Pack sums = sums_of(pack[0], pack[1], pack[2], pack[3]);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(sums[k], (pack[k][0] + pack[k][1]) + (pack[k][2] + pack[k][3]));
+    EXPECT_EQ(sums[k], sum_of(pack[k]));
+  }
 }
 
 TEST(Simd, EightRowsOfFourAreTransposed) {
