@@ -129,3 +129,4 @@ inline void add_spin(const SideCorners<3>& side, const PlaneTurn<3>& turn, const
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/friction_law_test.cpp.
