@@ -39,7 +39,7 @@ std::string_view column_name(Column column);  ///< as in history.csv: "contact.s
 /// Heat [J] of all bodies that conduct, since time 0:
 /// stored = plastic + compression + friction + boundary.
 struct HeatSums {
-  ExactSum stored;       ///< taken up by points, and held by elements for theirs
+  ExactSum stored;       ///< taken up by points
   ExactSum plastic;      ///< plastic work of these bodies that became heat, as elements booked it
   ExactSum compression;  ///< what compression and viscosity gave them, less what release took
   ExactSum friction;     ///< that contacts gave to bodies that conduct

@@ -50,8 +50,6 @@ struct Points {
   /// where they may be more than one the points keep what follows.
   int conduction_steps = 1;
   bool evaluates_conduction = true;
-  /// The last step made it: elements have given their mechanical heat to the points.
-  bool evaluated_conduction = true;
   bool keeps_conduction = false;
   std::vector<Real> kept_rate;         ///< [W] that the last evaluation gave
   std::vector<Real> kept_conductance;  ///< [W/K] with it

@@ -54,16 +54,10 @@ void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const Conducti
 }
 
 template <int Dim>
-void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
-                          Real* corner_heat) {
+void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* heat) {
   Real rate[kGroup];
   take_mechanical_heat(block, e, inverse_dt, rate);
-  const auto n = slot_of(block.corners);
-  const Real* const share = block.heat_share.data() + e * n;
-  Real* const to = corner_heat + e * n;
-  for (std::size_t k = 0; k < kGroup; ++k) {
-    for (std::size_t I = k * n; I < (k + 1) * n; ++I) to[I] = rate[k] * share[I];
-  }
+  for (std::size_t k = 0; k < kGroup; ++k) heat[e + k] = rate[k];
 }
 
 template <int Dim>

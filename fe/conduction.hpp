@@ -33,11 +33,9 @@ void conduct_hexes(const LocalIndex* corner, const Real* conductivity,
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
 
-/// Writes heat rates [W] that the mechanical heat of the step gives to the corners of the kGroup
-/// elements from e on, [element][corner], without conduction.
+/// Rates [W] of the mechanical heat that the kGroup elements from e on give to their nodes.
 template <int Dim>
-void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
-                          Real* corner_heat);
+void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* heat);
 
 /// Materials of conducting blocks whose specific heat varies, each once, in the order of blocks: in
 /// it stand their specific heats among those of the points.
@@ -65,11 +63,6 @@ Real plastic_heat(const ElementBlock<Dim>& block, LocalIndex e) {
 template <int Dim>
 Real compression_heat(const ElementBlock<Dim>& block, LocalIndex e) {
   return heat_of(block, block.state.compression_heat, e);
-}
-/// Mechanical heat of one element that its nodes do not have yet [J].
-template <int Dim>
-Real held_heat(const ElementBlock<Dim>& block, LocalIndex e) {
-  return plastic_heat(block, e) + compression_heat(block, e) - block.heat_given[slot_of(e)];
 }
 /// Work of the pressure of one element on its thermal expansion since time 0 [J].
 template <int Dim>

@@ -53,18 +53,6 @@ BRUNT_INLINE void exchange_heat(const V (&K)[N][N], V k, const V (&T)[N], Real* 
   }
 }
 
-/// Gives four material points from k on the temperatures of their nodes, and what they hold beside.
-template <int Dim>
-BRUNT_INLINE void take_temperature(ElementBlock<Dim>& block, std::size_t k, Pack of_nodes) {
-  Real* const own = block.state.temperature.data() + k;
-  if (block.gave_heat || block.node_temperature.empty()) {
-    store(own, of_nodes);
-  } else {
-    store(own, load(own) + (of_nodes - load(block.node_temperature.data() + k)));
-  }
-  if (block.holds_heat) store(block.node_temperature.data() + k, of_nodes);
-}
-
 /// What elements of one material point see: the mean of their corners, by their shares.
 template <int N, int Dim>
 BRUNT_INLINE void mean_temperature(ElementBlock<Dim>& block, std::size_t e,
@@ -82,7 +70,8 @@ BRUNT_INLINE void mean_temperature(ElementBlock<Dim>& block, std::size_t e,
     of_element[lane] = weighted(0);
     if constexpr (N == 2 * kLanes) of_element[lane] += weighted(kLanes);
   }
-  take_temperature(block, e, sums_of(of_element[0], of_element[1], of_element[2], of_element[3]));
+  store(block.state.temperature.data() + e,
+        sums_of(of_element[0], of_element[1], of_element[2], of_element[3]));
 }
 
 }  // namespace brunt

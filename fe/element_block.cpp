@@ -174,8 +174,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   }
   if (block.conducts) {
     block.heat_share = corner_shares(block, points, thickness);
-    if (heats)
-      block.heat_given.assign(padded, 0.0), block.node_temperature = block.state.temperature;
+    if (heats) block.heat_given.assign(padded, 0.0);
   }
   for (auto* field : {&block.viscous_pressure, &block.stress_work, &block.hourglass_work,
                       &block.viscous_work, &block.stable_step}) {

@@ -88,9 +88,7 @@ struct ElementBlock {
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;
   bool conducts = false, held = false, rigid = false;
-  bool holds_heat = false;  ///< its mechanical heat is its own until nodes get it, steps later
-  bool gave_heat = true;    ///< nodes got it with the last step
-  Real temperature = 0;     ///< [K] what the law sees where heat is off
+  Real temperature = 0;                   ///< [K] what the law sees where heat is off
   const InitialStress* stress = nullptr;  ///< at time 0; null: none
   LocalIndex n = 0;                       ///< elements
   LocalIndex n_padded = 0;
@@ -125,9 +123,6 @@ struct ElementBlock {
   std::vector<Real> heat_share;
   /// [J] plastic and compression heat that nodes have been given; empty where neither arises
   std::vector<Real> heat_given;
-  /// [K] of nodes at each material point, as the last step saw them: what a point is warmer by is
-  /// of the heat that it holds. Empty where heat_given is.
-  std::vector<Real> node_temperature;
 
   /// To be said where the state is changed by anything but a step.
   void wake() { std::fill(rest.begin(), rest.end(), Rest::unknown); }

@@ -175,7 +175,7 @@ void open_tile(ElementBlock<Dim>& block, int index, MaterialTile& tile) {
   tile.first = slot_of(index) * kTile;
   tile.count = kTile;
   tile.fixed_temperature = block.temperature;
-  tile.adiabatic = block.adiabatic || block.holds_heat;
+  tile.adiabatic = block.adiabatic;
 }
 
 }  // namespace brunt

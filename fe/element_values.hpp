@@ -20,9 +20,6 @@ void visit_element(Block& block, std::size_t e, const F& f) {
   f(block.viscous_work[e], kSaved);
   f(block.stable_step[e], kSaved);
   if (!block.heat_given.empty()) f(block.heat_given[e], kSaved);
-  for (int g = 0; !block.node_temperature.empty() && g < block.gauss; ++g) {
-    f(block.node_temperature[block.point(static_cast<LocalIndex>(e), g)], kSaved);
-  }
   if (!block.volume_ratio.empty()) f(block.volume_ratio[e], kState);
 }
 

@@ -107,7 +107,7 @@ void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) 
     corners += blocks_.back().corner.size();
   }
   n_corners_ = corners;
-  gather_ = {};
+  gather_ = {}, heat_shares_ = {};
   if (erosion_) order_corners();
   force_chunks_ = ForceChunks<Dim>(blocks_, points_.n_owned, points_.size());
   start_volumes();
@@ -151,7 +151,6 @@ template <int Dim>
 void FiniteElements<Dim>::add_internal_forces(Real dt) {
   stepped_ = true;
   if (held_) return;
-  if (points_.conducts) hold_heat();
   const ElementStep<Dim> common = element_step(dt);
   force_chunks_.add(
       [&](std::size_t b, int tile, const CornerSums& sums) {
@@ -231,25 +230,11 @@ class ElementSums {
   ExactColumns<6> sums_;
 };
 
-/// What elements first .. last of one body hold for their nodes is stored in the body as well.
-template <int Dim>
-void add_held_heat(const ElementBlock<Dim>& block, std::size_t first, std::size_t last,
-                   Totals<Dim>& totals) {
-  ExactColumns<1> sums;
-  for (std::size_t e = first; e < last; ++e) {
-    if (block.owned[e]) sums.add({held_heat(block, static_cast<LocalIndex>(e))});
-  }
-  totals.heat.stored.add(sums.sum(0));
-  const Label body = block.body[first];
-  if (body < totals.bodies.size()) totals.bodies[body].heat.add(sums.sum(0));
-}
-
 template <int Dim>
 void add_elements(const ElementBlock<Dim>& block, std::size_t first, std::size_t last,
                   Totals<Dim>& totals) {
   for (std::size_t e = first; e < last;) {
     const Label body = block.body[e];
-    const std::size_t begin = e;
     ElementSums sums;
     for (; e < last && block.body[e] == body; ++e) {
       if (!block.owned[e]) continue;
@@ -257,7 +242,6 @@ void add_elements(const ElementBlock<Dim>& block, std::size_t first, std::size_t
       if (totals.hashes) totals.state_hash += element_hash(block, static_cast<LocalIndex>(e));
     }
     sums.give(body, block.conducts, totals);
-    if (!block.heat_given.empty()) add_held_heat(block, begin, e, totals);
   }
 }
 }  // namespace

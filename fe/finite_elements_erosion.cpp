@@ -75,7 +75,6 @@ void FiniteElements<Dim>::erode(Real dt) {
   if (ranks_ != nullptr && !ranks_->any(!mine.empty())) return;
   const auto going = of_every_rank(mine, ranks_);
   if (going.empty()) return;
-  if (points_.conducts) release_heat(going, 1.0 / dt);
   std::vector<Vec<Dim>> x_before = points_.x;
   for (std::size_t i = 0; i < x_before.size(); ++i) x_before[i] -= dt * points_.v[i];
   surface_.gone = let_points_go(going, dt);

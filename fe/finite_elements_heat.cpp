@@ -4,7 +4,6 @@
 #include "core/parallel/threads.hpp"
 #include "fe/conduction.hpp"
 #include "fe/finite_elements.hpp"
-#include "fe/last_work.hpp"
 
 namespace brunt {
 namespace {
@@ -118,16 +117,6 @@ void FiniteElements<Dim>::interpolate_temperatures() {
   }
 }
 
-/// In each step elements follow the temperatures of their nodes. What they hold of their mechanical
-/// heat, where nodes get it after several steps only, warms them beside.
-template <int Dim>
-void FiniteElements<Dim>::hold_heat() {
-  for (auto& block : blocks_) {
-    block.gave_heat = points_.evaluated_conduction;
-    block.holds_heat = points_.conduction_steps > 1 && !block.heat_given.empty();
-  }
-}
-
 /// Writes node_heat_ of conduction, and of mechanical heat where inverse_dt is above 0.
 template <int Dim>
 void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
@@ -160,27 +149,26 @@ void FiniteElements<Dim>::keep_conduction() {
   }
 }
 
-/// The mechanical heat that nodes do not have yet, within a step. Its corner rates stand
-/// where those of conduction do, which are no longer needed.
+/// The mechanical heat of a step alone.
 template <int Dim>
 void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
   const auto heats = [](const auto& block) { return !block.heat_given.empty(); };
   if (!std::any_of(blocks_.begin(), blocks_.end(), heats)) return;
+  if (heat_shares_.element.empty()) heat_shares_ = make_heat_shares(blocks_, gather_);
+  std::size_t n = 0;
+  for (const auto& block : blocks_) n += slot_of(block.n_padded);
+  element_heat_.resize(n);
+  Real* heat = element_heat_.data();
   for (auto& block : blocks_) {
-    Real* const rates = corner_heat_.data() + block.first_corner;
-    if (!heats(block)) {
-      std::fill_n(rates, block.corner.size(), 0.0);
-      continue;
+    if (heats(block)) {
+      for_each(block.n_padded / kGroup, kGroupsWorthThreads,
+               [&](int k) { give_mechanical_heat(block, slot_of(k) * kGroup, inverse_dt, heat); });
+    } else {
+      std::fill_n(heat, block.n_padded, 0.0);
     }
-    const int n = block.n_padded / kGroup;
-    for_each(n, kGroupsWorthThreads,
-             [&](int k) { give_mechanical_heat(block, slot_of(k) * kGroup, inverse_dt, rates); });
+    heat += block.n_padded;
   }
-  node_mechanical_.assign(points_.x.size(), Vec<1>::Zero());
-  gather_.template add<1>(corner_heat_.data(), node_mechanical_);
-  for (std::size_t i = 0; i < points_.owned(); ++i) {
-    points_.heat_rate[i] += node_mechanical_[i][0];
-  }
+  heat_shares_.add(gather_, element_heat_.data(), points_.heat_rate);
 }
 
 template <int Dim>
@@ -189,26 +177,7 @@ void FiniteElements<Dim>::add_conduction(Real dt) {
   if (points_.conduction_steps == 1) return conduct(1.0 / dt);
   if (points_.evaluates_conduction) keep_conduction();
   points_.add_kept_conduction();
-  if (points_.evaluates_conduction) add_mechanical_heat(1.0 / dt);
-}
-
-/// Gives nodes what elements hold that go, within the step: the others keep theirs.
-template <int Dim>
-void FiniteElements<Dim>::release_heat(const std::vector<ErodedElement>& going, Real inverse_dt) {
-  std::vector<Real> rates(n_corners_, 0.0);
-  for (auto& block : blocks_) {
-    for (LocalIndex e = 0; !block.heat_given.empty() && e < block.n; ++e) {
-      if (!is_among(going, block.id[e])) continue;
-      const Real rate = held_heat(block, e) * inverse_dt;
-      for (int c = 0; c < block.corners; ++c) {
-        const auto I = slot_of(e * block.corners + c);
-        rates[block.first_corner + I] = rate * block.heat_share[I];
-      }
-    }
-  }
-  std::vector<Vec<1>> to_nodes(points_.x.size(), Vec<1>::Zero());
-  gather_.template add<1>(rates.data(), to_nodes);
-  for (std::size_t i = 0; i < points_.owned(); ++i) points_.heat_rate[i] += to_nodes[i][0];
+  add_mechanical_heat(1.0 / dt);
 }
 
 template void FiniteElements<2>::set_capacities();
@@ -219,8 +188,6 @@ template void FiniteElements<2>::start_conduction();
 template void FiniteElements<3>::start_conduction();
 template void FiniteElements<2>::interpolate_temperatures();
 template void FiniteElements<3>::interpolate_temperatures();
-template void FiniteElements<2>::release_heat(const std::vector<ErodedElement>&, Real);
-template void FiniteElements<3>::release_heat(const std::vector<ErodedElement>&, Real);
 template void FiniteElements<2>::add_conduction(Real);
 template void FiniteElements<3>::add_conduction(Real);
 

@@ -37,8 +37,6 @@ class HeatWindows {
     if (is_chosen()) next_ = restarted_ = step;
   }
   int steps() const { return steps_; }  ///< of the present window
-  /// True where the present window began in that step, and where none has begun.
-  bool began_in(std::int64_t step) const { return step == next_ - steps_ || next_ == 0; }
   /// Windows that this process has begun, and the largest of them over heat's longest stable step.
   std::int64_t evaluations() const { return evaluations_; }
   Real largest_part() const { return largest_part_; }

@@ -47,14 +47,12 @@ StepLimit Scene<Dim>::heat_step() const {
 template <int Dim>
 void Scene<Dim>::begin_heat(std::int64_t step, Real time, Real dt, Real bound) {
   const Real longest = heat_windows.bounding_steps() * bound;
-  const bool was_due = heat_windows.began_in(step - 1);
   if (boundaries.switches_heat(time, time + dt)) heat_windows.restart(step);
   const bool due = heat_windows.is_due(step, dt, longest);
   if (due) heat_windows.begin(step, dt, longest);
   heat_windows.advance(dt);
   for (auto& solid : solids) {
     solid->points().evaluates_conduction = due;
-    solid->points().evaluated_conduction = was_due;
     solid->points().conduction_steps = heat_windows.steps();
   }
 }

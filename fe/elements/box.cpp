@@ -277,13 +277,13 @@ class BoxFormulation final : public Formulation<Dim> {
   void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e,
                                const Real* temperature) const override {
     if (block.gauss == 1) return mean_temperature<kCorners>(block, e, temperature);
-    const std::size_t first = block.point(static_cast<LocalIndex>(e), 0);
+    Real* out = block.state.temperature.data() + block.point(static_cast<LocalIndex>(e), 0);
     Pack T[kCorners];
     gather_temperature(block.corner.data() + e * kCorners, temperature, T);
     for (int g = 0; g < block.gauss; ++g) {
       Pack sum = broadcast<Pack>(0);
       for (int I = 0; I < kCorners; ++I) sum += kCornerTable<Dim>.at[g].value[I] * T[I];
-      take_temperature(block, first + slot_of(kGroup * g), sum);
+      store(out + kGroup * g, sum);
     }
   }
 };

@@ -232,10 +232,9 @@ TEST(HeatEvery, AHotBlockKeepsItsHeatAndItsBits) {
   }
 }
 
-// Plastic heat warms what makes it at once: of elements, which hold it for their nodes until the
-// next evaluation, and of particles. A bar that hits a wall has the same as with conduction in each
-// step, and stores all of it.
-TEST(HeatEvery, PlasticHeatIsStoredAtOnce) {
+// Plastic heat goes to nodes in the step that makes it: a bar that hits a wall has the same heat of
+// its elements after each step as with conduction in each.
+TEST(HeatEvery, PlasticHeatDoesNotWait) {
   for (const auto& [name, size] : {std::pair("taylor-bar", "parameters.size=0.9 mm"),
                                    std::pair("taylor-bar-sph", "parameters.spacing=0.8 mm")}) {
     std::vector<std::string> deck{"materials.copper.thermal={cp: 383 J/kg/K, k: 386 W/m/K}",

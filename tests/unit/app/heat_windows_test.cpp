@@ -20,7 +20,6 @@ TEST(HeatWindows, AGivenNumberIsThatOfEach) {
     EXPECT_EQ(due, step % 3 == 0) << step;
     if (due) windows.begin(step, 1, 2), ++begun;
     windows.advance(1);
-    EXPECT_EQ(windows.began_in(step), due) << step;
     EXPECT_EQ(windows.steps(), 3);
   }
   EXPECT_EQ(windows.evaluations(), begun);
@@ -50,7 +49,6 @@ TEST(HeatWindows, TheFirstAreShort) {
 // grow, and where heat's own becomes shorter.
 TEST(HeatWindows, ChosenOnesEndBeforeTheyAreLong) {
   HeatWindows windows;
-  ASSERT_TRUE(windows.began_in(-1));  // nothing has begun: elements take what nodes have
   ASSERT_TRUE(windows.is_due(kLate, 1, 800));
   windows.begin(kLate, 1, 800);
   ASSERT_EQ(windows.steps(), 8);
@@ -65,8 +63,6 @@ TEST(HeatWindows, ChosenOnesEndBeforeTheyAreLong) {
   windows.begin(kLate + 1, 1, 133);
   windows.advance(1);
   EXPECT_EQ(windows.steps(), 1);
-  EXPECT_TRUE(windows.began_in(kLate + 1));
-  EXPECT_FALSE(windows.began_in(kLate));
 }
 
 TEST(HeatWindows, WhatChangesMakesThemShortAgain) {

@@ -1,11 +1,6 @@
-// Elements hold their mechanical heat for the steps that an evaluation of conduction acts for, and
-// give it to their nodes with the next one.
-//   An element alone has nodes of its own temperature: what it holds and what its nodes have make
-// it as warm as if it kept its heat, in each step. It must follow the adiabatic law to rounding,
-// 1e-16 of 300 K a step, whatever the window. With an evaluation in each step its law sees the
-// temperature of the step before.
-//   No heat is lost where elements go before they gave theirs: stored = plastic + compression +
-// boundary to rounding in each row.
+// Windows of conduction (`time.heat_every`) change what conducts, and nothing else: mechanical heat,
+// contacts and boundaries reach nodes, and elements follow these, in each step. Those that are
+// chosen follow heat's longest step, and what begins or ends.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,54 +19,8 @@ std::string copper() {
          "1.96}}, thermal: {cp: 383, k: 386, taylor_quinney: 0.9}}}\n";
 }
 
-/// One cube of 1 mm that is pressed to a half, or that and one beside it.
-std::string pressed(const std::string& integration, int n) {
-  return copper() +
-         "time: {end: 5 us}\noutput: {history: 50 ns}\nbodies: {cube: {material: copper, " +
-         "size: 1 mm, shape: {box: {min: [0, 0, 0], max: [" + std::to_string(n) +
-         " mm, 1 mm, 1 mm]}}, element: {integration: " + integration +
-         "}}}\nboundaries:\n  foot: {body: cube, where: {side: min-z}, fix: [z]}\n  head: {body: "
-         "cube, where: {side: max-z}, velocity: [free, free, -100 m/s]}\n";
-}
-
-class HeldHeat : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(HeldHeat, AnElementAloneIsAdiabaticBetweenEvaluations) {
-  const std::string deck = pressed(GetParam(), 1);
-  const auto alone = simulate_text(deck, {"heat=adiabatic"});
-  ASSERT_EQ(alone.failure, "");
-  const auto expected = alone.column("body.cube.internal");
-  ASSERT_GT(alone.last("body.cube.heat"), 0.3 * alone.last("body.cube.internal"));
-  for (const int n : {4, 16}) {
-    const auto held = simulate_text(deck, {"heat=conduct", every(n)});
-    ASSERT_EQ(held.failure, "");
-    const auto internal = held.column("body.cube.internal");
-    const auto heat = held.column("body.cube.heat"), drift = held.column("heat.drift");
-    ASSERT_EQ(internal.size(), expected.size());
-    for (std::size_t k = 0; k < internal.size(); ++k) {
-      EXPECT_NEAR(internal[k], expected[k], 1e-10 * expected.back()) << n << " row " << k;
-      EXPECT_NEAR(heat[k], alone.column("body.cube.heat")[k], 1e-10 * expected.back()) << n;
-      EXPECT_LT(std::fabs(drift[k]), 1e-12);
-    }
-  }
-  const auto late = simulate_text(deck, {"heat=conduct", every(1)});
-  EXPECT_GT(std::fabs(late.last("body.cube.internal") / expected.back() - 1), 1e-6);
-}
-INSTANTIATE_TEST_SUITE_P(All, HeldHeat, ::testing::Values("one-point", "q1p0"));
-
-// What windows change is when heat is spread. What an element that a wave compresses holds goes to
-// its neighbours at once then, and not as it arises: waves lose what flows from hot to cold
-// (Zener), in proportion to the window, 2.8e-5 of all heat a step of 1,000 here. 1e-3 is the gate.
-TEST(HeldHeatOfMany, WindowsChangeLittle) {
-  const std::string deck = pressed("one-point", 3);
-  const auto once = simulate_text(deck, {"heat=conduct", "time.max_step=5 ns", every(1)});
-  const auto held = simulate_text(deck, {"heat=conduct", "time.max_step=5 ns", every(16)});
-  ASSERT_EQ(held.failure, "");
-  EXPECT_NEAR(held.last("body.cube.heat") / once.last("body.cube.heat"), 1, 1e-3);
-  EXPECT_NE(held.hashes.back(), once.hashes.back());
-}
-
-// A bar is torn apart, and its elements go one after another.
+// A bar is torn apart, and its elements go one after another: stored = plastic + compression +
+// boundary to rounding in each row.
 class TornBar : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(TornBar, LosesNoHeat) {
@@ -121,9 +70,8 @@ std::string aluminium() {
 // What boundaries, contacts and conduction do to nodes reaches their elements in each step: a bar
 // that is heated smoothly expands smoothly. Where elements followed only with the evaluations,
 // stress came in stairs that made waves: 77,000 times the viscous work, and windows longer than the
-// run left the bar as long as it was. Plastic heat there is none, so that windows change what
-// conducts and nothing else.
-TEST(HeldHeatOfMany, ElementsFollowTheirNodesInEachStep) {
+// run left the bar as long as it was.
+TEST(WindowsOfHeat, ElementsFollowTheirNodesInEachStep) {
   const std::string heated =
       aluminium() +
       "time: {end: 100 us}\noutput: {history: 5 us}\nbodies: {bar: {material: alu, size: 1 mm, "
@@ -144,7 +92,7 @@ TEST(HeldHeatOfMany, ElementsFollowTheirNodesInEachStep) {
 // Two blocks that expand come into perfect contact after 300 steps, with friction: what they
 // exchange and how they bounce is as with an evaluation in each step. It was 6 % of the motion off
 // where elements followed their nodes late.
-TEST(HeldHeatOfMany, AContactThatComesLateIsFeltAtOnce) {
+TEST(WindowsOfHeat, AContactThatComesLateIsFeltAtOnce) {
   const std::string thrown =
       aluminium() +
       "time: {end: 150 us}\nbodies:\n  a: {material: alu, temperature: 600 K, velocity: [0, -100], "
@@ -161,7 +109,7 @@ TEST(HeldHeatOfMany, AContactThatComesLateIsFeltAtOnce) {
 
 // A temperature that is switched on late is conducted in time, as one of the start: 0.158/64 of the
 // jump where windows err most, a tenth of that in heat. Without short windows it was 3e-3.
-TEST(HeldHeatOfMany, ABoundaryThatBeginsLateIsConductedInTime) {
+TEST(WindowsOfHeat, ABoundaryThatBeginsLateIsConductedInTime) {
   for (const char* from :
        {"temperature: 600 K, from: 14 us", "temperature: 600 K, from: 7 us, to: 8 us"}) {
     const auto once = simulate_text(heated(from), {every(1)});
@@ -172,7 +120,7 @@ TEST(HeldHeatOfMany, ABoundaryThatBeginsLateIsConductedInTime) {
 }
 
 // A convection that jumps shortens heat's step, and ends the window with it: no step is lost.
-TEST(HeldHeatOfMany, AConvectionThatJumpsEndsTheWindow) {
+TEST(WindowsOfHeat, AConvectionThatJumpsEndsTheWindow) {
   const std::string wild = "convection: {h: \"= t < 14e-6 ? 1e4 : 2e9\", T: 600 K}";
   const auto once = simulate_text(heated(wild), {every(1)});
   const auto chosen = simulate_text(heated(wild), {});
