@@ -151,12 +151,12 @@ template <int Dim>
 void FiniteElements<Dim>::add_internal_forces(Real dt) {
   stepped_ = true;
   if (held_) return;
+  if (points_.conducts) interpolate_temperatures();
   const ElementStep<Dim> common = element_step(dt);
   force_chunks_.add(
       [&](std::size_t b, int tile, const CornerSums& sums) {
         ElementBlock<Dim>& block = blocks_[b];
         ElementStep<Dim> step = common;
-        if (block.conducts) interpolate_temperatures(block, tile);
         if (rests(block, tile, step)) return;
         step.sums = sums;
         block.formulation->advance(block, tile, step);

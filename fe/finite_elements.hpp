@@ -92,7 +92,6 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void set_capacities();
   void make_rigid();
   void start_conduction();
-  void interpolate_temperatures(ElementBlock<Dim>& block, int tile);
   void interpolate_temperatures();
   void vary_capacities();
   void sum_conduction(Real inverse_dt);

@@ -99,21 +99,15 @@ void FiniteElements<Dim>::start_conduction() {
   std::fill(points_.heat_rate.begin(), points_.heat_rate.end(), 0.0);
 }
 
-/// The temperatures of nodes at the material points of a tile.
-template <int Dim>
-void FiniteElements<Dim>::interpolate_temperatures(ElementBlock<Dim>& block, int tile) {
-  if (block.state.temperature.empty()) return;
-  const int n = block.elements_per_tile();
-  for (int e = tile * n; e < (tile + 1) * n; e += kLanes) {
-    block.formulation->interpolate_temperature(block, slot_of(e), points_.temperature.data());
-  }
-}
-
 template <int Dim>
 void FiniteElements<Dim>::interpolate_temperatures() {
   for (auto& block : blocks_) {
-    for_each(block.n_tiles(), kGroupsWorthThreads / 8,
-             [&](int tile) { interpolate_temperatures(block, tile); });
+    if (block.state.temperature.empty()) continue;
+    const int n = block.n_padded / kLanes;
+    for_each(n, kGroupsWorthThreads, [&](int k) {
+      block.formulation->interpolate_temperature(block, slot_of(k) * kLanes,
+                                                 points_.temperature.data());
+    });
   }
 }
 

@@ -1,6 +1,6 @@
-// Windows of conduction (`time.heat_every`) change what conducts, and nothing else: mechanical heat,
-// contacts and boundaries reach nodes, and elements follow these, in each step. Those that are
-// chosen follow heat's longest step, and what begins or ends.
+// Windows of conduction (`time.heat_every`) change what conducts, and nothing else: mechanical
+// heat, contacts and boundaries reach nodes, and elements follow these, in each step. Those that
+// are chosen follow heat's longest step, and what begins or ends.
 #include <gtest/gtest.h>
 
 #include <cmath>
