@@ -107,6 +107,32 @@ TEST(WindowsOfHeat, AContactThatComesLateIsFeltAtOnce) {
   }
 }
 
+// What passes a contact, and what a held temperature takes, is as smooth as with an evaluation in
+// each step: a step that gives the mechanical heat of sixteen would show in both.
+TEST(WindowsOfHeat, RatesOfHeatHaveNoSpikes) {
+  const std::string pressed =
+      aluminium() +
+      "time: {end: 40 us}\noutput: {history: 0.5 us}\nbodies:\n  a: {material: alu, velocity: [0, "
+      "-10], size: 0.5 mm, shape: {box: {min: [0, 0], max: [4 mm, 3 mm]}}}\n  b: {material: alu, "
+      "temperature: 320 K, size: 0.5 mm, shape: {box: {min: [-1 mm, -2 mm], max: [5 mm, 0]}}}\n"
+      "boundaries:\n  foot: {body: b, where: {side: min-y}, fix: [x, y]}\n  head: {body: a, where: "
+      "{side: max-y}, velocity: [free, -10]}\n  cool: {body: a, where: {side: min-x}, temperature: "
+      "300}\ncontact: {default: {heat: perfect}}\n";
+  const auto once = simulate_text(pressed, {every(1)}), chosen = simulate_text(pressed, {});
+  ASSERT_EQ(chosen.failure, "");
+  ASSERT_GT(chosen.last("heat.plastic"), 0);
+  for (const char* column : {"contact.a-b.heat_rate", "boundary.cool.heat_rate"}) {
+    const auto expected = once.column(column), rate = chosen.column(column);
+    ASSERT_EQ(rate.size(), expected.size());
+    Real largest = 0;
+    for (const Real one : expected) largest = std::max(largest, std::fabs(one));
+    ASSERT_GT(largest, 0);
+    for (std::size_t k = 0; k < rate.size(); ++k) {
+      EXPECT_NEAR(rate[k], expected[k], 1e-2 * largest) << column << " row " << k;
+    }
+  }
+}
+
 // A temperature that is switched on late is conducted in time, as one of the start: 0.158/64 of the
 // jump where windows err most, a tenth of that in heat. Without short windows it was 3e-3.
 TEST(WindowsOfHeat, ABoundaryThatBeginsLateIsConductedInTime) {
