@@ -21,11 +21,10 @@ BRUNT_INLINE void add_heat_of(const ElementBlock<Dim>& block, std::size_t first,
   for (std::size_t k = 0; k < kGroup; ++k) heat[k] += sum[k];
 }
 
-/// Rates [W] of the plastic and compression heat that the nodes of the group of elements from e on
-/// do not have yet; they have it then.
+}  // namespace
+
 template <int Dim>
-BRUNT_INLINE void take_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt,
-                                       Real (&rate)[kGroup]) {
+void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* rate) {
   const std::size_t first = block.point(static_cast<LocalIndex>(e), 0);
   Real heat[kGroup] = {};
   add_heat_of(block, first, block.state.heat, heat);
@@ -37,13 +36,11 @@ BRUNT_INLINE void take_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, 
   }
 }
 
-}  // namespace
-
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step) {
   if (!(step.inverse_dt > 0) || block.heat_given.empty()) return;
   Real rate[kGroup];
-  take_mechanical_heat(block, e, step.inverse_dt, rate);
+  give_mechanical_heat(block, e, step.inverse_dt, rate);
   const auto n = slot_of(block.corners);
   for (std::size_t k = 0; k < kGroup; ++k) {
     if (rate[k] == 0) continue;
@@ -51,13 +48,6 @@ void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const Conducti
       step.corner_heat[2 * I] += rate[k] * block.heat_share[I];
     }
   }
-}
-
-template <int Dim>
-void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* heat) {
-  Real rate[kGroup];
-  take_mechanical_heat(block, e, inverse_dt, rate);
-  for (std::size_t k = 0; k < kGroup; ++k) heat[e + k] = rate[k];
 }
 
 template <int Dim>

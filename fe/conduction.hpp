@@ -33,9 +33,10 @@ void conduct_hexes(const LocalIndex* corner, const Real* conductivity,
 template <int Dim>
 void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
 
-/// Rates [W] of the mechanical heat that the kGroup elements from e on give to their nodes.
+/// Rates [W] of the plastic and compression heat that nodes of the kGroup elements from e on do not
+/// have yet; they have it then.
 template <int Dim>
-void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* heat);
+void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* rate);
 
 /// Materials of conducting blocks whose specific heat varies, each once, in the order of blocks: in
 /// it stand their specific heats among those of the points.

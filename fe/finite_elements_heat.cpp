@@ -152,15 +152,17 @@ void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
   std::size_t n = 0;
   for (const auto& block : blocks_) n += slot_of(block.n_padded);
   element_heat_.resize(n);
-  Real* heat = element_heat_.data();
+  Real* rates = element_heat_.data();
   for (auto& block : blocks_) {
     if (heats(block)) {
-      for_each(block.n_padded / kGroup, kGroupsWorthThreads,
-               [&](int k) { give_mechanical_heat(block, slot_of(k) * kGroup, inverse_dt, heat); });
+      for_each(block.n_padded / kGroup, kGroupsWorthThreads, [&](int k) {
+        const std::size_t e = slot_of(k) * kGroup;
+        give_mechanical_heat(block, e, inverse_dt, rates + e);
+      });
     } else {
-      std::fill_n(heat, block.n_padded, 0.0);
+      std::fill_n(rates, block.n_padded, 0.0);
     }
-    heat += block.n_padded;
+    rates += block.n_padded;
   }
   heat_shares_.add(gather_, element_heat_.data(), points_.heat_rate);
 }

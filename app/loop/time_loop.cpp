@@ -53,8 +53,7 @@ void start(Scene<Dim>& scene) {
   if (scene.rigid) scene.rigid->start();
   scene.refresh_motion();
   for (auto& solid : scene.solids) solid->begin_lists();
-  if (scene.contact) scene.contact->rearrange();
-  if (scene.contact) scene.contact->start();
+  if (scene.contact) scene.contact->rearrange(), scene.contact->start();
 }
 
 /// Points to x(n+1), with v(n+1/2).

@@ -113,12 +113,11 @@ void measure(const Deck& deck, const Arguments& arguments, Scene<Dim>& scene, Ma
       steps > 0 ? clock.dt() : deck.time.safety * scene.stable_step(0, scene.heat_step()).step;
   rates.particle_lists = 1.0 / 15, rates.contact_lists = 1.0 / 15;
   if (steps > 0) {
-    const auto per_step = [&](auto before, auto after) {
-      return std::max(0.0, static_cast<Real>(after - before) - 1) / steps;  // one is of the start
-    };
-    rates.particle_lists = per_step(searches_before, searches(scene));
+    rates.particle_lists = static_cast<Real>(searches(scene) - searches_before) / steps;
     if (scene.contact) {
-      rates.contact_lists = per_step(builds_before, scene.contact->work().builds);
+      // One is of the start.
+      const auto builds = static_cast<Real>(scene.contact->work().builds - builds_before) - 1;
+      rates.contact_lists = std::max(0.0, builds) / steps;
       const auto listed = static_cast<Real>(scene.contact->work().candidates);
       const auto reaches = scene.contact->reaches();
       const auto surface = static_cast<Real>(reaches.faces.size() + reaches.particles.size());
