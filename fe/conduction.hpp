@@ -7,16 +7,14 @@ namespace brunt {
 
 /// One step of conduction for the kernels, which write the heat rates of kGroup elements from e on:
 ///   q_I = sum_J K_IJ (T_I - T_J),  K_IJ = int k grad N_I . grad N_J dV,  k at the mean temperature
-/// so that heat flows between pairs of corners and none is lost, and the mechanical heat of the
-/// step (of plastic work, compression and viscosity) by the corners' shares of the capacity. The
-/// conductance of a corner is 1/2 sum_J |K_IJ|: by Gershgorin's theorem a step of
-/// capacity/conductance is stable, whatever the element's shape.
+/// so that heat flows between pairs of corners and none is lost. The conductance of a corner is
+/// 1/2 sum_J |K_IJ|: by Gershgorin's theorem a step of capacity/conductance is stable, whatever
+/// the element's shape.
 template <int Dim>
 struct ConductionStep {
   const Vec<Dim>* x = nullptr;        ///< [m] by node, x(n+1)
   const Real* temperature = nullptr;  ///< [K] by node, T(n)
   Thickness thickness;
-  Real inverse_dt = 0;         ///< [1/s] 0: mechanical work gives no heat yet
   Real* corner_heat = nullptr; /**< [element][corner][2], written: heat rate [W] and conductance
                                     [W/K] of the corner */
 };
@@ -27,16 +25,6 @@ struct ConductionStep {
 template <class V>
 void conduct_hexes(const LocalIndex* corner, const Real* conductivity,
                    const ConductionStep<3>& step, Real* corner_heat);
-
-/// Adds the mechanical heat of the step, where there is any, to the corner heat of the kGroup
-/// elements from e on.
-template <int Dim>
-void add_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, const ConductionStep<Dim>& step);
-
-/// Rates [W] of the plastic and compression heat that nodes of the kGroup elements from e on do not
-/// have yet; they have it then.
-template <int Dim>
-void give_mechanical_heat(ElementBlock<Dim>& block, std::size_t e, Real inverse_dt, Real* rate);
 
 /// Materials of conducting blocks whose specific heat varies, each once, in the order of blocks: in
 /// it stand their specific heats among those of the points.

@@ -1,6 +1,5 @@
 #pragma once
 /// What kernels of conduction share, whatever the element: N corners, four elements at a time.
-#include "core/lane_sums.hpp"
 #include "fe/conduction.hpp"
 
 namespace brunt {
@@ -57,21 +56,12 @@ BRUNT_INLINE void exchange_heat(const V (&K)[N][N], V k, const V (&T)[N], Real* 
 template <int N, int Dim>
 BRUNT_INLINE void mean_temperature(ElementBlock<Dim>& block, std::size_t e,
                                    const Real* temperature) {
-  static_assert(N % kLanes == 0);
-  Pack of_element[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const LocalIndex* const corner = block.corner.data() + (e + lane) * N;
-    const Real* const share = block.heat_share.data() + (e + lane) * N;
-    const auto weighted = [&](int first) {
-      const LocalIndex* const node = corner + first;
-      return load(share + first) * Pack{temperature[node[0]], temperature[node[1]],
-                                        temperature[node[2]], temperature[node[3]]};
-    };
-    of_element[lane] = weighted(0);
-    if constexpr (N == 2 * kLanes) of_element[lane] += weighted(kLanes);
-  }
-  store(block.state.temperature.data() + e,
-        sums_of(of_element[0], of_element[1], of_element[2], of_element[3]));
+  const Real* const share = block.heat_share.data() + block.heat_share_at(e, 0);
+  Pack T[N];
+  gather_temperature(block.corner.data() + e * N, temperature, T);
+  Pack mean = load(share) * T[0];
+  for (int I = 1; I < N; ++I) mean = vfma(load(share + I * kGroup), T[I], mean);
+  store(block.state.temperature.data() + e, mean);
 }
 
 }  // namespace brunt

@@ -23,44 +23,6 @@ void CornerGather::add(const Real* value, std::vector<Vec<W>>& out) const {
   });
 }
 
-void HeatShares::add(const CornerGather& gather, const Real* heat, std::vector<Real>& out) const {
-  const auto n = static_cast<LocalIndex>(gather.offset.size()) - 1;
-  for_each(n, kNodesWorthThreads, [&](LocalIndex node) {
-    Real sum = 0;
-    for (auto k = slot_of(gather.offset[node]); k < slot_of(gather.offset[node + 1]); ++k) {
-      sum += heat[element[k]] * share[k];
-    }
-    out[node] += sum;
-  });
-}
-
-template <int Dim>
-HeatShares make_heat_shares(const std::vector<ElementBlock<Dim>>& blocks,
-                            const CornerGather& gather) {
-  std::vector<LocalIndex> element;  // of each corner
-  std::vector<Real> share;
-  LocalIndex first = 0;
-  for (const auto& block : blocks) {
-    const auto n = slot_of(block.corners), end = block.first_corner + block.corner.size();
-    element.resize(end), share.resize(end);
-    for (std::size_t I = 0; I < block.heat_share.size(); ++I) {
-      element[block.first_corner + I] = first + static_cast<LocalIndex>(I / n);
-      share[block.first_corner + I] = block.heat_share[I];
-    }
-    first += block.n_padded;
-  }
-  HeatShares shares;
-  shares.element.reserve(gather.place.size()), shares.share.reserve(gather.place.size());
-  for (const LocalIndex corner : gather.place) {
-    shares.element.push_back(element[slot_of(corner)]);
-    shares.share.push_back(share[slot_of(corner)]);
-  }
-  return shares;
-}
-
-template HeatShares make_heat_shares(const std::vector<ElementBlock<2>>&, const CornerGather&);
-template HeatShares make_heat_shares(const std::vector<ElementBlock<3>>&, const CornerGather&);
-
 template <int Dim>
 CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_nodes) {
   CornerGather gather;

@@ -16,19 +16,6 @@ struct CornerGather {
   void add(const Real* value, std::vector<Vec<W>>& out) const;
 };
 
-/// What the nodes of a gather get of the mechanical heat of elements: of each corner, in its order,
-/// the element, counted over all blocks with their padding, and its share.
-struct HeatShares {
-  std::vector<LocalIndex> element;
-  std::vector<Real> share;
-
-  /// Adds share times heat [values by element] of all corners of each node to it.
-  void add(const CornerGather& gather, const Real* heat, std::vector<Real>& out) const;
-};
-template <int Dim>
-HeatShares make_heat_shares(const std::vector<ElementBlock<Dim>>& blocks,
-                            const CornerGather& gather);
-
 /// For the first n_nodes nodes: ghosts behind them get no sums.
 template <int Dim>
 CornerGather make_corner_gather(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_nodes);

@@ -30,36 +30,38 @@ BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Pack (
   }
 }
 
-/// Adds the corner values of the four elements from e on to rows of nodes, element by element.
-template <int N>
-BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][3], std::size_t e, const CornerSums& sums) {
+/// Mechanical heat of lanes_of<V> elements, which their corners share.
+template <class V>
+struct SharedHeat {
+  static constexpr Real kNone[kMostCorners * kGroup] = {};
+
+  V rate{};                   ///< [W] of each element
+  const Real* share = kNone;  ///< [1] of corner 0; that of the next stands kGroup further on
+};
+
+/// Adds forces and heat of the corners of four elements from e on to rows of nodes, element by
+/// element.
+template <int N, int Dim>
+BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][Dim], const SharedHeat<Pack>& heat,
+                               std::size_t e, const CornerSums& sums) {
   const std::uint16_t* place = sums.place + (e - sums.first) * N;
   Pack row[kLanes][N];
   for (int I = 0; I < N; ++I) {
-    const Pack none{};
+    const Pack h = heat.rate * load(heat.share + I * kGroup);
+    const Pack z = Dim == 3 ? node[I][Dim - 1] : Pack{};
     const Pack xy02 = __builtin_shufflevector(node[I][0], node[I][1], 0, 4, 2, 6);
     const Pack xy13 = __builtin_shufflevector(node[I][0], node[I][1], 1, 5, 3, 7);
-    const Pack z02 = __builtin_shufflevector(node[I][2], none, 0, 4, 2, 6);
-    const Pack z13 = __builtin_shufflevector(node[I][2], none, 1, 5, 3, 7);
-    row[0][I] = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
-    row[1][I] = __builtin_shufflevector(xy13, z13, 0, 1, 4, 5);
-    row[2][I] = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
-    row[3][I] = __builtin_shufflevector(xy13, z13, 2, 3, 6, 7);
+    const Pack zh02 = __builtin_shufflevector(z, h, 0, 4, 2, 6);
+    const Pack zh13 = __builtin_shufflevector(z, h, 1, 5, 3, 7);
+    row[0][I] = __builtin_shufflevector(xy02, zh02, 0, 1, 4, 5);
+    row[1][I] = __builtin_shufflevector(xy13, zh13, 0, 1, 4, 5);
+    row[2][I] = __builtin_shufflevector(xy02, zh02, 2, 3, 6, 7);
+    row[3][I] = __builtin_shufflevector(xy13, zh13, 2, 3, 6, 7);
   }
   for (int lane = 0; lane < kLanes; ++lane) {
     for (int I = 0; I < N; ++I) {
       Real* to = sums.row + place[lane * N + I];
       store(to, load(to) + row[lane][I]);
-    }
-  }
-}
-template <int N>
-BRUNT_INLINE void add_to_nodes(const Pack (&node)[N][2], std::size_t e, const CornerSums& sums) {
-  const std::uint16_t* place = sums.place + (e - sums.first) * N;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    for (int I = 0; I < N; ++I) {
-      Real* to = sums.row + place[lane * N + I];
-      to[0] += node[I][0][lane], to[1] += node[I][1][lane];
     }
   }
 }
@@ -103,31 +105,22 @@ BRUNT_INLINE void gather(const LocalIndex* corner, const Vec<Dim>* field, Wide (
     for (int i = 0; i < Dim; ++i) node[I][i] = joined_wide(low[I][i], high[I][i]);
   }
 }
-template <int N>
-BRUNT_INLINE void add_to_nodes(const Wide (&node)[N][2], std::size_t e, const CornerSums& sums) {
-  Pack low[N][2], high[N][2];
-  for (int I = 0; I < N; ++I) {
-    for (int i = 0; i < 2; ++i) {
-      low[I][i] = low_half(node[I][i]), high[I][i] = high_half(node[I][i]);
-    }
-  }
-  add_to_nodes(low, e, sums);
-  add_to_nodes(high, e + kLanes, sums);
-}
-template <int N>
-BRUNT_INLINE void add_to_nodes(const Wide (&node)[N][3], std::size_t e, const CornerSums& sums) {
+template <int N, int Dim>
+BRUNT_INLINE void add_to_nodes(const Wide (&node)[N][Dim], const SharedHeat<Wide>& heat,
+                               std::size_t e, const CornerSums& sums) {
   const std::uint16_t* place = sums.place + (e - sums.first) * N;
   Pack row[2 * kLanes][N];
   for (int I = 0; I < N; ++I) {
-    const Wide x = node[I][0], y = node[I][1], z = node[I][2], none{};
+    const Wide h = heat.rate * load_as<Wide>(heat.share + I * kGroup);
+    const Wide x = node[I][0], y = node[I][1], z = Dim == 3 ? node[I][Dim - 1] : Wide{};
     const Wide xy_even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
     const Wide xy_odd = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
-    const Wide z_even = __builtin_shufflevector(z, none, 0, 8, 2, 10, 4, 12, 6, 14);
-    const Wide z_odd = __builtin_shufflevector(z, none, 1, 9, 3, 11, 5, 13, 7, 15);
-    const Wide two[kLanes] = {__builtin_shufflevector(xy_even, z_even, 0, 1, 8, 9, 4, 5, 12, 13),
-                              __builtin_shufflevector(xy_odd, z_odd, 0, 1, 8, 9, 4, 5, 12, 13),
-                              __builtin_shufflevector(xy_even, z_even, 2, 3, 10, 11, 6, 7, 14, 15),
-                              __builtin_shufflevector(xy_odd, z_odd, 2, 3, 10, 11, 6, 7, 14, 15)};
+    const Wide zh_even = __builtin_shufflevector(z, h, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Wide zh_odd = __builtin_shufflevector(z, h, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Wide two[kLanes] = {__builtin_shufflevector(xy_even, zh_even, 0, 1, 8, 9, 4, 5, 12, 13),
+                              __builtin_shufflevector(xy_odd, zh_odd, 0, 1, 8, 9, 4, 5, 12, 13),
+                              __builtin_shufflevector(xy_even, zh_even, 2, 3, 10, 11, 6, 7, 14, 15),
+                              __builtin_shufflevector(xy_odd, zh_odd, 2, 3, 10, 11, 6, 7, 14, 15)};
     for (int lane = 0; lane < kLanes; ++lane) {
       row[lane][I] = low_half(two[lane]), row[kLanes + lane][I] = high_half(two[lane]);
     }

@@ -194,13 +194,14 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
 template <int Dim>
 std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim>& points,
                                 const Thickness& thickness) {
-  const int n = block.corners;
   std::vector<Real> shares(block.corner.size());
   for (LocalIndex e = 0; e < block.n_padded; ++e) {
-    Real* share = shares.data() + slot_of(e) * slot_of(n);
+    std::array<Real, kMostCorners> part{};
     const Real whole = block.formulation->add_corner_volumes(corner_positions(block, e, points),
-                                                             thickness, 1, share);
-    for (int I = 0; I < n; ++I) share[I] /= whole;
+                                                             thickness, 1, part.data());
+    for (std::size_t I = 0; I < slot_of(block.corners); ++I) {
+      shares[block.heat_share_at(slot_of(e), I)] = part[I] / whole;
+    }
   }
   return shares;
 }

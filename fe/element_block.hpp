@@ -118,8 +118,8 @@ struct ElementBlock {
   std::vector<Real> viscous_work;      ///< [J]
   std::vector<Real> stable_step;       ///< [s] bound of each element
   std::vector<Rest> rest;              ///< of each tile
-  /// Where it conducts: share of its volume [1] that each corner stands for at time 0, n_padded x
-  /// corners: of its heat capacity, and of the mechanical heat.
+  /// Where it conducts: share of its volume [1] that each corner stands for at time 0: of its heat
+  /// capacity, and of the mechanical heat; see `heat_share_at`.
   std::vector<Real> heat_share;
   /// [J] plastic and compression heat that nodes have been given; empty where neither arises
   std::vector<Real> heat_given;
@@ -134,6 +134,10 @@ struct ElementBlock {
   int n_tiles() const { return n_padded / elements_per_tile(); }
   std::size_t point(LocalIndex e, int g) const {
     return slot_of(e / kGroup) * kGroup * gauss + kGroup * g + e % kGroup;
+  }
+  /// Where corner I of element e stands in `heat_share`: those of kGroup elements side by side.
+  std::size_t heat_share_at(std::size_t e, std::size_t I) const {
+    return ((e / kGroup) * slot_of(corners) + I) * kGroup + e % kGroup;
   }
   std::span<const LocalIndex> corners_of(LocalIndex e) const {
     const auto n_corners = slot_of(corners);
@@ -155,8 +159,8 @@ template <int Dim>
 void corner_masses(const ElementBlock<Dim>& block, LocalIndex e, const Points<Dim>& points,
                    const Thickness& thickness, Real* share);
 
-/// The part of an element's volume that each corner stands for, int N_I dV / V, one after another:
-/// so its heat capacity is shared; n_padded x corners.
+/// The part of an element's volume that each corner stands for, int N_I dV / V, in the places of
+/// ElementBlock::heat_share_at: so its heat capacity is shared.
 template <int Dim>
 std::vector<Real> corner_shares(const ElementBlock<Dim>& block, const Points<Dim>& points,
                                 const Thickness& thickness);

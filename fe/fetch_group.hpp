@@ -38,7 +38,8 @@ BRUNT_INLINE void fetch_group(const ElementBlock<Dim>& block, std::size_t e,
                               &state.temperature, &state.heat, &state.energy}) {
       fetch(*field, p);
     }
-    if (block.gauss > 1) fetch(block.reference_volume, p);
+    if (block.gauss > 1 || block.conducts) fetch(block.reference_volume, p);
+    if (block.conducts) fetch(state.compression_heat, p), fetch(state.expansion_work, p);
   }
   for (const auto* field : {&block.element_volume, &block.mass, &block.reference_size,
                             &block.guard_reach, &block.viscous_pressure, &block.stress_work,
@@ -46,6 +47,9 @@ BRUNT_INLINE void fetch_group(const ElementBlock<Dim>& block, std::size_t e,
     fetch(*field, e);
   }
   for (std::size_t k = 0; k < block.hourglass.size(); k += padded) fetch(block.hourglass, k + e);
+  if (block.heat_given.empty()) return;
+  fetch(block.heat_given, e);
+  for (std::size_t I = 0; I < corners; ++I) fetch(block.heat_share, block.heat_share_at(e, I));
 }
 
 /// Where a group begins at element e, asks for that of the next tile which stands as this one does:

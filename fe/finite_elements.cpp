@@ -107,7 +107,7 @@ void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) 
     corners += blocks_.back().corner.size();
   }
   n_corners_ = corners;
-  gather_ = {}, heat_shares_ = {};
+  gather_ = {};
   if (erosion_) order_corners();
   force_chunks_ = ForceChunks<Dim>(blocks_, points_.n_owned, points_.size());
   start_volumes();
@@ -162,7 +162,7 @@ void FiniteElements<Dim>::add_internal_forces(Real dt) {
         block.formulation->advance(block, tile, step);
         keep_rest(block, tile, step);
       },
-      points_.f);
+      points_.f, points_.heat_rate);
   // Of whatever acts: contact and loads come first.
   for (const LocalIndex node : surface_.axis) points_.f[node][0] = 0;
 }

@@ -94,10 +94,9 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void start_conduction();
   void interpolate_temperatures();
   void vary_capacities();
-  void sum_conduction(Real inverse_dt);
-  void conduct(Real inverse_dt);
+  void sum_conduction();
+  void conduct();
   void keep_conduction();
-  void add_mechanical_heat(Real inverse_dt);
   void find_elements_of_facets();
   void start_erosion();
   std::vector<ErodedElement> failed_elements() const;
@@ -119,10 +118,8 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   std::vector<ElementBlock<Dim>> blocks_;
   CornerGather gather_;  ///< empty where nothing but forces is summed at nodes
   ForceChunks<Dim> force_chunks_;
-  std::size_t n_corners_ = 0;       ///< of all blocks, padding included
-  std::vector<Vec<2>> node_heat_;   ///< [W], [W/K] of each node, while they are summed
-  HeatShares heat_shares_;          ///< in the order of gather_; empty: not needed yet
-  std::vector<Real> element_heat_;  ///< [W] mechanical, of each element while it is given
+  std::size_t n_corners_ = 0;      ///< of all blocks, padding included
+  std::vector<Vec<2>> node_heat_;  ///< [W], [W/K] of each node, while they are summed
   std::vector<Real>
       corner_heat_;  ///< [W], [W/K] [element][corner][2]; empty: heat is not conducted
   /// Where elements average volumes, by node: volume [m^3] of those about it free of stress, and

@@ -22,9 +22,10 @@ void FiniteElements<Dim>::set_capacities() {
     for (std::size_t e = 0; e < slot_of(block.n); ++e) {
       const Real capacity =
           block.material_mass(e) * block.material->specific_heat.at(block.temperature);
-      for (std::size_t I = e * n; I < (e + 1) * n; ++I) {
-        at_start[block.corner[I]] = block.temperature;
-        share[block.first_corner + I] = capacity * block.heat_share[I];
+      for (std::size_t I = 0; I < n; ++I) {
+        const std::size_t corner = e * n + I;
+        at_start[block.corner[corner]] = block.temperature;
+        share[block.first_corner + corner] = capacity * block.heat_share[block.heat_share_at(e, I)];
       }
     }
   }
@@ -52,8 +53,9 @@ void FiniteElements<Dim>::vary_capacities() {
     for (const auto& block : blocks_) {
       if (block.material != material) continue;
       const auto n = slot_of(block.corners);
-      for (std::size_t I = 0; I < slot_of(block.n) * n; ++I) {
-        share[block.first_corner + I] = block.material_mass(I / n) * block.heat_share[I];
+      for (std::size_t c = 0; c < slot_of(block.n) * n; ++c) {
+        share[block.first_corner + c] =
+            block.material_mass(c / n) * block.heat_share[block.heat_share_at(c / n, c % n)];
       }
     }
     gather_.template add<1>(share.data(), mass.emplace_back(points_.x.size(), Vec<1>::Zero()));
@@ -95,7 +97,7 @@ void FiniteElements<Dim>::start_conduction() {
   order_corners();
   corner_heat_.assign(n_corners_ * 2, 0.0);
   std::fill(points_.conductance.begin(), points_.conductance.end(), 0.0);
-  conduct(0);
+  conduct();
   std::fill(points_.heat_rate.begin(), points_.heat_rate.end(), 0.0);
 }
 
@@ -111,12 +113,12 @@ void FiniteElements<Dim>::interpolate_temperatures() {
   }
 }
 
-/// Writes node_heat_ of conduction, and of mechanical heat where inverse_dt is above 0.
+/// Writes node_heat_.
 template <int Dim>
-void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
+void FiniteElements<Dim>::sum_conduction() {
   for (auto& block : blocks_) {
     const ConductionStep<Dim> step{points_.x.data(), points_.temperature.data(), thickness_,
-                                   inverse_dt, corner_heat_.data() + 2 * block.first_corner};
+                                   corner_heat_.data() + 2 * block.first_corner};
     const int n = block.n_padded / kGroup;
     for_each(n, kGroupsWorthThreads,
              [&](int k) { block.formulation->conduct(block, slot_of(k) * kGroup, step); });
@@ -126,8 +128,8 @@ void FiniteElements<Dim>::sum_conduction(Real inverse_dt) {
 }
 
 template <int Dim>
-void FiniteElements<Dim>::conduct(Real inverse_dt) {
-  sum_conduction(inverse_dt);
+void FiniteElements<Dim>::conduct() {
+  sum_conduction();
   for (std::size_t i = 0; i < points_.owned(); ++i) {
     points_.heat_rate[i] += node_heat_[i][0];
     points_.conductance[i] += node_heat_[i][1];
@@ -136,44 +138,20 @@ void FiniteElements<Dim>::conduct(Real inverse_dt) {
 
 template <int Dim>
 void FiniteElements<Dim>::keep_conduction() {
-  sum_conduction(0);
+  sum_conduction();
   for (std::size_t i = 0; i < points_.owned(); ++i) {
     points_.kept_rate[i] = node_heat_[i][0];
     points_.kept_conductance[i] = node_heat_[i][1];
   }
 }
 
-/// The mechanical heat of a step alone.
+/// Mechanical heat is given with the internal forces.
 template <int Dim>
-void FiniteElements<Dim>::add_mechanical_heat(Real inverse_dt) {
-  const auto heats = [](const auto& block) { return !block.heat_given.empty(); };
-  if (!std::any_of(blocks_.begin(), blocks_.end(), heats)) return;
-  if (heat_shares_.element.empty()) heat_shares_ = make_heat_shares(blocks_, gather_);
-  std::size_t n = 0;
-  for (const auto& block : blocks_) n += slot_of(block.n_padded);
-  element_heat_.resize(n);
-  Real* rates = element_heat_.data();
-  for (auto& block : blocks_) {
-    if (heats(block)) {
-      for_each(block.n_padded / kGroup, kGroupsWorthThreads, [&](int k) {
-        const std::size_t e = slot_of(k) * kGroup;
-        give_mechanical_heat(block, e, inverse_dt, rates + e);
-      });
-    } else {
-      std::fill_n(rates, block.n_padded, 0.0);
-    }
-    rates += block.n_padded;
-  }
-  heat_shares_.add(gather_, element_heat_.data(), points_.heat_rate);
-}
-
-template <int Dim>
-void FiniteElements<Dim>::add_conduction(Real dt) {
+void FiniteElements<Dim>::add_conduction(Real /*dt*/) {
   if (!points_.conducts) return;
-  if (points_.conduction_steps == 1) return conduct(1.0 / dt);
+  if (points_.conduction_steps == 1) return conduct();
   if (points_.evaluates_conduction) keep_conduction();
   points_.add_kept_conduction();
-  add_mechanical_heat(1.0 / dt);
 }
 
 template void FiniteElements<2>::set_capacities();

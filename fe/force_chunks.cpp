@@ -113,19 +113,27 @@ void ForceChunks<Dim>::add_shared(const Chunk& chunk, std::size_t first, std::si
   const Real* from = shared_row_.data() + row * kRow;
   for (std::size_t c = first * n; c < last * n; ++c, from += kRow) {
     Real* to = sum + place[c];
-    for (int i = 0; i < Dim; ++i) to[i] += from[i];
+    store(to, load(to) + load(from));
   }
+}
+
+/// Adds a row to the force of a node, and to its heat rate.
+template <int Dim>
+void add_row(const Real* row, LocalIndex node, std::vector<Vec<Dim>>& f,
+             std::vector<Real>& heat_rate) {
+  for (int i = 0; i < Dim; ++i) f[node][i] += row[i];
+  if (!heat_rate.empty()) heat_rate[slot_of(node)] += row[kHeatOfRow];
 }
 
 /// Sums of nodes that no other chunk has go to their forces, others to their rows.
 template <int Dim>
-void ForceChunks<Dim>::hand_over(const Chunk& chunk, const Real* sum, std::vector<Vec<Dim>>& f) {
+void ForceChunks<Dim>::hand_over(const Chunk& chunk, const Real* sum, std::vector<Vec<Dim>>& f,
+                                 std::vector<Real>& heat_rate) {
   const LocalIndex* node = node_.data() + chunk.first_node;
   for (std::size_t k = 0; k < chunk.n_nodes; ++k) {
     sum += kRow;
-    Real* to = node[k] >= 0 ? f[node[k]].data() : nullptr;
-    if (to != nullptr) {
-      for (int i = 0; i < Dim; ++i) to[i] += sum[i];
+    if (node[k] >= 0) {
+      add_row(sum, node[k], f, heat_rate);
     } else {
       std::copy_n(sum, kRow, border_row_.data() + slot_of(~node[k]) * kRow);
     }
@@ -133,14 +141,16 @@ void ForceChunks<Dim>::hand_over(const Chunk& chunk, const Real* sum, std::vecto
 }
 
 template <int Dim>
-void ForceChunks<Dim>::add_borders(std::vector<Vec<Dim>>& f) const {
+void ForceChunks<Dim>::add_borders(std::vector<Vec<Dim>>& f, std::vector<Real>& heat_rate) const {
   const std::size_t n = border_node_.size();
   for_each(n, kBordersWorthThreads, [&](std::size_t k) {
-    Real sum[Dim] = {};
+    Pack sum{};
     for (std::size_t r = border_[k]; r < border_[k + 1]; ++r) {
-      for (int i = 0; i < Dim; ++i) sum[i] += border_row_[r * kRow + slot_of(i)];
+      sum += load(border_row_.data() + r * kRow);
     }
-    for (int i = 0; i < Dim; ++i) f[border_node_[k]][i] += sum[i];
+    Real row[kRow];
+    store(row, sum);
+    add_row(row, border_node_[k], f, heat_rate);
   });
 }
 

@@ -8,21 +8,21 @@
 
 namespace brunt {
 
-/// Where the corner forces of four elements go: to one row of kSumRow values a node.
+/// Where forces and mechanical heat of elements go: to one row of kSumRow values a node, the force
+/// [N] and behind it, at kHeatOfRow, the heat rate [W].
 struct CornerSums {
   /// First value in `row` of each corner's, [element - first][corner].
   const std::uint16_t* place = nullptr;
   std::size_t first = 0;  ///< element that place begins with
-  Real* row = nullptr;    ///< [N]
+  Real* row = nullptr;
 };
-/// Values of a row: a Pack in 3D, of which the last counts nothing.
-template <int Dim>
-inline constexpr std::size_t kSumRow = Dim == 3 ? 4 : 2;
+inline constexpr std::size_t kSumRow = kLanes, kHeatOfRow = 3;
 
-/// Adds the forces of elements to their nodes, in an order that ids alone decide: elements of a
-/// block whose ids have the same quotient by kChunkIds are a chunk. The forces at a node are summed
-/// within each chunk by ascending id and corner; then the sums of its chunks by ascending block and
-/// id. A rank that owns a node has all elements about it, and so the same sums. docs/layout.md
+/// Adds the forces and the mechanical heat of elements to their nodes, in an order that ids alone
+/// decide: elements of a block whose ids have the same quotient by kChunkIds are a chunk. The
+/// forces at a node are summed within each chunk by ascending id and corner; then the sums of its
+/// chunks by ascending block and id. A rank that owns a node has all elements about it, and so the
+/// same sums. docs/layout.md
 ///
 /// A chunk's rows stay in the cache while its tiles are computed. Tiles that several chunks share
 /// come first; theirs are rows of their own, a row a corner.
@@ -36,10 +36,11 @@ class ForceChunks {
   ForceChunks(const std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_owned,
               LocalIndex n_points);
 
-  /// f += forces of all elements. advance(b, tile, sums) computes a tile of block b, each once, and
-  /// adds its corner forces to the sums; it is called by several threads.
+  /// f += forces of all elements, heat_rate += their heat; it is empty where none is given.
+  /// advance(b, tile, sums) computes a tile of block b, each once, and adds what is of its corners
+  /// to the sums; it is called by several threads.
   template <class Advance>
-  void add(const Advance& advance, std::vector<Vec<Dim>>& f);
+  void add(const Advance& advance, std::vector<Vec<Dim>>& f, std::vector<Real>& heat_rate);
 
  private:
   struct Chunk {
@@ -57,7 +58,7 @@ class ForceChunks {
     std::size_t first = 0;  ///< element
     std::size_t row = 0;    ///< in shared_row_
   };
-  static constexpr std::size_t kRow = kSumRow<Dim>;
+  static constexpr std::size_t kRow = kSumRow;
 
   void cut(const std::vector<ElementBlock<Dim>>& blocks);
   std::size_t shared_row_of(const ElementBlock<Dim>& block, std::size_t b, std::size_t element);
@@ -65,8 +66,9 @@ class ForceChunks {
                     LocalIndex n_points);
   void add_shared(const Chunk& chunk, std::size_t first, std::size_t last, std::size_t row,
                   Real* sum) const;
-  void hand_over(const Chunk& chunk, const Real* sum, std::vector<Vec<Dim>>& f);
-  void add_borders(std::vector<Vec<Dim>>& f) const;
+  void hand_over(const Chunk& chunk, const Real* sum, std::vector<Vec<Dim>>& f,
+                 std::vector<Real>& heat_rate);
+  void add_borders(std::vector<Vec<Dim>>& f, std::vector<Real>& heat_rate) const;
 
   std::vector<Chunk> chunks_;
   std::vector<SharedTile> shared_;
@@ -83,7 +85,8 @@ class ForceChunks {
 
 template <int Dim>
 template <class Advance>
-void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
+void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f,
+                           std::vector<Real>& heat_rate) {
   const std::size_t n_shared = shared_.size(), n_chunks = chunks_.size();
   on_threads(n_chunks > 1, [&] {
 #pragma omp for schedule(static)
@@ -103,10 +106,10 @@ void ForceChunks<Dim>::add(const Advance& advance, std::vector<Vec<Dim>>& f) {
       add_shared(chunk, chunk.first, chunk.head_last, chunk.head, sum.get());
       for (int t = chunk.first_tile; t < chunk.last_tile; ++t) advance(chunk.block, t, sums);
       add_shared(chunk, chunk.tail_first, chunk.last, chunk.tail, sum.get());
-      hand_over(chunk, sum.get(), f);
+      hand_over(chunk, sum.get(), f, heat_rate);
     }
   });
-  add_borders(f);
+  add_borders(f, heat_rate);
 }
 
 }  // namespace brunt

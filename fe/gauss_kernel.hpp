@@ -4,6 +4,7 @@
 /// lanes_of<V> at a time.
 #include "fe/fetch_group.hpp"
 #include "fe/gauss_point.hpp"
+#include "fe/mechanical_heat.hpp"
 #include "fe/shape_guard.hpp"
 
 namespace brunt {
@@ -287,7 +288,7 @@ BRUNT_INLINE void dynamics(const Group<Dim, V>& group, GaussWork<Dim, V>& w) {
     for (int i = 0; i < Dim; ++i) mode_square += w.c.m[m][i] * w.c.m[m][i];
   }
   guard_shapes<Dim>(block, group.e, w.norm, mode_square, group.step, node);
-  add_to_nodes(node, group.e, group.step.sums);
+  add_to_nodes(node, mechanical_heat<V>(block, group.e, group.step.dt), group.e, group.step.sums);
 }
 
 }  // namespace gauss

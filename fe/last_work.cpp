@@ -43,9 +43,9 @@ std::vector<Real> taken_in_step(ElementBlock<Dim>& block, ElementStep<Dim>& step
   const auto per_tile = slot_of(block.elements_per_tile());
   std::vector<std::uint16_t> place(per_tile * corners);
   for (std::size_t c = 0; c < place.size(); ++c) {
-    place[c] = static_cast<std::uint16_t>(c * kSumRow<Dim>);
+    place[c] = static_cast<std::uint16_t>(c * kSumRow);
   }
-  std::vector<Real> row(place.size() * kSumRow<Dim>), taken;
+  std::vector<Real> row(place.size() * kSumRow), taken;
   for (int tile = 0; tile < block.n_tiles(); ++tile) {
     const std::size_t first = slot_of(tile) * per_tile;
     std::fill(row.begin(), row.end(), 0.0);
@@ -54,7 +54,7 @@ std::vector<Real> taken_in_step(ElementBlock<Dim>& block, ElementStep<Dim>& step
     for (std::size_t e = first; e < first + per_tile; ++e) {
       Real by_new = 0;
       for (std::size_t I = 0; I < corners; ++I) {
-        const Real* force = row.data() + ((e - first) * corners + I) * kSumRow<Dim>;
+        const Real* force = row.data() + ((e - first) * corners + I) * kSumRow;
         const Vec<Dim>& v = step.v[block.corner[e * corners + I]];
         for (int c = 0; c < Dim; ++c) by_new -= step.dt * force[c] * v[c];
       }

@@ -3,6 +3,7 @@
 /// docs/theory/elements.md (E1) to (E3).
 #include "fe/fetch_group.hpp"
 #include "fe/hourglass_control.hpp"
+#include "fe/mechanical_heat.hpp"
 #include "fe/shape_guard.hpp"
 
 namespace brunt {
@@ -136,7 +137,7 @@ BRUNT_INLINE void dynamics(const OnePointLane<Dim, V>& lane, OnePointWork<Dim, V
   V node[Shape<Dim>::kCorners][Dim];
   corner_forces(w, s, p + w.q, lane.step.thickness, node);
   guard_shapes<Dim>(block, e, w.norm, w.mode_square, lane.step, node);
-  add_to_nodes(node, e, lane.step.sums);
+  add_to_nodes(node, mechanical_heat<V>(block, e, lane.step.dt), e, lane.step.sums);
 }
 
 }  // namespace one_point

@@ -272,7 +272,6 @@ class BoxFormulation final : public Formulation<Dim> {
   void conduct(ElementBlock<Dim>& block, std::size_t e,
                const ConductionStep<Dim>& step) const override {
     conduct_box(block, e, step);
-    add_mechanical_heat(block, e, step);
   }
   void interpolate_temperature(ElementBlock<Dim>& block, std::size_t e,
                                const Real* temperature) const override {

@@ -5,6 +5,7 @@
 
 #include "fe/conduction_kernel.hpp"
 #include "fe/fetch_group.hpp"
+#include "fe/mechanical_heat.hpp"
 
 namespace brunt {
 namespace {
@@ -162,7 +163,7 @@ BRUNT_INLINE void dynamics(const Lane& lane, const TetWork& w) {
       node[I][i] = -(sigma[i][0] * w.B[I][0] + sigma[i][1] * w.B[I][1] + sigma[i][2] * w.B[I][2]);
     }
   }
-  add_to_nodes(node, e, lane.step.sums);
+  add_to_nodes(node, mechanical_heat<Pack>(block, e, lane.step.dt), e, lane.step.sums);
 }
 
 Real tet_volume(CornerPlaces<3> x) {
@@ -279,7 +280,6 @@ class TetFormulation final : public Formulation<3> {
   void conduct(ElementBlock<3>& block, std::size_t e,
                const ConductionStep<3>& step) const override {
     for (std::size_t four = 0; four < kGroup; four += kLanes) conduct_four(block, e + four, step);
-    add_mechanical_heat(block, e, step);
   }
   static void conduct_four(ElementBlock<3>& block, std::size_t e, const ConductionStep<3>& step) {
     Pack x[3][3];

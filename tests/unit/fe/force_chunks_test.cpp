@@ -1,4 +1,4 @@
-/// Sums of corner forces by chunks.
+/// Sums of corner forces and of the heat of elements by chunks.
 /// - The association is that of the text: sums of each block and each kChunkIds ids by ascending
 /// id,
 ///   then added in order. Forces of one plus noise, summed here by that rule, agree bit for bit,
@@ -19,21 +19,36 @@ namespace brunt {
 namespace {
 using namespace testing;
 
-/// Force of a corner of an element, by its id.
+/// Force on a node, and behind it its heat rate.
 template <int Dim>
-Vec<Dim> force_of_corner(GlobalId id, std::size_t I) {
+using Row = Eigen::Matrix<Real, Dim + 1, 1>;
+
+/// Share of each corner of an element's heat, as kernels read it.
+constexpr std::array<Real, kMostCorners * kGroup> make_shares() {
+  std::array<Real, kMostCorners * kGroup> share{};
+  for (std::size_t k = 0; k < share.size(); ++k) share[k] = 0.1 + 0.01 * static_cast<Real>(k);
+  return share;
+}
+constexpr auto kShares = make_shares();
+
+/// Force of a corner of an element and its part of the element's heat, by its id and its place.
+template <int Dim>
+Row<Dim> row_of_corner(GlobalId id, std::size_t e, std::size_t I) {
   std::mt19937_64 random(id * 16 + I);
   std::uniform_real_distribution<Real> uniform(0.5, 1.5);
-  Vec<Dim> force;
-  for (int i = 0; i < Dim; ++i) force[i] = uniform(random);
-  return force;
+  Row<Dim> row;
+  for (int i = 0; i < Dim; ++i) row[i] = uniform(random);
+  row[Dim] = static_cast<Real>(id) / 7 * kShares[I * kGroup + e % kGroup];
+  return row;
 }
 
 template <int Dim>
-std::vector<Vec<Dim>> forces_by_chunks(std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_owned,
+std::vector<Row<Dim>> forces_by_chunks(std::vector<ElementBlock<Dim>>& blocks, LocalIndex n_owned,
                                        LocalIndex n_points) {
   ForceChunks<Dim> chunks(blocks, n_owned, n_points);
-  std::vector<Vec<Dim>> f(static_cast<std::size_t>(n_points), Vec<Dim>::Zero());
+  const auto n = static_cast<std::size_t>(n_points);
+  std::vector<Vec<Dim>> f(n, Vec<Dim>::Zero());
+  std::vector<Real> heat_rate(n, 0.0);
   std::vector<std::vector<int>> seen;
   for (const auto& block : blocks) seen.emplace_back(static_cast<std::size_t>(block.n_tiles()), 0);
   chunks.add(
@@ -44,41 +59,47 @@ std::vector<Vec<Dim>> forces_by_chunks(std::vector<ElementBlock<Dim>>& blocks, L
         for (std::size_t k = 0; k < per_tile; k += kLanes) {
           const std::size_t e = static_cast<std::size_t>(tile) * per_tile + k;
           Pack node[Shape<Dim>::kCorners][Dim];
+          SharedHeat<Pack> heat{{}, kShares.data() + e % kGroup};
+          for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            heat.rate[lane] = static_cast<Real>(block.id[e + lane]) / 7;
+          }
           for (std::size_t I = 0; I < Shape<Dim>::kCorners; ++I) {
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
-              const Vec<Dim> force = force_of_corner<Dim>(block.id[e + lane], I);
+              const auto force = row_of_corner<Dim>(block.id[e + lane], e + lane, I);
               for (int i = 0; i < Dim; ++i) node[I][i][lane] = force[i];
             }
           }
-          add_to_nodes(node, e, sums);
+          add_to_nodes(node, heat, e, sums);
         }
       },
-      f);
+      f, heat_rate);
   for (const auto& tiles : seen) {
     for (const int times : tiles) EXPECT_EQ(times, 1);
   }
-  return f;
+  std::vector<Row<Dim>> rows(n);
+  for (std::size_t k = 0; k < n; ++k) rows[k] << f[k], heat_rate[k];
+  return rows;
 }
 
 /// The rule, node by node.
 template <int Dim>
-std::vector<Vec<Dim>> forces_by_rule(const std::vector<ElementBlock<Dim>>& blocks,
+std::vector<Row<Dim>> forces_by_rule(const std::vector<ElementBlock<Dim>>& blocks,
                                      std::size_t n_points, bool in_chunks) {
-  std::vector<std::map<std::pair<std::size_t, GlobalId>, Vec<Dim>>> parts(n_points);
+  std::vector<std::map<std::pair<std::size_t, GlobalId>, Row<Dim>>> parts(n_points);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
       const GlobalId id = blocks[b].id[e];
       std::size_t I = 0;
       for (const LocalIndex node : blocks[b].corners_of(e)) {
         const GlobalId chunk = in_chunks ? id / ForceChunks<Dim>::kChunkIds : 0;
-        auto [at, is_new] = parts[node].try_emplace({b, chunk}, Vec<Dim>::Zero());
-        at->second += force_of_corner<Dim>(id, I++);
+        auto [at, is_new] = parts[node].try_emplace({b, chunk}, Row<Dim>::Zero());
+        at->second += row_of_corner<Dim>(id, slot_of(e), I++);
       }
     }
   }
-  std::vector<Vec<Dim>> f(n_points, Vec<Dim>::Zero());
+  std::vector<Row<Dim>> f(n_points, Row<Dim>::Zero());
   for (std::size_t k = 0; k < n_points; ++k) {
-    Vec<Dim> sum = Vec<Dim>::Zero();
+    Row<Dim> sum = Row<Dim>::Zero();
     for (const auto& [key, part] : parts[k]) sum += part;
     f[k] += sum;
   }
@@ -138,7 +159,7 @@ void expect_the_rule(Integration integration) {
   auto part = two_blocks(mesh, material, integration, about);
   const auto f_part = forces_by_chunks(part, n_owned, n);
   for (LocalIndex k = 0; k < n_owned; ++k) EXPECT_EQ(f_part[k], f[k]) << k;
-  for (LocalIndex k = n_owned; k < n; ++k) EXPECT_EQ(f_part[k], Vec<Dim>::Zero()) << k;
+  for (LocalIndex k = n_owned; k < n; ++k) EXPECT_EQ(f_part[k], Row<Dim>::Zero()) << k;
 }
 
 TEST(force_chunks, sums_by_the_rule_on_any_rank_3d) { expect_the_rule<3>(Integration::one_point); }

@@ -37,10 +37,10 @@ std::vector<std::uint64_t> stepped(ElementBlock<Dim>& block, ElementStep<Dim> st
   const std::size_t corners = elements * Shape<Dim>::kCorners;
   std::vector<std::uint16_t> place(corners);
   for (std::size_t k = 0; k < corners; ++k) {
-    place[k] = static_cast<std::uint16_t>(k * kSumRow<Dim>);
+    place[k] = static_cast<std::uint16_t>(k * kSumRow);
   }
   for (int tile = 0; tile < block.n_tiles(); ++tile) {
-    std::vector<Real> row(corners * kSumRow<Dim>, 0.0);
+    std::vector<Real> row(corners * kSumRow, 0.0);
     step.sums = {place.data(), slot_of(tile) * elements, row.data()};
     advance<Dim, V>(block, tile, step);
     for (const Real force : row) bit(force);
