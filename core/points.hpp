@@ -125,6 +125,17 @@ struct Points {
     keeps_conduction = true;
     fit(x.size());
   }
+  /// Before heat of a step is added to them, owned points begin with what is kept for it.
+  void begin_heat_rates() {
+    const auto begin = [this](std::vector<Real>& sum, const std::vector<Real>& kept) {
+      if (conduction_steps > 1 && !evaluates_conduction) {
+        std::copy_n(kept.begin(), owned(), sum.begin());
+      } else {
+        std::fill_n(sum.begin(), owned(), 0.0);
+      }
+    };
+    begin(heat_rate, kept_rate), begin(conductance, kept_conductance);
+  }
   /// Adds what is kept to the heat rates and conductances of owned points.
   void add_kept_conduction() {
     for (std::size_t i = 0; i < owned(); ++i) {

@@ -150,7 +150,8 @@ template <int Dim>
 void FiniteElements<Dim>::add_conduction(Real /*dt*/) {
   if (!points_.conducts) return;
   if (points_.conduction_steps == 1) return conduct();
-  if (points_.evaluates_conduction) keep_conduction();
+  if (!points_.evaluates_conduction) return;  // they began with what is kept
+  keep_conduction();
   points_.add_kept_conduction();
 }
 

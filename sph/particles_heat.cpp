@@ -143,13 +143,11 @@ void SphParticles<Dim>::add_conduction(Real dt) {
   if (!points_.conducts) return;
   if (points_.conduction_steps == 1) {
     conduct(points_.heat_rate, points_.conductance);
-  } else {
-    if (points_.evaluates_conduction) {
-      for (auto* kept : {&points_.kept_rate, &points_.kept_conductance}) {
-        std::fill(kept->begin(), kept->end(), 0.0);
-      }
-      conduct(points_.kept_rate, points_.kept_conductance);
+  } else if (points_.evaluates_conduction) {  // else they began with what is kept
+    for (auto* kept : {&points_.kept_rate, &points_.kept_conductance}) {
+      std::fill(kept->begin(), kept->end(), 0.0);
     }
+    conduct(points_.kept_rate, points_.kept_conductance);
     points_.add_kept_conduction();
   }
   give_mechanical_heat(1.0 / dt);

@@ -93,10 +93,7 @@ void predict(Points<Dim>& points, Real dt, Real dt_last) {
   for_runs(points, [&points, dt, change](std::size_t first, std::size_t last) {
     predict_run(points, first, last, dt, change);
   });
-  if (!points.conducts) return;
-  const auto n = points.n_owned;
-  std::fill_n(points.heat_rate.begin(), n, 0.0);
-  std::fill_n(points.conductance.begin(), n, 0.0);
+  if (points.conducts) points.begin_heat_rates();
 }
 
 template <int Dim>

@@ -306,9 +306,8 @@ TEST(FeConduction, RatesStayUntilTheNextEvaluation) {
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       points.temperature[i] = 300 + static_cast<Real>(step + 1) * points.x[i].squaredNorm();
     }
-    std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
-    std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
     points.evaluates_conduction = step % 3 == 0;
+    points.begin_heat_rates();
     body->add_conduction(1);
     rates.push_back(points.heat_rate), conductances.push_back(points.conductance);
     const Real sum = std::accumulate(rates.back().begin(), rates.back().end(), 0.0);

@@ -253,11 +253,10 @@ TEST(SphConduction, RatesStayUntilTheNextEvaluation) {
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       points.temperature[i] = 300 + static_cast<Real>(step + 1) * points.x[i].squaredNorm();
     }
-    std::fill(points.heat_rate.begin(), points.heat_rate.end(), 0.0);
-    std::fill(points.conductance.begin(), points.conductance.end(), 0.0);
     solid->renew_lists();
     solid->update_state(1);
     points.evaluates_conduction = step % 3 == 0;
+    points.begin_heat_rates();
     solid->add_conduction(1);
     rates.push_back(points.heat_rate), conductances.push_back(points.conductance);
   }
