@@ -1,6 +1,6 @@
 #pragma once
 /// Heat of plastic work, compression and viscosity, which elements that conduct give to their nodes
-/// in each step. docs/theory/heat.md (H5)
+/// in each step. docs/theory/heat.md (H10)
 #include "fe/corner_values.hpp"
 #include "fe/element_block.hpp"
 

@@ -38,7 +38,7 @@ struct J2 {
   template <class V>
   BRUNT_INLINE FlowStress<V> hardened(V eps_p) const {
     const V zero = broadcast<V>(0.0);
-    FlowStress<V> flow{broadcast<V>(yield), zero, zero, zero};
+    FlowStress<V> flow{broadcast<V>(yield), zero, zero, zero, zero};
     if (!hardening) return flow;
     if (hardening->is_constant()) {
       flow.value = yield + hardening->constant * eps_p;
@@ -64,10 +64,12 @@ struct J2 {
 template <class V>
 class NearJ2 {
  public:
+  static constexpr bool kTellsBend = false;
   NearJ2() = default;
   NearJ2(const J2* law, V eps_p) : law_(law), eps_p_(eps_p) {}
   BRUNT_INLINE V static_stress() const { return law_->hardened(eps_p_).value; }
   BRUNT_INLINE V hardening() const { return law_->hardened(eps_p_).d_eps_p; }
+  BRUNT_INLINE V rate_hardening() const { return broadcast<V>(0.0); }
   BRUNT_INLINE FlowStress<V> at(V increment, V, V) const {
     return law_->hardened(eps_p_ + increment);
   }

@@ -62,6 +62,7 @@ struct JohnsonCook {
 template <class V>
 class NearJohnsonCook {
  public:
+  static constexpr bool kTellsBend = true;
   NearJohnsonCook() = default;
   BRUNT_INLINE NearJohnsonCook(const JohnsonCook& law, V eps_p, V T)
       : law_(&law),
@@ -78,6 +79,7 @@ class NearJohnsonCook {
   BRUNT_INLINE V hardening() const {
     return (law_->B * law_->n) * (power_ * inverse_) * (1.0 - softening_);
   }
+  BRUNT_INLINE V rate_hardening() const { return law_->C * static_stress(); }
   BRUNT_INLINE FlowStress<V> at(V increment, V rate, V T) const {
     const JohnsonCook& law = *law_;
     const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
@@ -101,9 +103,11 @@ class NearJohnsonCook {
       soft_slope = select(inside, (law.m * per_kelvin_) * soft * (both * inverse), zero);
     }
     const V cold = 1.0 - soft;
-    return {hardened * rate_factor * cold,
-            (law.B * law.n) * power * ((fast * warm) * inverse) * (rate_factor * cold),
-            hardened * cold * rate_slope, -(hardened * rate_factor * soft_slope)};
+    const V per_eps_p = (fast * warm) * inverse;
+    const V hardening = (law.B * law.n) * power * per_eps_p * (rate_factor * cold);
+    return {hardened * rate_factor * cold, hardening, hardened * cold * rate_slope,
+            -(hardened * rate_factor * soft_slope),
+            (1.0 - law.n) * hardening * (increment * per_eps_p)};
   }
 
  private:

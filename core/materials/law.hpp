@@ -12,6 +12,7 @@ struct FlowStress {
   V d_eps_p;        ///< [Pa]
   V d_rate;         ///< [Pa s]
   V d_temperature;  ///< [Pa/K]
+  V bend{};         ///< [Pa] of hardening: minus the increment times the second slope by eps_p
 };
 
 /// What RadialReturn needs of a law, a plain struct of parameters; its functions are templates on
@@ -26,6 +27,10 @@ concept FlowLaw = requires(const Law& law, Real eps_p, Real rate, Real T) {
   { law.near(eps_p, T).static_stress() } -> std::same_as<Real>;
   /// A guess of d(flow stress)/d(eps_p) there [Pa]; may be infinite.
   { law.near(eps_p, T).hardening() } -> std::same_as<Real>;
+  /// A guess of d(flow stress)/d(ln rate) there [Pa].
+  { law.near(eps_p, T).rate_hardening() } -> std::same_as<Real>;
+  /// Whether `at` tells the bend of hardening.
+  { law.near(eps_p, T).kTellsBend } -> std::convertible_to<bool>;
   /// The law at eps_p + increment and another rate and temperature.
   { law.near(eps_p, T).at(eps_p, rate, T) } -> std::same_as<FlowStress<Real>>;
   { law.needs_temperature() } -> std::same_as<bool>;

@@ -10,6 +10,7 @@ namespace brunt {
 template <class Law, class V>
 class NearPrinted {
  public:
+  static constexpr bool kTellsBend = false;
   NearPrinted() = default;
   BRUNT_INLINE NearPrinted(const Law& law, V eps_p, V T) : law_(&law), eps_p_(eps_p), T_(T) {}
 
@@ -17,9 +18,10 @@ class NearPrinted {
     return law_->formula(FlowState<V>{eps_p_, broadcast<V>(0.0), T_});
   }
   BRUNT_INLINE V hardening() const { return with_slopes(eps_p_, broadcast<V>(0.0), T_).slope[0]; }
+  BRUNT_INLINE V rate_hardening() const { return broadcast<V>(0.0); }
   BRUNT_INLINE FlowStress<V> at(V increment, V rate, V T) const {
     const auto flow = with_slopes(eps_p_ + increment, rate, T);
-    return {flow.value, flow.slope[0], flow.slope[1], flow.slope[2]};
+    return {flow.value, flow.slope[0], flow.slope[1], flow.slope[2], V{}};
   }
 
  private:

@@ -195,7 +195,7 @@ TEST(RadialReturn, RatesFromNothingToABillionAreMonotone) {
     p.active = true;
     int iterations = 0;
     for (; p.active && iterations < 50; ++iterations) {
-      newton_step(p, near, kShear, inverse_dt, iterations);
+      return_step(p, near, kShear, inverse_dt, iterations);
     }
     EXPECT_FALSE(p.active) << rate;
     most = std::max(most, iterations);
