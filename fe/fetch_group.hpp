@@ -15,12 +15,24 @@ BRUNT_INLINE void fetch(const std::vector<Real>& field, std::size_t first) {
   if (!field.empty()) fetch(field.data() + first);
 }
 
-/// What the kGroup elements from e on read and write; nothing behind the last of the block.
+/// The state of the kGroup material points from p on.
 template <int Dim>
-BRUNT_INLINE void fetch_group(const ElementBlock<Dim>& block, std::size_t e,
-                              const ElementStep<Dim>& step) {
+BRUNT_INLINE void fetch_points(const ElementBlock<Dim>& block, std::size_t p) {
+  const MaterialState& state = block.state;
+  for (const auto& component : state.deviator) fetch(component, p);
+  for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.strain_rate,
+                            &state.temperature, &state.heat, &state.energy}) {
+    fetch(*field, p);
+  }
+  if (block.gauss > 1 || block.conducts) fetch(block.reference_volume, p);
+  if (block.conducts) fetch(state.compression_heat, p), fetch(state.expansion_work, p);
+}
+
+/// What the kGroup elements from e on read and write besides their material points.
+template <int Dim>
+BRUNT_INLINE void fetch_elements(const ElementBlock<Dim>& block, std::size_t e,
+                                 const ElementStep<Dim>& step) {
   const auto padded = slot_of(block.n_padded);
-  if (e >= padded) return;
   const auto corners = slot_of(block.corners);
   const LocalIndex* corner = block.corner.data() + e * corners;
   for (int k = 0; k < kGroup; ++k, corner += corners) {
@@ -29,17 +41,6 @@ BRUNT_INLINE void fetch_group(const ElementBlock<Dim>& block, std::size_t e,
       fetch(step.x + node);
       fetch(step.v + node);
     }
-  }
-  const MaterialState& state = block.state;
-  const std::size_t first = block.point(static_cast<LocalIndex>(e), 0);
-  for (std::size_t p = first; p < first + slot_of(kGroup * block.gauss); p += kGroup) {
-    for (const auto& component : state.deviator) fetch(component, p);
-    for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.strain_rate,
-                              &state.temperature, &state.heat, &state.energy}) {
-      fetch(*field, p);
-    }
-    if (block.gauss > 1 || block.conducts) fetch(block.reference_volume, p);
-    if (block.conducts) fetch(state.compression_heat, p), fetch(state.expansion_work, p);
   }
   for (const auto* field : {&block.element_volume, &block.mass, &block.reference_size,
                             &block.guard_reach, &block.viscous_pressure, &block.stress_work,
@@ -52,13 +53,21 @@ BRUNT_INLINE void fetch_group(const ElementBlock<Dim>& block, std::size_t e,
   for (std::size_t I = 0; I < corners; ++I) fetch(block.heat_share, block.heat_share_at(e, I));
 }
 
-/// Where a group begins at element e, asks for that of the next tile which stands as this one does:
-/// a tile's requests are spread over the work of the one before. All at once they waited for each
-/// other.
+/// True where a group begins at element e, and one of the next tile stands as it does: what that
+/// one needs is asked for then. A tile's requests are spread over the work of the one before; all
+/// at once they waited for each other.
+template <int Dim>
+BRUNT_INLINE bool looks_ahead(const ElementBlock<Dim>& block, std::size_t e) {
+  return e % kGroup == 0 && e + slot_of(block.elements_per_tile()) < slot_of(block.n_padded);
+}
+
+/// Asks so for elements of one material point.
 template <int Dim>
 BRUNT_INLINE void fetch_ahead(const ElementBlock<Dim>& block, std::size_t e,
                               const ElementStep<Dim>& step) {
-  if (e % kGroup == 0) fetch_group(block, e + slot_of(block.elements_per_tile()), step);
+  if (!looks_ahead(block, e)) return;
+  fetch_elements(block, e + kTile, step);
+  fetch_points(block, e + kTile);
 }
 
 }  // namespace brunt

@@ -191,9 +191,12 @@ BRUNT_INLINE OperatorNorm<V> gauss_norm(const Modal<Dim, V>& c, V square, const 
 template <int Dim, class V>
 BRUNT_INLINE void kinematics(const Group<Dim, V>& group, MaterialTile& tile, GaussWork<Dim, V>& w) {
   const ElementBlock<Dim>& block = group.block;
+  const bool ahead = looks_ahead(block, group.e);
+  if (ahead) fetch_elements(block, group.e + kTile / kGauss<Dim>, group.step);
   load_modes(group, w);
   GaussSums<V> sums{PressureWork<V>{group.mean}};
   for (int g = 0; g < kGauss<Dim>; ++g) {
+    if (ahead) fetch_points(block, group.point + kTile + kGroup * g);
     const GaussSlopes<Dim, V> slope(w.c, w.u, g);
     deform(group, slope, g, tile, sums);
     GaussPoint<Dim, V>& now = w.now[g];
@@ -308,10 +311,7 @@ void advance_gauss(ElementBlock<Dim>& block, int index, const ElementStep<Dim>& 
     return gauss::Group<Dim, V>{
         block, step, slot_of(e), point, static_cast<int>(point - tile.first), mean};
   };
-  for (int k = 0; k < kElements / kLanesOfV; ++k) {
-    fetch_ahead(block, group(k).e, step);
-    gauss::kinematics(group(k), tile, work[k]);
-  }
+  for (int k = 0; k < kElements / kLanesOfV; ++k) gauss::kinematics(group(k), tile, work[k]);
   block.material->update(tile, step.dt);
   for (int k = 0; k < kElements / kLanesOfV; ++k) gauss::dynamics(group(k), work[k]);
 }
