@@ -32,6 +32,7 @@ struct J2 {
   BRUNT_INLINE NearJ2<V> near(V eps_p, V) const {
     return NearJ2<V>(this, eps_p);
   }
+  void prepare() {}
   bool needs_temperature() const { return false; }
 
   /// Flow stress with its slope (the one to the right where the table has a corner).

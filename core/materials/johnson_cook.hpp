@@ -17,14 +17,15 @@ struct JohnsonCook {
   static constexpr const char* deck_name = "johnson-cook";
   static constexpr const char* deck_help =
       "flow stress (A + B eps_p^n) (1 + C ln(rate/rate_ref)) (1 - T*^m)";
-  Real A = 0;                  ///< [Pa]
-  Real B = 0;                  ///< [Pa]
-  Real n = 1;                  ///< [1]
-  Real C = 0;                  ///< [1]
-  Real rate_ref = 1;           ///< [1/s]
-  Real m = 1;                  ///< [1]
-  std::optional<Real> T_melt;  ///< [K]; none: heat does not soften
-  Real T_ref = 298;            ///< [K]
+  Real A = 0;                     ///< [Pa]
+  Real B = 0;                     ///< [Pa]
+  Real n = 1;                     ///< [1]
+  Real C = 0;                     ///< [1]
+  Real rate_ref = 1;              ///< [1/s]
+  Real m = 1;                     ///< [1]
+  std::optional<Real> T_melt;     ///< [K]; none: heat does not soften
+  Real T_ref = 298;               ///< [K]
+  PowerSeries of_eps_p, of_heat;  ///< of the exponents n and m: set by `prepare`
 
   /// T* = (T - T_ref)/(T_melt - T_ref), held in [0, 1].
   template <class V>
@@ -50,6 +51,7 @@ struct JohnsonCook {
     const V cold = m >= 1.0 ? 1.0 - hot : select(0.0 < hot, broadcast<V>(0.0), 1.0 - hot);
     return ((1.0 - 1e-12) * (A + B * power)) * cold;  // round-off lifts nothing above it
   }
+  void prepare() { of_eps_p = PowerSeries(n), of_heat = PowerSeries(m); }
   template <class V>
   BRUNT_INLINE NearJohnsonCook<V> near(V eps_p, V T) const {
     return NearJohnsonCook<V>(*this, eps_p, T);
@@ -84,7 +86,7 @@ class NearJohnsonCook {
     const JohnsonCook& law = *law_;
     const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
     const V eps_p = eps_p_ + increment;
-    const V power = power_near(eps_p, eps_p_, inverse_, power_, law.n);
+    const V power = power_near(eps_p, eps_p_, inverse_, power_, law.of_eps_p);
     const V hardened = law.A + law.B * power;
     const V hot = vmin(vmax((T - law.T_ref) * per_kelvin_, zero), one);
     // One division for all three slopes.
@@ -98,7 +100,7 @@ class NearJohnsonCook {
     }
     V soft = softening_, soft_slope = zero;
     if (law.T_melt) {
-      soft = power_near(hot, hot_, inverse_hot_, softening_, law.m);
+      soft = power_near(hot, hot_, inverse_hot_, softening_, law.of_heat);
       const auto inside = (zero < hot) & (hot < one);
       soft_slope = select(inside, (law.m * per_kelvin_) * soft * (both * inverse), zero);
     }

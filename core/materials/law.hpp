@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <concepts>
+#include <limits>
 
 #include "core/materials/dual.hpp"
 
@@ -18,7 +20,9 @@ struct FlowStress {
 /// What RadialReturn needs of a law, a plain struct of parameters; its functions are templates on
 /// V = Real or Pack. Units as in FlowStress; rate is the equivalent plastic strain rate [1/s].
 template <class Law>
-concept FlowLaw = requires(const Law& law, Real eps_p, Real rate, Real T) {
+concept FlowLaw = requires(Law made, const Law& law, Real eps_p, Real rate, Real T) {
+  /// Computes, once, what `near` has from the parameters.
+  made.prepare();
   /// The formula as printed.
   { law.flow_stress(eps_p, rate, T) } -> std::same_as<Real>;
   /// Cheap, and never above the static flow stress: below it no point yields.
@@ -91,21 +95,38 @@ __attribute__((noinline)) V power_apart(V base, Real exponent) {
   return power_of(base, exponent);
 }
 
-/// base^exponent where power = reference^exponent is known: by its binomial series where base is
-/// within 2 % of the reference, else by power_of. Relative error 1e-15.
+/// The binomial series of (1 + x)^exponent, up to x^7.
+struct PowerSeries {
+  Real exponent;
+  std::array<Real, 8> factor;  ///< of x^k
+
+  PowerSeries() : PowerSeries(std::numeric_limits<Real>::quiet_NaN()) {}
+  explicit PowerSeries(Real exponent_) : exponent(exponent_) {
+    factor[0] = 1;
+    for (std::size_t k = 1; k < factor.size(); ++k) {
+      factor[k] = factor[k - 1] * (exponent - static_cast<Real>(k - 1)) / static_cast<Real>(k);
+    }
+  }
+  /// Summed in pairs (Estrin): exactly 1 at x = 0.
+  template <class V>
+  BRUNT_INLINE V at(V x) const {
+    const V x2 = x * x;
+    const V a = line_at(x, factor[0], factor[1]), b = line_at(x, factor[2], factor[3]);
+    const V c = line_at(x, factor[4], factor[5]), d = line_at(x, factor[6], factor[7]);
+    return vfma(x2 * x2, vfma(x2, d, c), vfma(x2, b, a));
+  }
+};
+
+/// base^exponent where power = reference^exponent is known: by its series where base is within 2 %
+/// of the reference, else by power_of. Relative error 1e-15.
 /// inverse  1 / reference
 template <class V>
-BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, Real exponent) {
+BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, const PowerSeries& series) {
   const V x = select(base == reference, broadcast<V>(0.0), (base - reference) * inverse);
-  V series = broadcast<V>(1.0);
-  for (int k = 7; k >= 1; --k) {
-    const Real factor = (exponent - (k - 1)) * (1.0 / k);  // a division costs as much as the series
-    series = vfma(x * factor, series, broadcast<V>(1.0));
-  }
-  const V close = power * series;
+  const V close = power * series.at(x);
   const auto is_close = vabs(x) < 0.02;  // false where the reference alone is 0
   if (!any(!is_close)) return close;
-  return select(is_close, close, power_apart(base, exponent));
+  return select(is_close, close, power_apart(base, series.exponent));
 }
 
 }  // namespace brunt

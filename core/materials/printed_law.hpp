@@ -40,6 +40,7 @@ class NearPrinted {
 /// that is finite at no rate and grows with it.
 template <class Law>
 struct PrintedLaw {
+  void prepare() {}
   template <class V>
   BRUNT_INLINE V flow_stress(V eps_p, V rate, V T) const {
     return law().formula(FlowState<V>{eps_p, rate, T});

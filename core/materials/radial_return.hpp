@@ -103,7 +103,9 @@ BRUNT_INLINE void return_step(ReturnPoint<V>& p, const NearLaw& law, Real shear,
 template <FlowLaw Law, class V = Pack>
 class RadialReturn final : public Strength {
  public:
-  RadialReturn(Law law, const StrengthInputs& inputs) : law_(std::move(law)), inputs_(inputs) {}
+  RadialReturn(Law law, const StrengthInputs& inputs) : law_(std::move(law)), inputs_(inputs) {
+    law_.prepare();
+  }
 
   void update(MaterialTile& tile, Real dt) const override {
     const Real inverse_dt = dt > 0 ? 1.0 / dt : 0.0;

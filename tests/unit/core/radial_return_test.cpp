@@ -23,6 +23,7 @@ JohnsonCook copper() {
   JohnsonCook law;
   law.A = 90e6, law.B = 292e6, law.n = 0.31, law.C = 0.025;
   law.m = 1.09, law.T_melt = 1356, law.T_ref = 298;
+  law.prepare();
   return law;
 }
 
