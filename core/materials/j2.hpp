@@ -65,12 +65,12 @@ struct J2 {
 template <class V>
 class NearJ2 {
  public:
-  static constexpr bool kTellsBend = false;
   NearJ2() = default;
   NearJ2(const J2* law, V eps_p) : law_(law), eps_p_(eps_p) {}
   BRUNT_INLINE V static_stress() const { return law_->hardened(eps_p_).value; }
   BRUNT_INLINE V hardening() const { return law_->hardened(eps_p_).d_eps_p; }
   BRUNT_INLINE V rate_hardening() const { return broadcast<V>(0.0); }
+  Real corner_rate() const { return 0; }
   BRUNT_INLINE FlowStress<V> at(V increment, V, V) const {
     return law_->hardened(eps_p_ + increment);
   }

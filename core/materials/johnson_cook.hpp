@@ -64,7 +64,6 @@ struct JohnsonCook {
 template <class V>
 class NearJohnsonCook {
  public:
-  static constexpr bool kTellsBend = true;
   NearJohnsonCook() = default;
   BRUNT_INLINE NearJohnsonCook(const JohnsonCook& law, V eps_p, V T)
       : law_(&law),
@@ -73,6 +72,7 @@ class NearJohnsonCook {
         eps_p_(eps_p),
         inverse_(1.0 / eps_p),
         power_(power_of(eps_p, law.n)),
+        T_(T),
         hot_(law.homologous_temperature(T)),
         inverse_hot_(1.0 / hot_),
         softening_(power_of(hot_, law.m)) {}
@@ -82,6 +82,7 @@ class NearJohnsonCook {
     return (law_->B * law_->n) * (power_ * inverse_) * (1.0 - softening_);
   }
   BRUNT_INLINE V rate_hardening() const { return law_->C * static_stress(); }
+  Real corner_rate() const { return law_->C != 0 ? law_->rate_ref : 0.0; }
   BRUNT_INLINE FlowStress<V> at(V increment, V rate, V T) const {
     const JohnsonCook& law = *law_;
     const V zero = broadcast<V>(0.0), one = broadcast<V>(1.0);
@@ -93,6 +94,7 @@ class NearJohnsonCook {
     const V least = broadcast<V>(1e-100), fast = vmax(rate, least), warm = vmax(hot, least);
     const V both = eps_p * fast, inverse = 1.0 / (both * warm);
     V rate_factor = one, rate_slope = zero;
+    auto smooth = zero < one;
     if (law.C != 0) {
       const V relative_rate = rate * per_rate_;
       rate_factor = 1.0 + law.C * detail::log_of_normal(vmax(relative_rate, one), zero);
@@ -102,20 +104,28 @@ class NearJohnsonCook {
     if (law.T_melt) {
       soft = power_near(hot, hot_, inverse_hot_, softening_, law.of_heat);
       const auto inside = (zero < hot) & (hot < one);
+      // Neither where heat begins to soften, nor at melting.
+      smooth = ((law.T_ref <= T_) | (T + (T - T_) < law.T_ref)) & (hot < 0.999);
       soft_slope = select(inside, (law.m * per_kelvin_) * soft * (both * inverse), zero);
     }
     const V cold = 1.0 - soft;
     const V per_eps_p = (fast * warm) * inverse;
-    const V hardening = (law.B * law.n) * power * per_eps_p * (rate_factor * cold);
-    return {hardened * rate_factor * cold, hardening, hardened * cold * rate_slope,
-            -(hardened * rate_factor * soft_slope),
-            (1.0 - law.n) * hardening * (increment * per_eps_p)};
+    const V static_slope = (law.B * law.n) * power * per_eps_p * cold;
+    const V slope = static_slope * rate_factor;
+    return {
+        hardened * rate_factor * cold,
+        slope,
+        hardened * cold * rate_slope,
+        -(hardened * rate_factor * soft_slope),
+        (1.0 - law.n) * slope * (increment * per_eps_p) - 2.0 * (static_slope * rate_slope * rate),
+        smooth};
   }
 
  private:
   const JohnsonCook* law_;
   Real per_rate_, per_kelvin_;       // [s], [1/K]: one division each for all iterations
   V eps_p_, inverse_, power_;        // eps_p, 1/eps_p, eps_p^n
+  V T_;                              // [K]
   V hot_, inverse_hot_, softening_;  // T*, 1/T*, T*^m
 };
 

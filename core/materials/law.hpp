@@ -14,7 +14,10 @@ struct FlowStress {
   V d_eps_p;        ///< [Pa]
   V d_rate;         ///< [Pa s]
   V d_temperature;  ///< [Pa/K]
-  V bend{};         ///< [Pa] of hardening: minus the increment times the second slope by eps_p
+  /// [Pa] minus the increment times the second slope along it, of hardening and of both.
+  V bend{};
+  /// Where this tells how the law bends by eps_p, and there is no corner of softening near.
+  decltype(V{} < V{}) smooth{};
 };
 
 /// What RadialReturn needs of a law, a plain struct of parameters; its functions are templates on
@@ -33,8 +36,8 @@ concept FlowLaw = requires(Law made, const Law& law, Real eps_p, Real rate, Real
   { law.near(eps_p, T).hardening() } -> std::same_as<Real>;
   /// A guess of d(flow stress)/d(ln rate) there [Pa].
   { law.near(eps_p, T).rate_hardening() } -> std::same_as<Real>;
-  /// Whether `at` tells the bend of hardening.
-  { law.near(eps_p, T).kTellsBend } -> std::convertible_to<bool>;
+  /// [1/s] where the law has a corner; 0: nowhere.
+  { law.near(eps_p, T).corner_rate() } -> std::same_as<Real>;
   /// The law at eps_p + increment and another rate and temperature.
   { law.near(eps_p, T).at(eps_p, rate, T) } -> std::same_as<FlowStress<Real>>;
   { law.needs_temperature() } -> std::same_as<bool>;
@@ -83,11 +86,12 @@ concept PressureLaw = requires(Law law, const Law& made, const PressureState<Rea
 };
 
 /// base^exponent for 0 <= base < infinity and exponent > 0, by vpow without its special cases:
-/// below 1e-300 a base counts as 1e-300, whose power vanishes in any sum of a flow stress.
+/// below 1e-300 a base counts as 0.
 template <class V>
 BRUNT_INLINE V power_of(V base, Real exponent) {
-  const V normal = vmax(base, broadcast<V>(1e-300));
-  return vexp(exponent * detail::log_of_normal(normal, broadcast<V>(0.0)));
+  const V least = broadcast<V>(1e-300), normal = vmax(base, least);
+  const V power = vexp(exponent * detail::log_of_normal(normal, broadcast<V>(0.0)));
+  return select(base < least, broadcast<V>(0.0), power);
 }
 /// For callers that rarely need it: out of line, so that they keep their registers.
 template <class V>
@@ -118,7 +122,7 @@ struct PowerSeries {
 };
 
 /// base^exponent where power = reference^exponent is known: by its series where base is within 2 %
-/// of the reference, else by power_of. Relative error 1e-15.
+/// of the reference, else by power_of. Relative error 1e-15; of an exponent of 10, 1e-12.
 /// inverse  1 / reference
 template <class V>
 BRUNT_INLINE V power_near(V base, V reference, V inverse, V power, const PowerSeries& series) {

@@ -142,7 +142,8 @@ BRUNT_INLINE void PressureReturn<Law, V>::newton(PressurePoint<V>& p, Real inver
       p.relative_density};
   const PressureState<V> by{{broadcast<V>(1.0), broadcast<V>(inverse_dt), of_heat}, gain, zero};
   const auto flow = law_.along(at, by);
-  improve(p, {q - flow.value, -3.0 * shear - flow.slope[0], zero}, kNewtonError, iteration);
+  improve(p, {q - flow.value, -3.0 * shear - flow.slope[0], zero, broadcast<V>(kNewtonStep), zero},
+          iteration);
 }
 
 template <PressureLaw Law, class V>

@@ -10,7 +10,6 @@ namespace brunt {
 template <class Law, class V>
 class NearPrinted {
  public:
-  static constexpr bool kTellsBend = false;
   NearPrinted() = default;
   BRUNT_INLINE NearPrinted(const Law& law, V eps_p, V T) : law_(&law), eps_p_(eps_p), T_(T) {}
 
@@ -19,6 +18,7 @@ class NearPrinted {
   }
   BRUNT_INLINE V hardening() const { return with_slopes(eps_p_, broadcast<V>(0.0), T_).slope[0]; }
   BRUNT_INLINE V rate_hardening() const { return broadcast<V>(0.0); }
+  Real corner_rate() const { return law_->corner_rate(); }
   BRUNT_INLINE FlowStress<V> at(V increment, V rate, V T) const {
     const auto flow = with_slopes(eps_p_ + increment, rate, T);
     return {flow.value, flow.slope[0], flow.slope[1], flow.slope[2], V{}};
@@ -41,6 +41,7 @@ class NearPrinted {
 template <class Law>
 struct PrintedLaw {
   void prepare() {}
+  Real corner_rate() const { return 0; }
   template <class V>
   BRUNT_INLINE V flow_stress(V eps_p, V rate, V T) const {
     return law().formula(FlowState<V>{eps_p, rate, T});

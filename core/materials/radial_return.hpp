@@ -30,24 +30,29 @@ BRUNT_INLINE V middle(V lo, V hi) {
   return select(4.0 * lo < hi, geometric, 0.5 * (lo + hi));
 }
 
-/// A falling function of the increment, where it is now.
+/// Longest last step over the increment. Newton's method converges as the square: a step of 1e-5
+/// leaves an error of 1e-10 at the most. Halley's leaves a twelfth of the cube of it where g bends
+/// as a logarithm or a power.
+inline constexpr Real kNewtonStep = 1e-5, kHalleyStep = 5e-4;
+
+/// A falling function g of the increment, where it is now.
 template <class V>
 struct Residual {
-  V value;  ///< [Pa] g
-  V slope;  ///< [Pa] g', below 0
-  V bend;   ///< [Pa] increment times g''; 0: not known
+  V value;      ///< [Pa] g
+  V slope;      ///< [Pa] g', below 0
+  V bend;       ///< [Pa] increment times g''; 0: not known
+  V last_step;  ///< [1] over the increment: what ends the iteration
+  V corner;     ///< [1] an increment where g has a corner; 0: none. No step across it is the last
 };
-/// Longest last step over the increment. Newton's method converges as the square: a step of 1e-5
-/// leaves an error of 1e-10 at the most. Halley's leaves a twelfth of the cube where g bends as a
-/// logarithm or a power.
-inline constexpr Real kNewtonError = 1e-5, kHalleyError = 5e-4;
 
 /// One safeguarded step of Halley's method towards the root of g; of Newton's without its bend. It
 /// is four times Newton's at the most. A point that has converged is frozen: what its neighbours in
 /// the pack need does not change it. Late steps that do not shrink are replaced, so that a corner
-/// of g (at rate_ref, at melting) cannot keep Newton going to and fro. iteration  from 0
+/// of g (at rate_ref, at melting) cannot keep Newton going to and fro.
+///
+/// iteration  from 0
 template <class V>
-BRUNT_INLINE void improve(ReturnPoint<V>& p, const Residual<V>& at, Real error, int iteration) {
+BRUNT_INLINE void improve(ReturnPoint<V>& p, const Residual<V>& at, int iteration) {
   const V d = p.increment, g = at.value;
   const auto right = 0.0 < g;  // the root is at a larger increment
   p.lo = select(right, d, p.lo);
@@ -60,7 +65,8 @@ BRUNT_INLINE void improve(ReturnPoint<V>& p, const Residual<V>& at, Real error, 
   if (any(!good)) next = select(good, halley, middle(p.lo, p.hi));
   // An increment below 1e-30 is none: the point has only just reached its yield stress.
   const auto exact = vabs(g) <= 1e-14 * p.q_trial;
-  const auto converged = exact | (good & (vabs(next - d) <= error * d)) |
+  const auto crosses = (d < at.corner) ^ (next < at.corner);
+  const auto converged = exact | (good & !crosses & (vabs(next - d) <= at.last_step * d)) |
                          (p.hi - p.lo <= 1e-14 * p.hi) | (p.hi <= 1e-30);
   next = select(p.active & !exact, next, d);
   p.step = vabs(next - d);
@@ -94,8 +100,13 @@ BRUNT_INLINE void return_step(ReturnPoint<V>& p, const NearLaw& law, Real shear,
   const V of_rate = flow.d_rate * inverse_dt;  // of a logarithm, whose bend is its slope
   const V slope = (-3.0 * shear - flow.d_eps_p) - of_rate - flow.d_temperature * d_temperature;
   const V of_heat = flow.d_temperature * p.heating * (3.0 * shear * d);
-  improve(p, {g, slope, of_rate + flow.bend + of_heat},
-          NearLaw::kTellsBend ? kHalleyError : kNewtonError, iteration);
+  // The bend of softening is left out: it has to be small beside all that resists.
+  const auto halley = flow.smooth & (vabs(flow.d_temperature * d_temperature) <= -1e-3 * slope);
+  const V last_step = select(halley, broadcast<V>(kHalleyStep), broadcast<V>(kNewtonStep));
+  improve(p,
+          {g, slope, of_rate + flow.bend + of_heat, last_step,
+           broadcast<V>(law.corner_rate() / inverse_dt)},
+          iteration);
 }
 
 /// Strength that follows a law by radial return. V: the width of its arithmetic; the bits of a

@@ -17,7 +17,7 @@ void visit_material_point(State& state, std::size_t k, FieldUse of_particles, co
   f(state.pressure[k], kState);
   f(state.bulk[k], of_particles);
   optional(state.eps_p, kState);
-  optional(state.strain_rate, kSaved);
+  optional(state.strain_rate, kState);  // the return begins from it
   optional(state.temperature, kState);
   optional(state.heat, of_particles);
   optional(state.compression_heat, kState);

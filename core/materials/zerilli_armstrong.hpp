@@ -23,6 +23,7 @@ struct ZerilliArmstrong : PrintedLaw<ZerilliArmstrong> {
   Real C5 = 0;           ///< [Pa]
   Real n = 1;            ///< [1]
   Real rate_min = 1e-3;  ///< [1/s]
+  Real corner_rate() const { return C4 != 0 ? rate_min : 0.0; }
 
   /// sigma_y = C0 + (C1 + C2 sqrt(eps_p)) exp((C4 ln rate - C3) T) + C5 eps_p^n, the rate in 1/s
   /// and at least rate_min, or there would be no static strength.

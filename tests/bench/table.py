@@ -40,7 +40,7 @@ def run(program, deck, options, until, threads):
     with tempfile.TemporaryDirectory() as work:
         out = pathlib.Path(work, "out")
         call = [program, "run", deck, "--quiet", "--threads", str(threads), "--out", out] + options
-        call += ["--until", until] if until else []
+        call += ["--set", f"time.end={until}"] if until else []  # --until would write a checkpoint
         process = subprocess.Popen(call + ["--set", "output.checkpoint=off"], stderr=subprocess.PIPE, text=True)
         samples = []
 
