@@ -74,10 +74,22 @@ BRUNT_INLINE void improve(ReturnPoint<V>& p, const Residual<V>& at, int iteratio
   p.active = p.active & !converged;
 }
 
+/// What a step has for all points of a material.
+struct ReturnStep {
+  Real shear = 0;       ///< [Pa]
+  Real dt = 0;          ///< [s]
+  Real inverse_dt = 0;  ///< [1/s]; 0 where dt is
+};
+
 /// Where the increment would stand if what resists grew along its slopes from the old flow stress
 /// on, that of the rate by its logarithm: from the rate of the last step, if the point yielded
-/// then. stiff    [Pa] slope of elastic unloading and hardening of_rate  [Pa] d(flow stress)/d(ln
-/// rate) last     [1] increment at that rate
+/// then.
+///
+/// stiff    [Pa] slope of elastic unloading and hardening
+///
+/// of_rate  [Pa] d(flow stress)/d(ln rate)
+///
+/// last     [1] increment at that rate
 template <class V>
 BRUNT_INLINE V guessed_increment(const ReturnPoint<V>& p, V stiff, V of_rate, V last) {
   const V zero = broadcast<V>(0.0), over = p.q_trial - p.q_old;
@@ -89,8 +101,9 @@ BRUNT_INLINE V guessed_increment(const ReturnPoint<V>& p, V stiff, V of_rate, V 
 /// Improves by g(d) = q_trial - 3 G d - sigma_y(eps_p + d, d/dt, T + dT(d)) = 0,
 /// dT = heating (q_old + q_trial - 3 G d)/2 d.
 template <class V, class NearLaw>
-BRUNT_INLINE void return_step(ReturnPoint<V>& p, const NearLaw& law, Real shear, Real inverse_dt,
+BRUNT_INLINE void return_step(ReturnPoint<V>& p, const NearLaw& law, const ReturnStep& step,
                               int iteration) {
+  const Real shear = step.shear, inverse_dt = step.inverse_dt;
   const V d = p.increment;
   const V stress = p.q_trial - (3.0 * shear) * d;
   const V both = p.q_old + stress;
@@ -105,7 +118,7 @@ BRUNT_INLINE void return_step(ReturnPoint<V>& p, const NearLaw& law, Real shear,
   const V last_step = select(halley, broadcast<V>(kHalleyStep), broadcast<V>(kNewtonStep));
   improve(p,
           {g, slope, of_rate + flow.bend + of_heat, last_step,
-           broadcast<V>(law.corner_rate() / inverse_dt)},
+           broadcast<V>(law.corner_rate() * step.dt)},
           iteration);
 }
 
@@ -119,13 +132,13 @@ class RadialReturn final : public Strength {
   }
 
   void update(MaterialTile& tile, Real dt) const override {
-    const Real inverse_dt = dt > 0 ? 1.0 / dt : 0.0;
+    const ReturnStep step{inputs_.shear, dt, dt > 0 ? 1.0 / dt : 0.0};
     Candidates candidates;
     for (int i = 0; i < tile.count; i += kStep) trial(tile, i, candidates);
     if (candidates.count == 0) return;
     Returned returned;
-    solve(candidates, dt, returned);
-    for (int i = 0; i < tile.count; i += kStep) finish(tile, i, inverse_dt, returned);
+    solve(candidates, step, returned);
+    for (int i = 0; i < tile.count; i += kStep) finish(tile, i, step.inverse_dt, returned);
   }
   bool yields() const override { return true; }
   bool needs_temperature() const override { return law_.needs_temperature(); }
@@ -162,7 +175,7 @@ class RadialReturn final : public Strength {
   using ReturnPoints = std::array<ReturnPoint<V>, kTile / kStep>;
 
   void trial(MaterialTile& tile, int i, Candidates& candidates) const;
-  void solve(Candidates& candidates, Real dt, Returned& returned) const;
+  void solve(Candidates& candidates, const ReturnStep& step, Returned& returned) const;
   void hand_out(const Candidates& candidates, const ReturnPoints& points, Returned& returned) const;
   void finish(MaterialTile& tile, int i, Real inverse_dt, const Returned& returned) const;
 
@@ -223,8 +236,8 @@ void RadialReturn<Law, V>::trial(MaterialTile& tile, int i, Candidates& candidat
 
 /// Finds the increments of all candidates. Packs take turns, so that their chains overlap.
 template <FlowLaw Law, class V>
-void RadialReturn<Law, V>::solve(Candidates& c, Real dt, Returned& returned) const {
-  const Real shear = inputs_.shear, inverse_dt = dt > 0 ? 1.0 / dt : 0.0;
+void RadialReturn<Law, V>::solve(Candidates& c, const ReturnStep& step, Returned& returned) const {
+  const Real shear = step.shear;
   int n = c.count;
   for (; n % kStep != 0; ++n) {  // fills the last pack up with copies of its last point
     c.q_trial[n] = c.q_trial[n - 1], c.q_old[n] = c.q_old[n - 1], c.eps_p[n] = c.eps_p[n - 1];
@@ -248,7 +261,7 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real dt, Returned& returned) con
     p.hi = p.q_trial * (1.0 / (3.0 * shear));
     const V slope = vmin(near.hardening(), broadcast<V>(3.0 * shear));  // infinite where eps_p is 0
     p.increment = guessed_increment<V>(p, 3.0 * shear + slope, near.rate_hardening(),
-                                       dt * load_as<V>(c.rate + i));
+                                       step.dt * load_as<V>(c.rate + i));
     p.increment = vmin(vmax(p.increment, 1e-7 * p.hi), 0.999 * p.hi);
     p.active = yield < p.q_trial;
     p.increment = select(p.active, p.increment, broadcast<V>(0.0));
@@ -259,7 +272,7 @@ void RadialReturn<Law, V>::solve(Candidates& c, Real dt, Returned& returned) con
     for (int k = 0; k < packs; ++k) {
       ReturnPoint<V>& p = points[k];
       if (!any(p.active)) continue;
-      return_step(p, laws[k], shear, inverse_dt, iteration);
+      return_step(p, laws[k], step, iteration);
       busy = busy || any(p.active);
     }
   }

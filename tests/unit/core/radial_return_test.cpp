@@ -196,7 +196,7 @@ TEST(RadialReturn, RatesFromNothingToABillionAreMonotone) {
     p.active = true;
     int iterations = 0;
     for (; p.active && iterations < 50; ++iterations) {
-      return_step(p, near, kShear, inverse_dt, iterations);
+      return_step(p, near, {kShear, 0.01 / rate, inverse_dt}, iterations);
     }
     EXPECT_FALSE(p.active) << rate;
     most = std::max(most, iterations);
