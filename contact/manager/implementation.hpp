@@ -21,6 +21,8 @@ struct LastEvaluation {
 template <int Dim>
 struct ContactManager<Dim>::Implementation {
   explicit Implementation(ContactSetup<Dim> of_setup) : setup(std::move(of_setup)), search(setup) {}
+  /// Lists, and tables but for Tables::kept, and the contacts of time 0. Collective.
+  void begin(Tables tables);
 
   ContactSetup<Dim> setup;
   ContactSearch<Dim> search;

@@ -46,7 +46,7 @@ ContactManager<Dim>::ContactManager(ContactOptions options, Geometry geometry,
   auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
   setup.rigid = springs_of_rigid<Dim>(setup.pairs, setup.section, search.entities());
   search.take_rigid();
-  rearrange();
+  implementation_->begin(Tables::kept);
 }
 
 template <int Dim>
@@ -58,7 +58,15 @@ ContactManager<Dim>::ContactManager(const ContactManager& whole,
   setup.ranks = {&ranks, &partition};
   setup.surfaces = std::move(surfaces);
   implementation_ = std::make_unique<Implementation>(std::move(setup));
-  rearrange();
+  implementation_->begin(Tables::kept);
+}
+
+template <int Dim>
+void ContactManager<Dim>::Implementation::begin(Tables tables) {
+  const LookAhead ahead = search.begin(tables);
+  evaluation.run(setup, search, 0, ahead, memory.step(true), nullptr);
+  memory.begin(evaluation.records());
+  evaluation.records().clear();
 }
 
 template <int Dim>
@@ -79,10 +87,7 @@ void ContactManager<Dim>::rearrange() {
     evaluation.records().name_nodes(search.entities());
     return;
   }
-  const LookAhead ahead = search.begin();
-  evaluation.run(setup, search, 0, ahead, memory.step(true), nullptr);
-  memory.begin(evaluation.records());
-  evaluation.records().clear();
+  implementation_->begin(Tables::anew);
 }
 
 template <int Dim>

@@ -109,10 +109,10 @@ void ContactSearch<Dim>::take_surfaces() {
 }
 
 template <int Dim>
-LookAhead ContactSearch<Dim>::begin() {
+LookAhead ContactSearch<Dim>::begin(Tables tables) {
   entities_.refresh_planes();
   const Real ahead = look_ahead(0).time;
-  renew(ahead, Tables::anew, false);
+  renew(ahead, tables, false);
   if (find_near_bodies(ahead)) renew(ahead, Tables::kept, false);
   return {longest_after(0), ahead};
 }
@@ -127,10 +127,13 @@ void ContactSearch<Dim>::renew(Real ahead, Tables tables, bool with_motion) {
   if (keeps) {
     entities_.begin_motion(setup_.surfaces);
   } else {
-    const auto before = std::exchange(entities_, entities_of(setup_));
-    entities_.longest_step = std::min(entities_.longest_step, setup_.rigid.step_limit.step);
-    if (tables == Tables::inherited) entities_.nodes.inherit(before.nodes);
+    ContactNodes<Dim> before;
+    if (tables == Tables::inherited) before = std::move(entities_.nodes);
+    entities_ = {};  // old tables and new ones side by side would be the most memory of a run
+    entities_ = entities_of(setup_);
+    if (tables == Tables::inherited) entities_.nodes.inherit(before);
   }
+  entities_.longest_step = std::min(entities_.longest_step, setup_.rigid.step_limit.step);
   entities_.choose(near_.near());
   if (with_motion) entities_.nodes.read_motion(setup_.surfaces);
   entities_.refresh_planes();

@@ -49,8 +49,8 @@ class ContactSearch {
   /// Lists anew at the motion of a step of dt [s] where they may miss a contact, or other bodies
   /// are near; what is booked stays with the nodes. Collective.
   LookAhead renew_if_needed(Real dt);
-  /// Tables and lists at the positions of time 0. Collective.
-  LookAhead begin();
+  /// Lists, and tables but for Tables::kept, at the positions of time 0. Collective.
+  LookAhead begin(Tables tables);
   /// Lists anew at the present positions. with_motion  velocities are those of the step under way,
   /// else of the last evaluation. Collective.
   void renew(Real ahead, Tables tables, bool with_motion);

@@ -163,6 +163,8 @@ struct Entities {
   bool any_open = false;          ///< faces of surfaces with a rim
   bool any_born = false;          ///< faces or particles in the step under way
 
+  /// Nothing.
+  Entities() = default;
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
            const Section& section, const ContactRanks& ranks, const RigidSprings& rigid);
