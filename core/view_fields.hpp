@@ -4,6 +4,8 @@
 ///   FieldAdder fields(wanted, view.point_fields);
 ///   fields.add("velocity", n, [=](std::size_t k) -> Vec<3> { return velocity_of(k); });
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -15,6 +17,14 @@ namespace brunt {
 
 inline constexpr std::size_t kMostComponents = 6;
 inline constexpr std::size_t kFieldPart = 512;  ///< entities at a time: they stay in the cache
+
+/// True where all are finite numbers in single precision too, which files have.
+inline bool are_singles(std::span<const Real> values) {
+  constexpr Real kMost = std::numeric_limits<float>::max();
+  bool all = true;  // without a way out in between, several at a time
+  for (const Real value : values) all &= std::fabs(value) <= kMost;
+  return all;
+}
 
 /// Calls take(at, values) with the values of a field in parts, side by side on all threads.
 /// at  place of the first of them among all values

@@ -116,11 +116,17 @@ void FrameWriter::write(Real time, const std::vector<BodyView>& bodies,
     frame.parts.push_back({kContact, files.back()});
   }
   list_files(folder_, files);
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    write_vtu(folder_ / files[b], bodies[b], memory_);
-  }
-  if (contact != nullptr) {
-    write_vtp(folder_ / files.back(), *contact, time, false, memory_);
+  try {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      write_vtu(folder_ / files[b], bodies[b], memory_);
+    }
+    if (contact != nullptr) {
+      write_vtp(folder_ / files.back(), *contact, time, false, memory_);
+    }
+  } catch (const NoNumberError&) {
+    std::error_code none;  // of those that are not there
+    for (const auto& file : files) std::filesystem::remove(folder_ / file, none);
+    throw;
   }
   add(std::move(frame));
 }

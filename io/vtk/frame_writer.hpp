@@ -29,7 +29,8 @@ class FrameWriter {
   std::string index() const { return frame_index_text(frames_); }
 
   /// Writes one frame. contact may be null; a scene gives it always or never, so that the parts are
-  /// the same in all frames. Throws MachineError with the name of the file; the frames before stay.
+  /// the same in all frames. Throws MachineError with the name of the file, and NoNumberError, of
+  /// which nothing is left; the frames before stay.
   void write(Real time, const std::vector<BodyView>& bodies, const ContactView* contact);
 
   /// Makes one frame of the pieces that all ranks have written of frame number next(): a .pvtu a

@@ -1,6 +1,7 @@
 #include "io/vtk/vtk_file.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "core/view_fields.hpp"
@@ -14,14 +15,19 @@ namespace {
 constexpr std::size_t kOffsetRoom = 32;     // characters of ` offset="..."`
 constexpr std::size_t kHeldRoom = 1 << 20;  // [byte] that stays between files
 
-/// Values of a field, each made a number of another type.
+/// Values of a field, each made a number of another type. Those of a field that waits nobody has
+/// seen yet: they are looked at here, where they are in the cache.
 template <class To, class Convert>
 std::string_view made_of(std::string& room, const Field& field, const Convert& convert) {
-  return made<To>(room, field.size(), [&field, &convert](To* to) {
-    for_parts(field, [to, &convert](std::size_t at, std::span<const Real> part) {
+  std::atomic<bool> all_finite = true;
+  const auto bytes = made<To>(room, field.size(), [&](To* to) {
+    for_parts(field, [&, to](std::size_t at, std::span<const Real> part) {
       std::transform(part.begin(), part.end(), to + at, convert);
+      if (field.fill && !are_singles(part)) all_finite = false;
     });
   });
+  if (!all_finite) throw NoNumberError("", field.name);
+  return bytes;
 }
 
 /// What a tag says of an array.
@@ -35,6 +41,15 @@ std::string attributes_of(const VtkFileArray& array) {
         " ComponentName" + std::to_string(c) + "=\"" + component_name(array.components, c) + "\"";
   }
   return text;
+}
+
+/// Of an array of a body, which what it cannot hold is said of.
+std::string_view bytes_of(const VtkFileArray& array, const std::string& body, std::string& room) {
+  try {
+    return array.bytes(room);
+  } catch (const NoNumberError& error) {
+    throw NoNumberError(body, error.field);
+  }
 }
 
 }  // namespace
@@ -85,7 +100,7 @@ void VtkFile::finish(VtkFileMemory& memory, const std::string& body) {
   const std::size_t start = file_.size();
   for (std::size_t a = 0; a < arrays_.size(); ++a) {
     file_.overwrite(places_[a], " offset=\"" + std::to_string(file_.size() - start) + "\"");
-    const std::string_view bytes = arrays_[a].bytes(memory.room);
+    const std::string_view bytes = bytes_of(arrays_[a], body, memory.room);
     if (arrays_[a].kept_as.empty()) {
       memory.packer.append(bytes, file_);
     } else {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,16 @@
 #include "io/vtk/array_packer.hpp"
 
 namespace brunt {
+
+/// A field that waited has a value that is no finite number, or none in single precision: its file
+/// is not written.
+struct NoNumberError : std::runtime_error {
+  NoNumberError(std::string of_body, std::string of_field)
+      : std::runtime_error(of_body + ": " + of_field + " is no finite number"),
+        body(std::move(of_body)),
+        field(std::move(of_field)) {}
+  std::string body, field;
+};
 
 /// One array. Its bytes are made when it is written, and gone again after that.
 struct VtkFileArray {
@@ -38,7 +49,8 @@ class VtkFile {
   void text(const std::string& tags) { file_.append(tags); }
   void declare(VtkFileArray array, const std::string& indent = "        ",
                const std::string& more = "");
-  /// Writes the arrays, and where each of them is. body  whose kept arrays they are
+  /// Writes the arrays, and where each of them is. body  whose kept arrays they are. Throws
+  /// NoNumberError too: the file is not there then.
   void finish(VtkFileMemory& memory, const std::string& body);
 
  private:
@@ -80,10 +92,10 @@ std::string joined_line(const VtkFileArray& array);
 /// In double: places, which may be far from the origin, and the time. The values have to stay.
 VtkFileArray reals(const std::string& name, int components, std::span<const Real> values);
 
-/// In single precision. The field has to stay.
+/// In single precision. The field has to stay. Bytes of one that waits throw NoNumberError.
 VtkFileArray singles(const Field& field);
 
-/// In single precision, or as the whole numbers that they are. The field has to stay.
+/// As singles, or as the whole numbers that they are. The field has to stay.
 /// list  "points." or "cells.", for there is an `id` of both
 VtkFileArray array_of(const Field& field, const std::string& list);
 

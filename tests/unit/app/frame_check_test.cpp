@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/errors.hpp"
-#include "core/view_fields.hpp"
 
 namespace brunt {
 namespace {
@@ -34,19 +33,6 @@ TEST(FrameCheck, NamesTheBodyAndTheField) {
   EXPECT_NE(nan.find("body bar, a frame: velocity is no finite number"), std::string::npos) << nan;
   EXPECT_NE(said(view_with(1e39)), "");  // infinite in the file
   EXPECT_NE(said(view_with(kInfinity)), "");
-}
-
-TEST(FrameCheck, LooksAtFieldsThatWait) {
-  for (const Real value : {1e30, 1e39}) {
-    BodyView view = view_with(0);
-    view.point_fields.clear();
-    WantedFields wanted;
-    wanted.may_wait = true;
-    FieldAdder(wanted, view.point_fields).add("velocity", 1'300, [value](std::size_t k) -> Vec<2> {
-      return {0, k == 1'299 ? value : 0};
-    });
-    EXPECT_EQ(said(view).empty(), value == 1e30) << value;
-  }
 }
 
 TEST(FrameCheck, LooksAtContactsToo) {

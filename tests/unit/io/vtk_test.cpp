@@ -177,6 +177,30 @@ TEST_F(VtkTest, WritesFieldsThatWait) {
   expect_same(read_frame(folder_, read_frame_index(folder_)[0]).at(0), grains);
 }
 
+// Values that wait are seen but once, when they are written: nothing of that frame is left.
+TEST_F(VtkTest, RefusesFieldsThatWaitAndAreNoNumbers) {
+  FrameWriter writer(folder_);
+  for (const Real value : {1e39, kInfinity, std::numeric_limits<Real>::quiet_NaN(), 1e30}) {
+    std::vector<BodyView> views{particles(), hex_body(0)};
+    WantedFields wanted;
+    wanted.may_wait = true;
+    FieldAdder(wanted, views[1].point_fields).add("force", 8, [value](std::size_t k) -> Vec<3> {
+      return {0, k == 7 ? value : 0, 0};
+    });
+    std::string body, field;
+    try {
+      writer.write(0, views, nullptr);
+    } catch (const NoNumberError& error) {
+      body = error.body, field = error.field;
+    }
+    const bool whole = value == 1e30;
+    EXPECT_EQ(body, whole ? "" : "bar") << value;
+    EXPECT_EQ(field, whole ? "" : "force") << value;
+    EXPECT_EQ(writer.n_frames(), whole ? 1 : 0);
+    EXPECT_EQ(std::filesystem::is_empty(folder_ / "frames"), !whole) << value;
+  }
+}
+
 TEST_F(VtkTest, WritesContactsWithTheirFields) {
   const ContactView view = contacts();
   FrameWriter writer(folder_);
