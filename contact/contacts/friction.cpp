@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 
 #include "contact/contacts/record.hpp"
 #include "contact/contacts/side_corners.hpp"
@@ -10,23 +11,31 @@
 namespace brunt {
 
 namespace {
+/// a . b of torques and turns.
+Real product(Real a, Real b) { return a * b; }
+Real product(const Vec3& a, const Vec3& b) { return a.dot(b); }
+
 /// Shares a force at `at` among the corners of a side, with its couple where the side turns.
+/// Returns the power of the shares [W] on the velocities of the corners.
 template <int Dim>
-void share(const SideCorners<Dim>& side, const ContactSide& which, const Vec<Dim>& at,
+Real share(const SideCorners<Dim>& side, const ContactSide& which, const Vec<Dim>& at,
            const Vec<Dim>& force, Friction<Dim>& friction) {
   using brunt::cross, brunt::turn;
   CornerVectors<Dim> on_corner;
   for (std::size_t c = 0; c < Dim; ++c) on_corner[c] = side.weight * force[c];
+  Real power = force.dot(side.velocity);
   if (which.turns) {
-    const auto couple = turn_of(side, cross(Vec<Dim>(at - side.point), force));
-    const auto moved = turn(couple, side.arm);
+    const Couple<Dim> couple = side.face.turn(cross(Vec<Dim>(at - side.point), force));
+    const auto moved = turn(couple, side.face.arm);
     for (std::size_t c = 0; c < Dim; ++c) on_corner[c] += moved[c];
+    power += product(couple, side.face.moment);
   }
   for (int k = 0; k < side.n; ++k) {
     for (std::size_t c = 0; c < Dim; ++c) {
       friction.force[slot_of(which.first + k)][c] = on_corner[c][k];
     }
   }
+  return power;
 }
 
 void find_spin(const SideCorners<3>& lower, const SideCorners<3>& upper, const Vec3& normal,
@@ -168,6 +177,60 @@ Vec<Dim> sticking_drag(const FrictionStep<Dim>& step, const Vec<Dim>& traction,
   return within_limit<Dim>(traction, -step.damping / step.dt * slip, limit);
 }
 
+/// What a contact brings into a step, turned with its plane.
+template <int Dim>
+struct Carried {
+  Vec<Dim> slip;                       // [m] of the step, with a part along the normal
+  Vec<Dim> traction;                   // [Pa] in the plane
+  Vec<Dim> slider = Vec<Dim>::Zero();  // [N] in the plane
+  Vec<Dim> drag = Vec<Dim>::Zero();    // [N]
+  Real taken = 0, energy = 0;          // [J]
+};
+
+template <int Dim>
+Carried<Dim> carry(const FrictionStep<Dim>& step, const SideCorners<Dim>& lower,
+                   const SideCorners<Dim>& upper, const Vec<Dim>& normal) {
+  const Vec<Dim> moved = step.dt * (upper.velocity - lower.velocity);
+  const Vec<Dim> distance = upper.point - lower.point;
+  const auto with_bodies = [&](const Vec<Dim>& v) { return step.turn ? (*step.turn)(v) : v; };
+  Carried<Dim> carried;
+  carried.slip = step.turn ? Vec<Dim>(distance - (*step.turn)(distance - moved)) : moved;
+  carried.traction = in_plane<Dim>(step.inherited, normal);
+  const auto* before = step.before;
+  if (before == nullptr) return carried;
+  carried.taken = before->taken;
+  carried.energy = before->energy();
+  carried.traction.setZero();
+  PlaneTurn<Dim> turn(with_bodies(before->normal), normal);
+  if (!(turn.cosine() > 0)) return carried;  // it is another contact between the same faces
+  if (!step.turn) {
+    find_spin(lower, upper, normal, step.dt, turn);
+    carried.slip = distance - turn(distance - moved);
+  }
+  const Vec<Dim> turned = in_plane<Dim>(turn(with_bodies(before->traction)), normal);
+  carried.traction = step.kept * turned;
+  carried.slider = before->area * turned;
+  carried.drag = before->area * turn(with_bodies(before->drag));
+  return carried;
+}
+
+/// A side of a contact as its step knows it, else as its nodes are.
+/// own  room for it
+template <int Dim>
+const FaceSide<Dim>& side_of(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
+                             const ContactSide& side, const FaceSide<Dim>* known,
+                             FaceSide<Dim>& own) {
+  if (known != nullptr) return *known;
+  const auto n = slot_of(side.last - side.first);
+  const auto nodes_of_side = std::span(record.node).subspan(slot_of(side.first), n);
+  if (n == 1) {
+    own.set(nodes, nodes_of_side[0]);
+  } else {
+    own.set(nodes, nodes_of_side);
+  }
+  return own;
+}
+
 /// The place [m] where friction acts. The common plane of large tilted faces lies off both: it acts
 /// where they are.
 template <int Dim>
@@ -182,62 +245,42 @@ template <int Dim>
 void find_friction(const ContactNodes<Dim>& nodes, const ContactRecord<Dim>& record,
                    const FrictionStep<Dim>& step, Friction<Dim>& friction) {
   begin(record, step, friction);
-  const SideCorners<Dim> lower(nodes, record, step.weight, step.lower);
-  const SideCorners<Dim> upper(nodes, record, step.weight, step.upper);
+  FaceSide<Dim> own_lower, own_upper;
+  const SideCorners<Dim> lower(side_of(nodes, record, step.lower, step.lower_face, own_lower),
+                               step.weight, step.lower);
+  const SideCorners<Dim> upper(side_of(nodes, record, step.upper, step.upper_face, own_upper),
+                               step.weight, step.upper);
   const Vec<Dim>& n = record.normal;
   const Vec<Dim> point = place_of(record, step, lower, upper);
   friction.point = point;
 
   const Vec<Dim> velocity = upper.velocity - lower.velocity;
-  Vec<Dim> slip = step.dt * velocity;
-  Vec<Dim> traction = in_plane<Dim>(step.inherited, n);
-  Vec<Dim> slider_before = Vec<Dim>::Zero(), drag_before = Vec<Dim>::Zero();
-  Real taken_before = 0, energy_before = 0;
-  const Vec<Dim> distance = upper.point - lower.point;
-  const auto with_bodies = [&](const Vec<Dim>& v) { return step.turn ? (*step.turn)(v) : v; };
-  const Vec<Dim> between_centres = step.turn ? in_plane<Dim>(slip, n) : slip;
-  if (step.turn) slip = distance - (*step.turn)(distance - slip);
-  if (const auto* before = step.before) {
-    taken_before = before->taken;
-    energy_before = before->energy();
-    PlaneTurn<Dim> turn(with_bodies(before->normal), n);
-    traction.setZero();
-    if (turn.cosine() > 0) {  // else it is another contact between the same faces
-      if (!step.turn) {
-        find_spin(lower, upper, n, step.dt, turn);
-        slip = distance - turn(distance - step.dt * velocity);
-      }
-      const Vec<Dim> turned = in_plane<Dim>(turn(with_bodies(before->traction)), n);
-      traction = step.kept * turned;
-      slider_before = before->area * turned;
-      drag_before = before->area * turn(with_bodies(before->drag));
-    }
-  }
-  slip = in_plane<Dim>(slip, n);
+  const auto carried = carry<Dim>(step, lower, upper, n);
+  Vec<Dim> slip = in_plane<Dim>(carried.slip, n);
   const bool turns = step.turn && step.dt > 0;
   const Real speed = turns ? slip.norm() / step.dt : in_plane<Dim>(velocity, n).norm();
   const Real limit = sliding_limit(record, step, speed, friction);
-  auto slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+  auto slid = slide<Dim>(carried.traction, step.stiffness, slip, limit / step.area);
   // What the forces take from the centres is heat:
   // docs/decisions/096-friction-between-particles.md.
   if (slid.slips && step.turn) {
-    slip = between_centres;
-    slid = slide<Dim>(traction, step.stiffness, slip, limit / step.area);
+    slip = in_plane<Dim>(step.dt * velocity, n);
+    slid = slide<Dim>(carried.traction, step.stiffness, slip, limit / step.area);
   }
   friction.traction = slid.traction;
   friction.slips = slid.slips;
   if (!slid.slips && step.dt > 0) {
     friction.drag = sticking_drag(step, slid.traction, slip, limit / step.area);
   }
-  share(upper, step.upper, point, friction.resultant(), friction);
-  share<Dim>(lower, step.lower, point, -friction.resultant(), friction);
+  const Real power = share(upper, step.upper, point, friction.resultant(), friction) +
+                     share<Dim>(lower, step.lower, point, -friction.resultant(), friction);
   // The old force may be above the limit that there is now, and point along a slip that has turned
   // back: the mean of both would cool. What it gives then goes to pairs.
-  friction.heat = std::max(-0.5 * (slider_before + friction.slider()).dot(slid.slip), 0.0);
-  friction.damped = -0.5 * (drag_before + step.area * friction.drag).dot(slip);
-  friction.stored = friction.energy() - energy_before;
-  friction.pairs = taken_before + half_taken(friction, nodes, step.dt) - friction.heat -
-                   friction.stored - friction.damped;
+  friction.heat = std::max(-0.5 * (carried.slider + friction.slider()).dot(slid.slip), 0.0);
+  friction.damped = -0.5 * (carried.drag + step.area * friction.drag).dot(slip);
+  friction.stored = friction.energy() - carried.energy;
+  friction.pairs =
+      carried.taken - 0.5 * step.dt * power - friction.heat - friction.stored - friction.damped;
 }
 
 template class FrictionHistory<2>;

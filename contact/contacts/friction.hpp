@@ -131,6 +131,8 @@ template <int Dim>
 struct FrictionStep {
   const PairLaws* laws = nullptr;  ///< with friction
   ContactSide lower, upper;
+  /// The faces of these sides, where they are known (Entities::side_of); null: of their nodes.
+  const FaceSide<Dim>*lower_face = nullptr, *upper_face = nullptr;
   std::array<Real, Friction<Dim>::kNodes> weight{};  ///< of the nodes, each side's sum to one
   Vec<Dim> point = Vec<Dim>::Zero();                 ///< [m] where the force acts
   Real area = 0;        ///< [m^2] that carries traction; of a particle its share [1]

@@ -50,6 +50,7 @@ struct ContactRecord {
 /// share of the push along the normal. All sides together get no force and no moment.
 template <int Dim>
 struct PotentialPush {
+  PotentialPush() {}  // NOLINT(modernize-use-equals-default): as that of a record
   std::array<Vec<Dim>, ContactRecord<Dim>::kNodes> force;  ///< [N]
   int n_lower = 0;                                         ///< nodes of the lower side come first
 };

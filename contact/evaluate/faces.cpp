@@ -184,6 +184,7 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.laws = &candidate.laws;
   step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
   step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
+  step.lower_face = entities.side_of(l), step.upper_face = entities.side_of(u);
   std::copy_n(plane.lower_at_middle.begin(), n_lower, step.weight.begin());
   std::copy_n(plane.upper_at_middle.begin(), record.n_nodes - n_lower,
               step.weight.begin() + n_lower);

@@ -159,7 +159,11 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
   LinearField penetration;
   penetration.value = top.value - bottom.value + needs.opening;
   penetration.slope = top.slope - bottom.slope;
-  plane.polygon = whole ? overlap : clip(overlap, penetration);
+  if (whole) {
+    plane.polygon = overlap;
+  } else {
+    clip(overlap, penetration, plane.polygon);
+  }
   const FieldIntegrals sum = integrate(plane.polygon, penetration);
   // What is left of an overlap where it penetrates may be a line: its area, of either sign, is
   // round-off.
@@ -170,15 +174,13 @@ bool one_plane(const FacePlane<3>& lower, const FacePlane<3>& upper, const Secti
     plane.deepest = std::max(plane.deepest, penetration.at(plane.polygon[i]));
   }
 
-  DeepArea deep;
-  if (!whole) {
-    deep = deep_area(plane.polygon, penetration, plane.half_cosine(), plane.deepest, plane.barrier);
-  }
+  const DeepArea deep = whole ? DeepArea()
+                              : deep_area(plane.polygon, penetration, plane.half_cosine(),
+                                          plane.deepest, plane.barrier);
   const OverlapArea area{below,         above, penetration,   sum,        lower.borders,
                          upper.borders, deep,  needs.opening, needs.limit};
   const bool pushes = needs.pushes && !whole;
-  BorderFade<3> fade;
-  if (pushes) fade = fade_of(lower, upper, area, plane);
+  const auto fade = pushes ? fade_of(lower, upper, area, plane) : BorderFade<3>();
   if (fade.factor == 0) return false;
   set_fade(fade.factor, plane);
   plane.area = sum.area;

@@ -28,7 +28,7 @@ DeepArea deep_area(const Polygon& overlap, const LinearField& penetration, Real 
   if (!(barrier.onset > 0) || cosine * deepest <= barrier.onset) return deep;
   deep.u.value = cosine * penetration.value - barrier.onset;
   deep.u.slope = cosine * penetration.slope;
-  deep.polygon = clip(overlap, deep.u);
+  clip(overlap, deep.u, deep.polygon);
   const auto value = [&](int i) { return std::max(deep.u.at(deep.polygon[i]), 0.0); };
   for (int i = 1; i + 1 < deep.polygon.size; ++i) {
     const Vec<2>&p = deep.polygon[0], &q = deep.polygon[i], &r = deep.polygon[i + 1];

@@ -25,9 +25,9 @@ struct OverlapGradient {
 template <int Dim>
 struct Density {
   Real squared = 0, linear = 0;
-  Real uniform = 0;                                    ///< [m]
-  Real cubed = 0;                                      ///< [1/m]
-  std::array<Real, BorderFade<Dim>::kMost> by_room{};  ///< of each pair of the fade
+  Real uniform = 0;                                  ///< [m]
+  Real cubed = 0;                                    ///< [1/m]
+  std::array<Real, BorderFade<Dim>::kMost> by_room;  ///< of each pair of the fade
 
   Density(const BorderFade<Dim>& fade, const CommonPlane<Dim>& plane) {
     squared = 0.5 * plane.ramp;

@@ -20,9 +20,9 @@ namespace brunt {
 template <int Dim>
 struct BorderFade {
   struct Borders {
-    int lower = 0, upper = 0;  ///< edges of both faces, as in their borders
-    Real by_room = 0;          ///< [1/m^Dim] derivative of ln omega by int (D_l + D_u)
-    Real by_facing = 0;        ///< [1] the same by kappa
+    int lower, upper;  ///< edges of both faces, as in their borders
+    Real by_room;      ///< [1/m^Dim] derivative of ln omega by int (D_l + D_u)
+    Real by_facing;    ///< [1] the same by kappa
   };
   static constexpr int kMost = Facet<Dim>::kNodes * Facet<Dim>::kNodes;
   std::array<Borders, kMost> pair;

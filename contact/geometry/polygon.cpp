@@ -35,9 +35,8 @@ bool clip_to(const Polygon& polygon, const LinearField& keep, std::uint8_t name,
 }
 }  // namespace
 
-Polygon clip(const Polygon& polygon, const LinearField& keep) {
-  Polygon kept;
-  return clip_to(polygon, keep, Polygon::kCut, kept) ? kept : polygon;
+void clip(const Polygon& polygon, const LinearField& keep, Polygon& kept) {
+  if (!clip_to(polygon, keep, Polygon::kCut, kept)) kept = polygon;
 }
 
 Polygon intersect(const Polygon& a, const Polygon& b) {

@@ -15,6 +15,16 @@ struct Polygon {
   std::array<std::uint8_t, kRoom> side;  ///< whose side begins at a corner; of a face: that corner
   int size = 0;
 
+  Polygon() {}  // NOLINT(modernize-use-equals-default): the room is not filled
+  Polygon(const Polygon& other) { *this = other; }
+  /// Of the corners that are there, which are a third of the room.
+  Polygon& operator=(const Polygon& other) {
+    if (this == &other) return *this;
+    size = 0;
+    for (int i = 0; i < other.size; ++i) push(other[i], other.side[slot_of(i)]);
+    return *this;
+  }
+
   void push(const Vec<2>& p, std::uint8_t of = kCut) {
     side[slot_of(size)] = of;
     corner[slot_of(size++)] = p;
@@ -29,9 +39,9 @@ struct LinearField {
   Real at(const Vec<2>& p) const { return value + slope[0] * p[0] + slope[1] * p[1]; }
 };
 
-/// The part of a convex polygon where the field is not negative (Sutherland & Hodgman 1974). Its
-/// sides keep their names, and where the field cuts it begins one named kCut.
-Polygon clip(const Polygon& polygon, const LinearField& keep);
+/// The part of a convex polygon where the field is not negative (Sutherland & Hodgman 1974), to
+/// another. Its sides keep their names, and where the field cuts it begins one named kCut.
+void clip(const Polygon& polygon, const LinearField& keep, Polygon& kept);
 
 /// The overlap of two convex counter-clockwise polygons. Sides of b are named kOfSecond and more in
 /// it, those of a keep their names; where both coincide, a's name stays.

@@ -41,6 +41,7 @@ void ContactSearch<Dim>::refresh_motion() {
 template <int Dim>
 void ContactSearch<Dim>::refresh_friction() {
   imports_.refresh_tractions(entities_);
+  entities_.refresh_sides();
   auto& nodes = entities_.nodes;
   if (!nodes.needs_material) return;
   entities_.read_materials(setup_.surfaces);

@@ -5,6 +5,7 @@
 
 #include "contact/geometry/common_plane.hpp"
 #include "contact/law/pair_table.hpp"
+#include "contact/surfaces/face_side.hpp"
 #include "contact/surfaces/nodes.hpp"
 #include "contact/surfaces/ranks.hpp"
 #include "core/step_limit.hpp"
@@ -146,6 +147,8 @@ struct Entities {
   std::vector<SearchBox<Dim>> boxes;         ///< of planes
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing has friction
+  std::vector<FaceSide<Dim>> sides;   ///< of listed faces that carried friction, as they are now
+  std::vector<std::int32_t> side_at;  ///< where each listed face stands among them; -1: nowhere
   /// Behind each face, as of the step's start; empty where no friction needs it.
   std::vector<SurfaceMaterial> materials;
   std::vector<char> conducts;        ///< by surface: its points keep the temperature
@@ -202,6 +205,12 @@ struct Entities {
   /// Lists are built now: `shapes` of the planes. Faces that are in no list are left alone.
   /// in_lists  by face
   void mark_planes(const std::vector<char>& in_lists);
+  /// `sides` of listed faces that carried friction at the last evaluation. Others may come to.
+  void refresh_sides();
+  /// That of a listed face; null where it is not known.
+  const FaceSide<Dim>* side_of(std::size_t face) const {
+    return side_at[face] < 0 ? nullptr : &sides[slot_of(side_at[face])];
+  }
   /// `reaches` of listed faces, once their planes are there.
   void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.

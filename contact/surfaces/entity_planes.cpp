@@ -213,6 +213,23 @@ void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
 }
 
 template <int Dim>
+void Entities<Dim>::refresh_sides() {
+  if (!nodes.has_friction) return;
+  side_at.resize(faces.size());
+  std::vector<LocalIndex> rubbing;
+  for (const LocalIndex f : listed_faces) {
+    const bool rubs = tractions[slot_of(f)].area > 0;
+    side_at[slot_of(f)] = rubs ? static_cast<std::int32_t>(rubbing.size()) : -1;
+    if (rubs) rubbing.push_back(f);
+  }
+  sides.resize(rubbing.size());
+  for_each(rubbing.size(), kWorthThreads, [&](std::size_t k) {
+    const auto& face = faces[slot_of(rubbing[k])];
+    sides[k].set(nodes, std::span(face.node).first(slot_of(face.n_nodes)));
+  });
+}
+
+template <int Dim>
 void Entities<Dim>::refresh_reaches() {
   for_each(listed_faces.size(), kWorthThreads, [&](std::size_t k) {
     const auto f = slot_of(listed_faces[k]);
@@ -228,6 +245,8 @@ template void Entities<2>::refresh_unlisted_planes();
 template void Entities<3>::refresh_unlisted_planes();
 template void Entities<2>::mark_planes(const std::vector<char>&);
 template void Entities<3>::mark_planes(const std::vector<char>&);
+template void Entities<2>::refresh_sides();
+template void Entities<3>::refresh_sides();
 template void Entities<2>::refresh_reaches();
 template void Entities<3>::refresh_reaches();
 
