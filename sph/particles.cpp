@@ -38,11 +38,11 @@ void SphParticles<Dim>::hold(std::size_t n) {
   smoothing_length_.resize(n);
   motion_.resize(n);
   stress_.resize(n);
-  artificial_.resize(n);
+  if (any_artificial()) artificial_.resize(n);
   if (!any_single()) return;
   single_motion_.resize(n);
   single_stress_.resize(n);
-  single_artificial_.resize(n);
+  if (any_artificial()) single_artificial_.resize(n);
 }
 
 template <int Dim>

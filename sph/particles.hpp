@@ -171,6 +171,7 @@ class SphParticles final : public Solid<Dim> {
   bool lists_hold() const;
   void refresh_motion();
   bool any_single() const;
+  bool any_artificial() const;
   Real least_single_spacing() const;
   void set_single_motion(std::size_t i);
   void refresh_single_stress();
@@ -227,7 +228,7 @@ class SphParticles final : public Solid<Dim> {
 
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;
-  std::vector<ArtificialRecord<Dim>> artificial_;
+  std::vector<ArtificialRecord<Dim>> artificial_;  // empty: none has artificial stress
   std::vector<PlainMoment<Dim>> plain_;  // of owned ones; empty: all gradients are corrected
   std::vector<char> is_thin_;            // of owned ones
   std::vector<ThinParticle<Dim>> thin_;  // those, ascending

@@ -24,6 +24,12 @@ bool SphParticles<Dim>::any_single() const {
 }
 
 template <int Dim>
+bool SphParticles<Dim>::any_artificial() const {
+  return std::any_of(blocks_.begin(), blocks_.end(),
+                     [](const auto& block) { return block.set.options.artificial_stress != 0; });
+}
+
+template <int Dim>
 Real SphParticles<Dim>::least_single_spacing() const {
   Real least = kInfinity;
   for (const auto& block : blocks_) {
@@ -51,9 +57,7 @@ void SphParticles<Dim>::set_single_motion(std::size_t i) {
 
 template <int Dim>
 void SphParticles<Dim>::refresh_single_stress() {
-  const bool artificial = std::any_of(blocks_.begin(), blocks_.end(), [](const auto& block) {
-    return block.set.options.artificial_stress != 0;
-  });
+  const bool artificial = any_artificial();
   for_each(state_.size(), [&](std::size_t i) {
     const Real* stress = stress_[i].data;
     for (int k = 0; k <= StressRecord<Dim>::kTension; ++k) {
@@ -299,6 +303,8 @@ template void SphParticles<2>::find_neighbours(Wanted);
 template void SphParticles<3>::find_neighbours(Wanted);
 template bool SphParticles<2>::any_single() const;
 template bool SphParticles<3>::any_single() const;
+template bool SphParticles<2>::any_artificial() const;
+template bool SphParticles<3>::any_artificial() const;
 template Real SphParticles<2>::least_single_spacing() const;
 template Real SphParticles<3>::least_single_spacing() const;
 template void SphParticles<2>::set_single_motion(std::size_t);

@@ -168,11 +168,13 @@ void SphParticles<Dim>::refresh_state() {
   if (ranks_->alone() || held_) return;
   constexpr std::size_t n_stress = std::size(StressRecord<Dim>{}.data);
   constexpr std::size_t n_artificial = std::size(ArtificialRecord<Dim>{}.data);
+  const bool has_artificial = !artificial_.empty();  // of this rank: others may have some
   refresh_ghosts(
       *ranks_, ghosts_, n_stress + n_artificial + 2,
       [&](std::size_t i, Real* out) {
         out = std::copy_n(stress_[i].data, n_stress, out);
-        out = std::copy_n(artificial_[i].data, n_artificial, out);
+        out = has_artificial ? std::copy_n(artificial_[i].data, n_artificial, out)
+                             : std::fill_n(out, n_artificial, 0.0);
         out[0] = state_[i].volume;
         out[1] = smoothing_length_[i];
       },
@@ -181,7 +183,7 @@ void SphParticles<Dim>::refresh_state() {
         if (is_stressed(stress_[i]) || state_[i].volume != in[n_stress + n_artificial]) {
           still_.stir(i);
         }
-        std::copy_n(in + n_stress, n_artificial, artificial_[i].data);
+        if (has_artificial) std::copy_n(in + n_stress, n_artificial, artificial_[i].data);
         state_[i].volume = in[n_stress + n_artificial];
         smoothing_length_[i] = in[n_stress + n_artificial + 1];
       });

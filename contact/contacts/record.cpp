@@ -41,14 +41,18 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
   while (next != elsewhere.end()) add_next();
 }
 
+/// Books half of what the forces of a node take from its motion in a step: first of those of its
+/// begin, then of those of its end.
 template <int Dim>
-void book(std::size_t i, Real dt, const std::vector<Surface<Dim>*>& surfaces,
-          ContactNodes<Dim>& nodes) {
-  if (!nodes.owned[i]) return;
+void book_half(std::size_t i, Real dt, ContactNodes<Dim>& nodes) {
   const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
-  nodes.spring_work[i] -= (nodes.spring_last[i] + nodes.spring[i]).dot(half_way);
-  nodes.damping_energy[i] -= (nodes.damping_last[i] + nodes.damping[i]).dot(half_way);
-  if (!nodes.pressed[i]) return;
+  nodes.spring_work[i] -= nodes.spring[i].dot(half_way);
+  nodes.damping_energy[i] -= nodes.damping[i].dot(half_way);
+}
+
+template <int Dim>
+void add_to_point(std::size_t i, const std::vector<Surface<Dim>*>& surfaces,
+                  const ContactNodes<Dim>& nodes) {
   auto& points = *surfaces[slot_of(nodes.surface[i])]->points;
   auto& f = points.f[slot_of(nodes.point[i])];
   f += nodes.spring[i] + nodes.damping[i];
@@ -173,9 +177,6 @@ StepLimit Records<Dim>::step_limit() const {
 template <int Dim>
 void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
-  std::swap(nodes.spring, nodes.spring_last);
-  std::swap(nodes.damping, nodes.damping_last);
-  std::swap(nodes.pressed, nodes.pressed_last);
   const std::size_t n = nodes.size();
   on_threads(n > kWorthThreads, [&] {
     // Each thread owns a range of nodes and reads all records: sums keep the order of keys.
@@ -183,19 +184,21 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     const auto k = slot_of(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
     char* const pressed = nodes.pressed.data();
-    const char* const pressed_last = nodes.pressed_last.data();
     const bool has_friction = nodes.has_friction;
     for (std::size_t i = first; i < last; ++i) {
-      if (has_friction && pressed_last[i]) nodes.friction[i].setZero();
       if (!pressed[i]) continue;  // most touch nothing, and are not even read
+      if (nodes.owned[i]) book_half(i, dt, nodes);
       nodes.spring[i].setZero();
       nodes.damping[i].setZero();
+      if (has_friction) nodes.friction[i].setZero();
       pressed[i] = 0;
     }
     gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
            nodes);
     for (std::size_t i = first; i < last; ++i) {
-      if (pressed[i] || pressed_last[i]) book(i, dt, surfaces, nodes);
+      if (!pressed[i] || !nodes.owned[i]) continue;
+      book_half(i, dt, nodes);
+      add_to_point(i, surfaces, nodes);
     }
   });
 }

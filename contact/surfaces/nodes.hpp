@@ -38,11 +38,9 @@ struct ContactNodes {
   std::vector<Vec<Dim>> x_made;           ///< [m] when lists were last built
   std::vector<Vec<Dim>> v;                ///< [m/s] at the last evaluation
   MotionBounds<Dim> motion;               ///< since `x_made`, of the points here, as last read
-  std::vector<Vec<Dim>> spring, damping;  ///< [N] forces of this evaluation
-  std::vector<Vec<Dim>> spring_last, damping_last;  ///< [N] of the one before
-  /// Whether anything gave them a force in this evaluation, and in the one before: where nothing
-  /// did it is 0, friction too.
-  std::vector<char> pressed, pressed_last;
+  std::vector<Vec<Dim>> spring, damping;  ///< [N] forces of the last evaluation
+  /// Whether anything gave them a force in it: where nothing did it is 0, friction too.
+  std::vector<char> pressed;
   std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
   std::vector<Real> eroded_energy;  ///< [J] of springs that went with their faces, since time 0
   bool has_friction = false;        ///< some pair has friction; else the fields below are empty
@@ -71,10 +69,7 @@ struct ContactNodes {
     f(&ContactNodes::v, kSaved);
     f(&ContactNodes::spring, kState);
     f(&ContactNodes::damping, kState);
-    f(&ContactNodes::spring_last, FieldUse{});
-    f(&ContactNodes::damping_last, FieldUse{});
     f(&ContactNodes::pressed, FieldUse{});
-    f(&ContactNodes::pressed_last, FieldUse{});
     f(&ContactNodes::spring_work, kState);
     f(&ContactNodes::damping_energy, kState);
     f(&ContactNodes::eroded_energy, kSaved);
