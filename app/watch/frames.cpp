@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/ranks/agreed.hpp"
+#include "app/watch/frame_check.hpp"
 #include "io/vtk/frame_writer.hpp"
 #endif
 
@@ -34,7 +35,7 @@ class VtkFrames final : public FrameSink {
       : folder_(std::move(folder)), ranks_(ranks) {}
 
   void write(Real time, const std::vector<BodyView>& bodies, const ContactView* contact) override {
-    if (ranks_.alone()) return writer().write(time, bodies, contact);
+    if (ranks_.alone()) return write_alone(time, bodies, contact);
     const std::size_t number = next();
     const auto written = agreed(ranks_, [&] {
       return packed(write_pieces(folder_, number, ranks_.rank(), time, bodies, contact, memory_));
@@ -51,6 +52,14 @@ class VtkFrames final : public FrameSink {
   }
 
  private:
+  void write_alone(Real time, const std::vector<BodyView>& bodies, const ContactView* contact) {
+    try {
+      writer().write(time, bodies, contact);
+    } catch (const NoNumberError& error) {
+      refuse_frame(error.body, error.field);
+    }
+  }
+
   FrameWriter& writer() {
     if (!writer_) writer_.emplace(folder_);
     return *writer_;

@@ -258,11 +258,7 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
   ContactView contact;
   if (scene.contact) contact = scene.own_contacts();
   refuse_no_numbers(views, contact, *scene.ranks);
-  try {
-    frames_->write(deck_.time.real(time), views, scene.contact ? &contact : nullptr);
-  } catch (const NoNumberError& error) {
-    refuse_frame(error.body, error.field);
-  }
+  frames_->write(deck_.time.real(time), views, scene.contact ? &contact : nullptr);
 }
 
 template <int Dim>

@@ -30,6 +30,7 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
   /// bodies, contact: what this rank has of them. Collective; all ranks throw what one throws.
+  /// Throws PhysicsError where a field that waits has a value that no file can hold.
   virtual void write(Real time, const std::vector<BodyView>& bodies,
                      const ContactView* contact) = 0;
   /// Which frames there are, for a checkpoint.
