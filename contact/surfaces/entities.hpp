@@ -148,7 +148,7 @@ struct Entities {
   std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing has friction
   std::vector<FaceSide<Dim>> sides;   ///< of listed faces that carried friction, as they are now
-  std::vector<std::int32_t> side_at;  ///< where each listed face stands among them; -1: nowhere
+  std::vector<std::int32_t> side_at;  ///< where each face stands among them; -1: nowhere
   /// Behind each face, as of the step's start; empty where no friction needs it.
   std::vector<SurfaceMaterial> materials;
   std::vector<char> conducts;        ///< by surface: its points keep the temperature
@@ -207,7 +207,7 @@ struct Entities {
   void mark_planes(const std::vector<char>& in_lists);
   /// `sides` of listed faces that carried friction at the last evaluation. Others may come to.
   void refresh_sides();
-  /// That of a listed face; null where it is not known.
+  /// That of a face; null where it is not known.
   const FaceSide<Dim>* side_of(std::size_t face) const {
     return side_at[face] < 0 ? nullptr : &sides[slot_of(side_at[face])];
   }

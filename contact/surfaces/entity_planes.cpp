@@ -215,12 +215,12 @@ void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
 template <int Dim>
 void Entities<Dim>::refresh_sides() {
   if (!nodes.has_friction) return;
-  side_at.resize(faces.size());
+  side_at.assign(faces.size(), -1);
   std::vector<LocalIndex> rubbing;
   for (const LocalIndex f : listed_faces) {
-    const bool rubs = tractions[slot_of(f)].area > 0;
-    side_at[slot_of(f)] = rubs ? static_cast<std::int32_t>(rubbing.size()) : -1;
-    if (rubs) rubbing.push_back(f);
+    if (!(tractions[slot_of(f)].area > 0)) continue;
+    side_at[slot_of(f)] = static_cast<std::int32_t>(rubbing.size());
+    rubbing.push_back(f);
   }
   sides.resize(rubbing.size());
   for_each(rubbing.size(), kWorthThreads, [&](std::size_t k) {

@@ -134,4 +134,4 @@ struct FaceSide {
 };
 
 }  // namespace brunt
-// Tested by tests/unit/contact/friction_law_test.cpp.
+// Tested by tests/unit/contact/face_side_test.cpp.
