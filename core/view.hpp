@@ -35,11 +35,11 @@ inline const Field* field_named(const std::vector<Field>& fields, std::string_vi
   return nullptr;
 }
 
-/// Which fields a view shall have: all, or those of these names. Positions, cells and weights are
-/// in every view.
+/// Which fields a view shall have: all, or those of these names. Positions and cells are in every
+/// view, weights of means where nothing waits.
 struct WantedFields {
   std::optional<std::vector<std::string>> names;  ///< none: all
-  /// True: fields may wait until they are read, which is before anything moves on.
+  /// True: fields and cells may wait until they are read, which is before anything moves on.
   bool may_wait = false;
   /// Elements or particles that are looked at, the first of the body: one says which fields it has.
   std::size_t most = std::numeric_limits<std::size_t>::max();
@@ -57,8 +57,11 @@ struct BodyView {
   std::string body;
   Real time = 0;
   std::vector<Real> position;              ///< 3 n
-  std::vector<std::int64_t> connectivity;  ///< corners of all cells
-  int corners = 0;                         ///< corners of a cell; 0: particles
+  std::vector<std::int64_t> connectivity;  ///< corners of all cells; empty where these wait
+  /// Writes corners of cells first to last - 1 of a view whose fields may wait.
+  std::function<void(std::size_t first, std::size_t last, std::int64_t* to)> fill_corners = {};
+  std::size_t n_waiting_cells = 0;
+  int corners = 0;         ///< corners of a cell; 0: particles
   int cell_dimension = 0;  ///< of elements, 2 or 3; 0: facets of a surface, or particles
   std::vector<Field> point_fields;
   std::vector<Field> cell_fields;
@@ -66,6 +69,12 @@ struct BodyView {
   std::vector<Real> point_radius;  ///< [m] particles only: half the spacing
   std::vector<Real> cell_volume;   ///< [m^3] weights of means over cell fields
   std::vector<char> point_owned;   ///< 0: a copy of another rank's point; empty: all are owned
+
+  /// Cells that hold corners; particles are none.
+  std::size_t n_cells() const {
+    if (fill_corners) return n_waiting_cells;
+    return corners == 0 ? 0 : connectivity.size() / slot_of(corners);
+  }
 };
 
 /// Contact planes (polygons) and particle contacts (points) of one instant, for a .vtp.

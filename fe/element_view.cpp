@@ -37,7 +37,7 @@ std::vector<Cell<Dim>> cells_of(const std::vector<ElementBlock<Dim>>& blocks, La
 /// Points of the cells by ascending id; also their places in the view, by node.
 template <int Dim>
 std::vector<LocalIndex> nodes_of(const std::vector<Cell<Dim>>& cells, const Points<Dim>& points,
-                                 std::vector<std::int64_t>& place) {
+                                 std::vector<LocalIndex>& place) {
   place.assign(points.x.size(), -1);
   for (const Cell<Dim>& cell : cells) {
     for (const LocalIndex node : cell.block->corners_of(cell.element)) place[node] = 0;
@@ -52,7 +52,7 @@ std::vector<LocalIndex> nodes_of(const std::vector<Cell<Dim>>& cells, const Poin
   if (!std::is_sorted(nodes.begin(), nodes.end(), ascends)) {
     std::sort(nodes.begin(), nodes.end(), ascends);
   }
-  for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = static_cast<std::int64_t>(k);
+  for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = static_cast<LocalIndex>(k);
   return nodes;
 }
 
@@ -61,22 +61,27 @@ template <int Dim>
 struct Shown {
   std::vector<Cell<Dim>> cells;
   std::vector<LocalIndex> nodes;
-  std::vector<Real> volume;  ///< [m^3] of the cells
+  std::vector<LocalIndex> place;  ///< of nodes in the view
+  std::vector<Real> volume;       ///< [m^3] of the cells
 };
 template <int Dim>
 using ShownPointer = std::shared_ptr<const Shown<Dim>>;
 
+/// weights  of means as well
 template <int Dim>
-void add_points(const Points<Dim>& points, const std::vector<LocalIndex>& nodes, BodyView& view) {
+void add_points(const Points<Dim>& points, const std::vector<LocalIndex>& nodes, bool weights,
+                BodyView& view) {
   const std::size_t n = nodes.size();
-  view.position.resize(3 * n), view.point_mass.resize(n), view.point_owned.resize(n);
+  view.position.resize(3 * n), view.point_owned.resize(n);
+  if (weights) view.point_mass.resize(n);
   for_each(n, kViewWorthThreads, [&](std::size_t k) {
     const LocalIndex node = nodes[k];
     put_values<Dim>(points.x[node], &view.position[3 * k]);
+    view.point_owned[k] = static_cast<char>(node < points.n_owned);
+    if (!weights) return;
     // Means over a rigid body, which has no mass, are weighted by heat capacities.
     const bool rigid = points.mass[node] == 0 && points.conducts;
     view.point_mass[k] = rigid ? points.capacity[node] : points.mass[node];
-    view.point_owned[k] = static_cast<char>(node < points.n_owned);
   });
 }
 
@@ -152,17 +157,30 @@ std::vector<Real> volumes_of(const std::vector<Cell<Dim>>& cells, const Points<D
   return volume;
 }
 
-/// Corners of the cells. place  of nodes in the view
+/// Corners of cells first to last - 1, as places in the view.
 template <int Dim>
-void add_corners(const std::vector<Cell<Dim>>& cells, const std::vector<std::int64_t>& place,
-                 BodyView& view) {
-  const auto corners = slot_of(view.corners);
-  view.connectivity.resize(cells.size() * corners);
-  for_each(cells.size(), kViewWorthThreads, [&](std::size_t c) {
-    const auto nodes = cells[c].block->corners_of(cells[c].element);
-    std::transform(nodes.begin(), nodes.end(), &view.connectivity[c * corners],
-                   [&place](LocalIndex node) { return place[node]; });
-  });
+void put_corners(const Shown<Dim>& of, std::size_t first, std::size_t last, std::int64_t* to) {
+  for (std::size_t c = first; c < last; ++c) {
+    const auto nodes = of.cells[c].block->corners_of(of.cells[c].element);
+    to = std::transform(nodes.begin(), nodes.end(), to,
+                        [&of](LocalIndex node) { return of.place[node]; });
+  }
+}
+
+/// Corners of all cells, or how they are made.
+template <int Dim>
+void add_corners(const ShownPointer<Dim>& of, bool may_wait, BodyView& view) {
+  const std::size_t n = of->cells.size(), corners = slot_of(view.corners);
+  if (may_wait) {
+    view.n_waiting_cells = n;
+    view.fill_corners = [of](std::size_t first, std::size_t last, std::int64_t* to) {
+      put_corners(*of, first, last, to);
+    };
+    return;
+  }
+  view.connectivity.resize(n * corners);
+  for_each(n, kViewWorthThreads,
+           [&](std::size_t c) { put_corners(*of, c, c + 1, &view.connectivity[c * corners]); });
 }
 
 }  // namespace
@@ -177,17 +195,16 @@ BodyView FiniteElements<Dim>::view(Label body, const WantedFields& wanted) const
   if (cells.size() > wanted.most) cells.resize(wanted.most);
   view.corners = cells.empty() ? Shape<Dim>::kCorners : cells.front().block->corners;
   view.cell_dimension = Dim;
-  std::vector<std::int64_t> place;
-  shown->nodes = nodes_of(cells, points_, place);
-  add_points(points_, of->nodes, view);
+  shown->nodes = nodes_of(cells, points_, shown->place);
+  add_points(points_, of->nodes, !wanted.may_wait, view);
   FieldAdder point_fields(wanted, view.point_fields);
   add_point_fields(points_, of, point_fields);
 
   std::erase_if(cells, [](const Cell<Dim>& cell) { return !cell.block->owned[cell.element]; });
-  add_corners(cells, place, view);
+  add_corners(of, wanted.may_wait, view);
   const std::size_t n = cells.size();
   shown->volume = volumes_of(cells, points_, thickness_);
-  view.cell_volume = shown->volume;
+  if (!wanted.may_wait) view.cell_volume = shown->volume;
   FieldAdder fields(wanted, view.cell_fields);
   add_state_fields(
       fields, n, [of](std::size_t c, const auto& value) { return mean_of(of->cells[c], value); },

@@ -2,8 +2,10 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -37,6 +39,21 @@ std::size_t write_all(int descriptor, std::string_view bytes, std::optional<off_
   return done;
 }
 
+/// Writes both, one behind the other; false if they could not be written: errno says why.
+bool write_both(int descriptor, std::string_view first, std::string_view second) {
+  const auto part = [](std::string_view bytes) {
+    return iovec{const_cast<char*>(bytes.data()), bytes.size()};
+  };
+  const std::array<iovec, 2> parts{part(first), part(second)};
+  const ssize_t n = ::writev(descriptor, parts.data(), static_cast<int>(parts.size()));
+  if (n < 0 && errno != EINTR) return false;
+  const std::size_t done = n < 0 ? 0 : slot_of(n), of_first = std::min(done, first.size());
+  first.remove_prefix(of_first);
+  second.remove_prefix(done - of_first);
+  return write_all(descriptor, first) == first.size() &&
+         write_all(descriptor, second) == second.size();
+}
+
 /// Closes the descriptor and removes the file unless it was released.
 struct TemporaryFile {
   std::string name;
@@ -60,7 +77,8 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
-constexpr std::size_t kWaiting = 1 << 18;  // [byte] gathered before they are written
+constexpr std::size_t kWaiting = 1 << 18;      // [byte] gathered before they are written
+constexpr std::size_t kWorthAWrite = 1 << 14;  // [byte] that are not worth a copy
 
 }  // namespace
 
@@ -83,24 +101,16 @@ ReplacedFile::~ReplacedFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-void ReplacedFile::write(std::string_view bytes) {
-  if (write_all(descriptor_, bytes) != bytes.size()) fail("write", path_, errno);
-}
-
-void ReplacedFile::flush() {
-  write(waiting_);
-  written_ += waiting_.size();
+void ReplacedFile::flush(std::string_view more) {
+  if (!write_both(descriptor_, waiting_, more)) fail("write", path_, errno);
+  written_ += waiting_.size() + more.size();
   waiting_.clear();
 }
 
 void ReplacedFile::append(std::string_view bytes) {
-  if (waiting_.size() + bytes.size() < kWaiting) {
-    waiting_ += bytes;
-    return;
-  }
-  flush();
-  write(bytes);  // as they are: a checkpoint is large, and not to be held twice
-  written_ += bytes.size();
+  if (bytes.size() >= kWorthAWrite) return flush(bytes);
+  waiting_ += bytes;
+  if (waiting_.size() >= kWaiting) flush();
 }
 
 void ReplacedFile::overwrite(std::size_t at, std::string_view bytes) {

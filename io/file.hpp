@@ -34,8 +34,8 @@ class ReplacedFile {
   void finish(bool lasting = false);
 
  private:
-  void flush();
-  void write(std::string_view bytes);
+  /// Writes what waits, and more behind it.
+  void flush(std::string_view more = {});
 
   std::filesystem::path path_;
   std::string temporary_;  // "": there is none

@@ -14,6 +14,28 @@ bool any_damaged(const MaterialTile& tile) {
   return std::any_of(first, first + tile.count, [](Real damage) { return damage > 0; });
 }
 
+/// Temperatures of four points, and the heat that they take up. Where the heat capacity varies with
+/// temperature they follow from enthalpies, one after the other. Apart: lanes go through memory.
+struct HeatedPack {
+  Pack temperature = {};  ///< [K]
+  Pack heat = {};         ///< [J/m^3] per reference volume
+
+  /// half     [1] root of what compression does to temperatures
+  /// viscous  [J/m^3] per reference volume
+  __attribute__((noinline)) HeatedPack(const Material& material, Pack T, Pack half, Pack viscous) {
+    const SpecificHeat& capacity = material.specific_heat;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      Real middle = half[lane] * T[lane];
+      if (viscous[lane] != 0) {
+        middle = capacity.temperature(capacity.enthalpy(middle) + viscous[lane] / material.density);
+      }
+      temperature[lane] = middle * half[lane];
+      heat[lane] =
+          material.density * (capacity.enthalpy(temperature[lane]) - capacity.enthalpy(T[lane]));
+    }
+  }
+};
+
 }  // namespace
 
 void Material::keep_before_heating(const MaterialTile& tile, BeforeHeating& before) const {
@@ -87,15 +109,9 @@ void Material::add_compression_heat(MaterialTile& tile, const BeforeHeating& bef
     const Pack half = vexp(0.5 * load(logarithm + i));
     Pack heated = (half * T + (1.0 / capacity) * viscous) * half;
     Pack heat = capacity * (heated - T);
-    for (std::size_t lane = 0; varies && lane < kLanes; ++lane) {
-      Real middle = half[lane] * T[lane];
-      if (viscous[lane] != 0) {
-        middle =
-            specific_heat.temperature(specific_heat.enthalpy(middle) + viscous[lane] / density);
-      }
-      heated[lane] = middle * half[lane];
-      heat[lane] =
-          density * (specific_heat.enthalpy(heated[lane]) - specific_heat.enthalpy(T[lane]));
+    if (varies) {
+      const HeatedPack by_enthalpy(*this, T, half, viscous);
+      heated = by_enthalpy.temperature, heat = by_enthalpy.heat;
     }
     Real* sum = state.compression_heat.data() + at;
     store(sum, load(sum) + heat);

@@ -4,8 +4,6 @@
 #include <vtkNew.h>
 
 #include <algorithm>
-#include <cstring>
-#include <vector>
 
 #include "core/errors.hpp"
 #include "core/parallel/threads.hpp"
@@ -19,22 +17,21 @@ constexpr std::size_t kBlock = 1 << 15;   // [byte] VTK's own; a multiple of all
 constexpr std::size_t kAtOnce = 64;       // blocks
 constexpr std::size_t kTried = 8;         // blocks side by side: all or none
 constexpr std::size_t kSample = 1 << 12;  // [byte] of them that are tried
-constexpr double kWorthPacking = 0.75;    // of its bytes, at most
+constexpr double kWorthPacking = 0.5;     // of its bytes, at most
 constexpr std::size_t kRoom = kBlock + kBlock / 255 + 16;  // [byte] a packed block at most
 
-/// A block of LZ4 that says nothing but its bytes: how many (15 and what is beyond, in bytes of at
-/// most 255), and they. Returns its size.
-std::size_t keep_block(std::string_view bytes, char* to) {
+/// What LZ4 has before a block that says nothing but its bytes: how many (15 and what is beyond, in
+/// bytes of at most 255). Returns its size.
+std::size_t put_plain_head(std::size_t n_bytes, char* to) {
   constexpr std::size_t kInToken = 15, kMost = 255;
   char* const begin = to;
-  *to++ = static_cast<char>(std::min(bytes.size(), kInToken) << 4);
-  if (bytes.size() >= kInToken) {
-    std::size_t rest = bytes.size() - kInToken;
+  *to++ = static_cast<char>(std::min(n_bytes, kInToken) << 4);
+  if (n_bytes >= kInToken) {
+    std::size_t rest = n_bytes - kInToken;
     for (; rest >= kMost; rest -= kMost) *to++ = static_cast<char>(kMost);
     *to++ = static_cast<char>(rest);
   }
-  std::memcpy(to, bytes.data(), bytes.size());
-  return static_cast<std::size_t>(to - begin) + bytes.size();
+  return static_cast<std::size_t>(to - begin);
 }
 
 std::size_t pack_block(vtkLZ4DataCompressor& lz4, std::string_view bytes, char* to) {
@@ -60,10 +57,11 @@ class Text {
 
 }  // namespace
 
-/// Packs up to kAtOnce first blocks of the bytes. size  [byte] out, of each of them
+/// Packs up to kAtOnce first blocks of the bytes, or makes what stands before plain ones.
+/// size  [byte] out, of each of them
 void ArrayPacker::pack(std::string_view bytes, std::span<std::uint64_t> size) {
   const std::size_t n = size.size(), n_groups = (n + kTried - 1) / kTried;
-  if (packed_.size() < n * kRoom) packed_.resize(n * kRoom);
+  if (packed_.size() < n * kRoom) packed_.resize(n * kRoom), head_.resize(kAtOnce);
   on_threads(n_groups > 1, [&] {
     const vtkNew<vtkLZ4DataCompressor> lz4;
 #pragma omp for schedule(static)
@@ -75,7 +73,8 @@ void ArrayPacker::pack(std::string_view bytes, std::span<std::uint64_t> size) {
       for (std::size_t k = g * kTried; k < std::min(n, (g + 1) * kTried); ++k) {
         const std::string_view block = bytes.substr(k * kBlock, kBlock);
         char* const to = &packed_[k * kRoom];
-        size[k] = worth ? pack_block(*lz4, block, to) : keep_block(block, to);
+        head_[k] = worth ? 0 : put_plain_head(block.size(), to);
+        size[k] = worth ? pack_block(*lz4, block, to) : head_[k] + block.size();
       }
     }
   });
@@ -95,7 +94,10 @@ void ArrayPacker::pack_into(std::string_view bytes, Sink& sink) {
       throw MachineError("cannot write a frame: LZ4 does not pack an array");
     }
     for (std::size_t k = 0; k < n; ++k) {
-      sink.append(std::string_view(packed_).substr(k * kRoom, head[3 + b + k]));
+      const bool plain = head_[k] > 0;
+      const std::size_t size = plain ? head_[k] : head[3 + b + k];
+      sink.append(std::string_view(packed_).substr(k * kRoom, size));
+      if (plain) sink.append(bytes.substr((b + k) * kBlock, kBlock));
     }
   }
   sink.overwrite(at, bytes_of(head));
@@ -105,7 +107,7 @@ void ArrayPacker::append(std::string_view bytes, ReplacedFile& file) { pack_into
 
 void ArrayPacker::append_kept(const std::string& name, std::string_view bytes, KeptArrays& kept,
                               ReplacedFile& file) {
-  const std::uint64_t hash = hash_bytes(bytes);
+  const std::uint64_t hash = hash_long_bytes(bytes);
   KeptArrays::Array& array = kept.by_name[name];
   if (array.packed.empty() || array.size != bytes.size() || array.hash != hash) {
     Text text;

@@ -122,9 +122,7 @@ void add_outline(vtkRenderer& renderer, vtkPolyData* surface) {
   renderer.AddActor(actor);
 }
 
-std::size_t cells_of(const BodyView& body) {
-  return body.corners == 0 ? 0 : body.connectivity.size() / slot_of(body.corners);
-}
+std::size_t cells_of(const BodyView& body) { return body.n_cells(); }
 
 void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
               const PictureStyle& style, vtkLookupTable* table) {

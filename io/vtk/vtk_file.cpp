@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <utility>
 
+#include "core/simd.hpp"
 #include "core/view_fields.hpp"
 #include "io/vtk/grid.hpp"
 #include "io/vtk/pieces.hpp"
@@ -15,15 +17,41 @@ namespace {
 constexpr std::size_t kOffsetRoom = 32;     // characters of ` offset="..."`
 constexpr std::size_t kHeldRoom = 1 << 20;  // [byte] that stays between files
 
-/// Values of a field, each made a number of another type. Those of a field that waits nobody has
-/// seen yet: they are looked at here, where they are in the cache.
-template <class To, class Convert>
-std::string_view made_of(std::string& room, const Field& field, const Convert& convert) {
+using FourSingles = float __attribute__((vector_size(16)));
+
+/// Makes numbers single, the largest there is where they are larger (single_of). Returns true where
+/// all are finite ones in single precision.
+bool make_singles(std::span<const Real> values, float* to) {
+  const Pack most = broadcast<Pack>(std::numeric_limits<float>::max());
+  std::size_t k = 0;
+  PackMask beyond = {};
+  for (; k + kLanes <= values.size(); k += kLanes) {
+    const Pack value = load(&values[k]);
+    beyond |= ~(vabs(value) <= most);
+    const Pack within = vmax(-most, vmin(most, value));  // of not-a-number itself
+    const auto four = __builtin_convertvector(within, FourSingles);
+    std::memcpy(to + k, &four, sizeof four);
+  }
+  const auto rest = values.subspan(k);
+  std::transform(rest.begin(), rest.end(), to + k, single_of);
+  return are_singles(rest) && !any(beyond);
+}
+
+/// The same as whole numbers, of which there are none beyond.
+bool make_whole(std::span<const Real> values, std::int64_t* to) {
+  std::transform(values.begin(), values.end(), to,
+                 [](Real value) { return static_cast<std::int64_t>(value); });
+  return are_singles(values);
+}
+
+/// Values of a field, made numbers of another type by make(values, to). Those of a field that waits
+/// nobody has seen yet: they are looked at here, where they are in the cache.
+template <class To, class Make>
+std::string_view made_of(std::string& room, const Field& field, const Make& make) {
   std::atomic<bool> all_finite = true;
   const auto bytes = made<To>(room, field.size(), [&](To* to) {
     for_parts(field, [&, to](std::size_t at, std::span<const Real> part) {
-      std::transform(part.begin(), part.end(), to + at, convert);
-      if (field.fill && !are_singles(part)) all_finite = false;
+      if (!make(part, to + at) && field.fill) all_finite = false;
     });
   });
   if (!all_finite) throw NoNumberError("", field.name);
@@ -63,16 +91,14 @@ VtkFileArray reals(const std::string& name, int components, std::span<const Real
 }
 
 VtkFileArray singles(const Field& field) {
-  const auto single = [](Real value) { return single_of(value); };
   return {"Float32", field.name, field.components,
-          [&field, single](std::string& room) { return made_of<float>(room, field, single); }};
+          [&field](std::string& room) { return made_of<float>(room, field, make_singles); }};
 }
 
 VtkFileArray array_of(const Field& field, const std::string& list) {
   if (!is_whole_field(field.name)) return singles(field);
-  const auto whole = [](Real value) { return static_cast<std::int64_t>(value); };
-  const auto bytes = [&field, whole](std::string& room) {
-    return made_of<std::int64_t>(room, field, whole);
+  const auto bytes = [&field](std::string& room) {
+    return made_of<std::int64_t>(room, field, make_whole);
   };
   return {"Int64\" IdType=\"1", field.name, field.components, bytes, list + field.name};
 }

@@ -65,12 +65,13 @@ std::string_view bytes_of_values(std::span<const T> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-/// n numbers of another type, made in the room by fill(To* first).
+/// n numbers of another type, made in the room by fill(To* first); the room grows as it must.
 template <class To, class Fill>
 std::string_view made(std::string& room, std::size_t n, const Fill& fill) {
-  room.resize(n * sizeof(To));
+  const std::size_t size = n * sizeof(To);
+  if (room.size() < size) room.resize(size);
   fill(reinterpret_cast<To*>(room.data()));
-  return room;
+  return std::string_view(room).substr(0, size);
 }
 
 /// Whole numbers, the largest of which is given: in 32 bits where it fits, half as many to pack.

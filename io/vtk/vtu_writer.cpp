@@ -3,44 +3,61 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/view_fields.hpp"
 #include "io/vtk/grid.hpp"
 
 namespace brunt {
 
 namespace {
 
-/// How many corners each cell has: all that a cell of the view may, but for triangles among quads.
-std::size_t corners_in(const BodyView& view, std::size_t first, std::size_t corners) {
-  const bool may_be_triangle = corners == 4 && view.cell_dimension != 3;
-  const auto* cell = &view.connectivity[first];
+/// How many corners a cell has: all that one of the view may, but for triangles among quads.
+std::size_t corners_in(const std::int64_t* cell, std::size_t corners, bool may_be_triangle) {
   return may_be_triangle && (cell[3] < 0 || cell[3] == cell[2]) ? 3 : corners;
+}
+
+/// Calls take(cell) with the corners of each cell. Those that wait are made in parts.
+template <class Take>
+void for_cells(const BodyView& view, std::size_t n, const Take& take) {
+  const auto corners = slot_of(view.corners);
+  std::vector<std::int64_t> made(view.fill_corners ? kFieldPart * corners : 0);
+  for (std::size_t first = 0; first < n; first += kFieldPart) {
+    const std::size_t last = std::min(n, first + kFieldPart);
+    const std::int64_t* part = made.data();
+    if (view.fill_corners) view.fill_corners(first, last, made.data());
+    if (!view.fill_corners) part = &view.connectivity[first * corners];
+    for (std::size_t c = first; c < last; ++c, part += corners) take(part);
+  }
 }
 
 /// connectivity, offsets and types; particles are one vertex a point.
 std::vector<VtkFileArray> cell_arrays(const BodyView& view, std::size_t n_points) {
   const auto corners = slot_of(std::max(view.corners, 1));
-  const std::size_t n = view.corners == 0 ? n_points : view.connectivity.size() / corners;
-  const auto size = [&view, corners](std::size_t c) {
-    return view.corners == 0 ? std::size_t{1} : corners_in(view, c * corners, corners);
+  const std::size_t n = view.corners == 0 ? n_points : view.n_cells();
+  const bool may_be_triangle = view.corners == 4 && view.cell_dimension != 3;
+  const auto for_sizes = [&view, n, corners, may_be_triangle](const auto& take) {
+    if (may_be_triangle) {
+      return for_cells(view, n, [&](auto* cell) { take(corners_in(cell, corners, true)); });
+    }
+    for (std::size_t c = 0; c < n; ++c) take(corners);
   };
-  std::size_t n_corners = 0;
-  for (std::size_t c = 0; c < n; ++c) n_corners += size(c);
-  const auto fill_corners = [&view, n, size, corners](auto* to) {
+  std::size_t n_corners = n * corners;
+  if (may_be_triangle) n_corners = 0, for_sizes([&](std::size_t size) { n_corners += size; });
+  const auto fill_corners = [&view, n, corners, may_be_triangle](auto* to) {
     using To = std::remove_pointer_t<decltype(to)>;
     if (view.corners == 0) return std::iota(to, to + n, To{0});
-    for (std::size_t c = 0; c < n; ++c) {
-      const std::int64_t* cell = &view.connectivity[c * corners];
-      to = std::transform(cell, cell + size(c), to, [](auto at) { return static_cast<To>(at); });
-    }
+    for_cells(view, n, [&](auto* cell) {
+      const auto* const end = cell + corners_in(cell, corners, may_be_triangle);
+      to = std::transform(cell, end, to, [](auto at) { return static_cast<To>(at); });
+    });
   };
-  const auto fill_ends = [n, size](auto* to) {
+  const auto fill_ends = [for_sizes](auto* to) {
     std::size_t end = 0;
-    for (std::size_t c = 0; c < n; ++c) to[c] = static_cast<decltype(+*to)>(end += size(c));
+    for_sizes([&](std::size_t size) { *to++ = static_cast<decltype(+*to)>(end += size); });
   };
-  const auto fill_types = [&view, n, size](std::uint8_t* to) {
-    for (std::size_t c = 0; c < n; ++c) {
-      to[c] = vtk_cell_type(static_cast<int>(size(c)), view.cell_dimension);
-    }
+  const auto fill_types = [&view, for_sizes](std::uint8_t* to) {
+    for_sizes([&](std::size_t size) {
+      *to++ = vtk_cell_type(static_cast<int>(size), view.cell_dimension);
+    });
   };
   const auto types = [n, fill_types](std::string& room) {
     return made<std::uint8_t>(room, n, fill_types);
@@ -110,8 +127,7 @@ void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cel
 
 void write_vtu(const std::filesystem::path& path, const BodyView& view, VtkFileMemory& memory) {
   const std::size_t n_points = view.position.size() / 3;
-  const auto corners = slot_of(std::max(view.corners, 1));
-  const std::size_t n_cells = view.corners == 0 ? n_points : view.connectivity.size() / corners;
+  const std::size_t n_cells = view.corners == 0 ? n_points : view.n_cells();
   check_lengths(view, n_points, n_cells);
   VtkFile file(path, "UnstructuredGrid", view.time);
   file.text("    <Piece NumberOfPoints=\"" + std::to_string(n_points) + "\" NumberOfCells=\"" +

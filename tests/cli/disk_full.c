@@ -1,5 +1,5 @@
 /* A disk that is full from the N-th write on (BRUNT_FULL_AT, counted from 1): preloaded into a
-   process, write, pwrite and fsync of files that are open for writing then fail with ENOSPC. Pipes,
+   process, write, writev, pwrite and fsync of files that are open for writing then fail with ENOSPC. Pipes,
    terminals and devices go on. With BRUNT_FULL_NAME, only files with this in their names count: one
    rank's piece of one frame. With BRUNT_COUNT, the number of writes is left in that file. */
 #define _GNU_SOURCE
@@ -12,6 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 static atomic_long calls;
@@ -42,6 +43,13 @@ ssize_t write(int descriptor, const void* data, size_t size) {
   if (real == NULL) *(void**)&real = dlsym(RTLD_NEXT, "write");
   if (full(descriptor)) return errno = ENOSPC, -1;
   return real(descriptor, data, size);
+}
+
+ssize_t writev(int descriptor, const struct iovec* parts, int n) {
+  static ssize_t (*real)(int, const struct iovec*, int);
+  if (real == NULL) *(void**)&real = dlsym(RTLD_NEXT, "writev");
+  if (full(descriptor)) return errno = ENOSPC, -1;
+  return real(descriptor, parts, n);
 }
 
 ssize_t pwrite64(int descriptor, const void* data, size_t size, off64_t at) {

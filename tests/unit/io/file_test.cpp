@@ -57,6 +57,27 @@ TEST_F(FileTest, KeepsTheOldFileOnAFullDisk) {
   EXPECT_EQ(files_in_folder(), 1u);
 }
 
+/// What waits goes in one call with a long part behind it; the disk takes a part of both, or of
+/// what waits alone.
+TEST_F(FileTest, KeepsTheOldFileWhereTheDiskTakesAPart) {
+  const auto path = folder_ / "frame.vtu";
+  write_file_atomically(path, "old");
+  for (const unsigned most : {300U, 1000U, 20'000U}) {
+    std::string message;
+    {
+      FileSizeLimit limit(most);
+      message = message_of([&] {
+        ReplacedFile file(path);
+        file.append(std::string(500, 'a'));
+        file.append(std::string(40'000, 'b'));
+      });
+    }
+    EXPECT_NE(message.find("errno 27"), std::string::npos) << most << message;  // EFBIG
+    EXPECT_EQ(read_file(path), "old");
+    EXPECT_EQ(files_in_folder(), 1u);
+  }
+}
+
 /// Parts, of which some are in the file already when others are written over.
 TEST_F(FileTest, ReplacesInParts) {
   const auto path = folder_ / "a.bin";

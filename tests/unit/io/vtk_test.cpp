@@ -177,6 +177,65 @@ TEST_F(VtkTest, WritesFieldsThatWait) {
   expect_same(read_frame(folder_, read_frame_index(folder_)[0]).at(0), grains);
 }
 
+/// A view whose corners wait, as those of one that has them.
+BodyView waiting_corners(BodyView view) {
+  const std::vector<std::int64_t> all = std::move(view.connectivity);
+  const auto corners = static_cast<std::size_t>(view.corners);
+  view.connectivity.clear();
+  view.n_waiting_cells = all.size() / corners;
+  view.fill_corners = [all, corners](std::size_t first, std::size_t last, std::int64_t* to) {
+    std::copy(&all[first * corners], all.data() + last * corners, to);
+  };
+  return view;
+}
+
+// Corners that wait are made in parts: a strip of quads and triangles over several of them, hexes,
+// tetrahedra. The second frame is written with what is kept of the first.
+TEST_F(VtkTest, CornersMayWait) {
+  constexpr int kCells = 3 * 512 + 7;
+  BodyView strip = quad_and_triangle();
+  strip.position.clear(), strip.connectivity.clear();
+  for (int p = 0; p < 2 * kCells + 2; ++p) {
+    strip.position.insert(strip.position.end(), {0.5 * (p / 2), 1.0 * (p % 2), 0});
+  }
+  for (std::int64_t c = 0; c < kCells; ++c) {
+    const std::int64_t first = 2 * c, last = c % 3 == 1 ? -1 : first + 1;
+    strip.connectivity.insert(strip.connectivity.end(), {first, first + 2, first + 3, last});
+  }
+  const std::vector<BodyView> bodies = {strip, hex_body(0), two_tetrahedra()};
+  std::vector<BodyView> waiting;
+  for (const auto& body : bodies) {
+    EXPECT_EQ(waiting.emplace_back(waiting_corners(body)).n_cells(), body.n_cells());
+  }
+  FrameWriter writer(folder_);
+  for (const Real time : {0.0, 1.0}) writer.write(time, waiting, nullptr);
+  for (const auto& frame : read_frame_index(folder_)) {
+    const auto read = read_frame(folder_, frame);
+    ASSERT_EQ(read.size(), bodies.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      EXPECT_EQ(read[b].connectivity, bodies[b].connectivity) << b;
+      EXPECT_EQ(read[b].position, bodies[b].position) << b;
+    }
+  }
+}
+
+// Numbers are made single four at a time, the last one by one: fields of every length.
+TEST_F(VtkTest, FieldsOfAnyLengthAreClampedToSingles) {
+  constexpr Real kMost = std::numeric_limits<float>::max();
+  for (const std::size_t n : {1U, 3U, 4U, 5U, 11U}) {
+    BodyView grains = particles();
+    grains.position.assign(3 * n, 0.5), grains.point_radius.assign(n, 0.25);
+    std::vector<Real> values(n);
+    for (std::size_t k = 0; k < n; ++k) values[k] = k % 3 == 0 ? -1e200 : k % 3 == 1 ? 1e39 : 0.25;
+    grains.point_fields = {{"damage", 1, values}};
+    FrameWriter(folder_).write(0, {grains}, nullptr);
+    const auto read = read_frame(folder_, read_frame_index(folder_)[0])[0];
+    for (std::size_t k = 0; k < n; ++k) {
+      EXPECT_EQ(read.point_fields.at(0).values[k], std::clamp(values[k], -kMost, kMost)) << k;
+    }
+  }
+}
+
 // Values that wait are seen but once, when they are written: nothing of that frame is left.
 TEST_F(VtkTest, RefusesFieldsThatWaitAndAreNoNumbers) {
   FrameWriter writer(folder_);
