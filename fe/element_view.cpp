@@ -101,18 +101,32 @@ void add_point_fields(const Points<Dim>& points, const ShownPointer<Dim>& of, Fi
   if (points.conducts) add("temperature", [](Of p, LocalIndex k) { return p.temperature[k]; });
 }
 
+/// Sums of numbers and of arrays of them, weighted.
+void add_weighted(Real& sum, Real weight, Real value) { sum += weight * value; }
+template <std::size_t n>
+void add_weighted(std::array<Real, n>& sum, Real weight, const std::array<Real, n>& value) {
+  for (std::size_t i = 0; i < n; ++i) sum[i] += weight * value[i];
+}
+Real divided(Real sum, Real weight) { return sum / weight; }
+template <std::size_t n>
+std::array<Real, n> divided(std::array<Real, n> sum, Real weight) {
+  for (Real& part : sum) part /= weight;
+  return sum;
+}
+
 /// Mean of a quantity of the material points of an element, weighted by their volumes at time 0.
 template <int Dim, class Value>
-Real mean_of(const Cell<Dim>& cell, const Value& value) {
-  const MaterialState& state = cell.block->state;
-  if (cell.block->gauss == 1) return value(state, cell.block->point(cell.element, 0));
-  Real sum = 0, weight = 0;
-  for (int g = 0; g < cell.block->gauss; ++g) {
-    const std::size_t k = cell.block->point(cell.element, g);
-    sum += cell.block->reference_volume[k] * value(state, k);
-    weight += cell.block->reference_volume[k];
+auto mean_of(const Cell<Dim>& cell, const Value& value) {
+  const ElementBlock<Dim>& block = *cell.block;
+  if (block.gauss == 1) return value(block.state, block.point(cell.element, 0));
+  decltype(value(block.state, 0)) sum = {};
+  Real weight = 0;
+  for (int g = 0; g < block.gauss; ++g) {
+    const std::size_t k = block.point(cell.element, g);
+    add_weighted(sum, block.reference_volume[k], value(block.state, k));
+    weight += block.reference_volume[k];
   }
-  return sum / weight;
+  return divided(sum, weight);
 }
 
 /// Where rings have no part in it steps find the exact volume, for a tenth of the price.

@@ -15,17 +15,24 @@ BRUNT_INLINE void fetch(const std::vector<Real>& field, std::size_t first) {
   if (!field.empty()) fetch(field.data() + first);
 }
 
-/// The state of the kGroup material points from p on.
+/// What kinematics read of the kGroup material points from p on.
 template <int Dim>
-BRUNT_INLINE void fetch_points(const ElementBlock<Dim>& block, std::size_t p) {
+BRUNT_INLINE void fetch_stress(const ElementBlock<Dim>& block, std::size_t p) {
   const MaterialState& state = block.state;
   for (const auto& component : state.deviator) fetch(component, p);
-  for (const auto* field : {&state.pressure, &state.bulk, &state.eps_p, &state.strain_rate,
-                            &state.temperature, &state.heat, &state.energy}) {
+  fetch(state.pressure, p), fetch(state.bulk, p);
+  if (block.gauss > 1 || block.conducts) fetch(block.reference_volume, p);
+}
+
+/// What their material reads beside it.
+template <int Dim>
+BRUNT_INLINE void fetch_material(const ElementBlock<Dim>& block, std::size_t p) {
+  const MaterialState& state = block.state;
+  for (const auto* field : {&state.eps_p, &state.strain_rate, &state.temperature, &state.heat,
+                            &state.energy, &state.compression_heat}) {
     fetch(*field, p);
   }
-  if (block.gauss > 1 || block.conducts) fetch(block.reference_volume, p);
-  if (block.conducts) fetch(state.compression_heat, p), fetch(state.expansion_work, p);
+  if (block.conducts) fetch(state.expansion_work, p);
 }
 
 /// What the kGroup elements from e on read and write besides their material points.
@@ -67,7 +74,8 @@ BRUNT_INLINE void fetch_ahead(const ElementBlock<Dim>& block, std::size_t e,
                               const ElementStep<Dim>& step) {
   if (!looks_ahead(block, e)) return;
   fetch_elements(block, e + kTile, step);
-  fetch_points(block, e + kTile);
+  fetch_stress(block, e + kTile);
+  fetch_material(block, e + kTile);
 }
 
 }  // namespace brunt

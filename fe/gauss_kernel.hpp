@@ -196,7 +196,7 @@ BRUNT_INLINE void kinematics(const Group<Dim, V>& group, MaterialTile& tile, Gau
   load_modes(group, w);
   GaussSums<V> sums{PressureWork<V>{group.mean}};
   for (int g = 0; g < kGauss<Dim>; ++g) {
-    if (ahead) fetch_points(block, group.point + kTile + kGroup * g);
+    if (ahead) fetch_stress(block, group.point + kTile + kGroup * g);
     const GaussSlopes<Dim, V> slope(w.c, w.u, g);
     deform(group, slope, g, tile, sums);
     GaussPoint<Dim, V>& now = w.now[g];
@@ -267,7 +267,9 @@ BRUNT_INLINE void dynamics(const Group<Dim, V>& group, GaussWork<Dim, V>& w) {
   for (auto& mode : f.m) {
     for (int i = 0; i < Dim; ++i) mode[i] = broadcast<V>(0);
   }
+  const bool ahead = looks_ahead(block, group.e);
   for (int g = 0; g < kGauss<Dim>; ++g) {
+    if (ahead) fetch_material(block, group.point + kTile + kGroup * g);
     const GaussPoint<Dim, V>& point = w.now[g];
     V s[6];
     load_tensor<Dim>(block.state.deviator, group.point + kGroup * g, s);

@@ -17,23 +17,28 @@ inline Real von_mises(const MaterialState& state, std::size_t point) {
   return std::sqrt(1.5 * sum);
 }
 
+/// [Pa] The deviator, and the pressure behind it, of a point of a state.
+inline std::array<Real, 7> stress_parts(const MaterialState& state, std::size_t point) {
+  std::array<Real, 7> parts;
+  for (std::size_t i = 0; i < 6; ++i) parts[i] = state.deviator[i][point];
+  parts[6] = state.pressure[point];
+  return parts;
+}
+
 /// Adds stress, pressure and what else the material has.
 /// n       entities of the body
-/// of      of(k, value): what the k-th shows of value(state, point) of its material points
+/// of      of(k, value): what the k-th shows of value(state, point), numbers or arrays of them, of
+///         its material points
 /// there   there(member): whether all of them have this variable of MaterialState
 /// heats   the temperature is the material's
 template <class Of, class There>
 void add_state_fields(FieldAdder& fields, std::size_t n, const Of& of, const There& there,
                       bool heats) {
   const auto pressure = [](const MaterialState& s, std::size_t p) { return s.pressure[p]; };
-  fields.add("stress", n, [of, pressure](std::size_t k) {
+  fields.add("stress", n, [of](std::size_t k) {
+    const std::array<Real, 7> parts = of(k, stress_parts);
     std::array<Real, 6> stress;
-    const Real mean = of(k, pressure);
-    for (std::size_t i = 0; i < 6; ++i) {
-      const Real s =
-          of(k, [i](const MaterialState& state, std::size_t p) { return state.deviator[i][p]; });
-      stress[i] = i < 3 ? s - mean : s;
-    }
+    for (std::size_t i = 0; i < 6; ++i) stress[i] = i < 3 ? parts[i] - parts[6] : parts[i];
     return stress;
   });
   fields.add("pressure", n, [of, pressure](std::size_t k) { return of(k, pressure); });

@@ -18,6 +18,7 @@ constexpr std::size_t kAtOnce = 64;       // blocks
 constexpr std::size_t kTried = 8;         // blocks side by side: all or none
 constexpr std::size_t kSample = 1 << 12;  // [byte] of them that are tried
 constexpr double kWorthPacking = 0.5;     // of its bytes, at most
+constexpr double kWorthKeeping = 0.75;    // the same of what is packed once for many frames
 constexpr std::size_t kRoom = kBlock + kBlock / 255 + 16;  // [byte] a packed block at most
 
 /// What LZ4 has before a block that says nothing but its bytes: how many (15 and what is beyond, in
@@ -58,8 +59,9 @@ class Text {
 }  // namespace
 
 /// Packs up to kAtOnce first blocks of the bytes, or makes what stands before plain ones.
-/// size  [byte] out, of each of them
-void ArrayPacker::pack(std::string_view bytes, std::span<std::uint64_t> size) {
+/// worth  of a sample's bytes, at most, where they are packed
+/// size   [byte] out, of each of them
+void ArrayPacker::pack(std::string_view bytes, double worth, std::span<std::uint64_t> size) {
   const std::size_t n = size.size(), n_groups = (n + kTried - 1) / kTried;
   if (packed_.size() < n * kRoom) packed_.resize(n * kRoom), head_.resize(kAtOnce);
   on_threads(n_groups > 1, [&] {
@@ -68,20 +70,19 @@ void ArrayPacker::pack(std::string_view bytes, std::span<std::uint64_t> size) {
     for (std::size_t g = 0; g < n_groups; ++g) {
       const std::string_view sample = bytes.substr(g * kTried * kBlock, kSample);
       const std::size_t packed = pack_block(*lz4, sample, &packed_[g * kTried * kRoom]);
-      const bool worth =
-          static_cast<double>(packed) < kWorthPacking * static_cast<double>(sample.size());
+      const bool packs = static_cast<double>(packed) < worth * static_cast<double>(sample.size());
       for (std::size_t k = g * kTried; k < std::min(n, (g + 1) * kTried); ++k) {
         const std::string_view block = bytes.substr(k * kBlock, kBlock);
         char* const to = &packed_[k * kRoom];
-        head_[k] = worth ? 0 : put_plain_head(block.size(), to);
-        size[k] = worth ? pack_block(*lz4, block, to) : head_[k] + block.size();
+        head_[k] = packs ? 0 : put_plain_head(block.size(), to);
+        size[k] = packs ? pack_block(*lz4, block, to) : head_[k] + block.size();
       }
     }
   });
 }
 
 template <class Sink>
-void ArrayPacker::pack_into(std::string_view bytes, Sink& sink) {
+void ArrayPacker::pack_into(std::string_view bytes, double worth, Sink& sink) {
   const std::size_t whole = bytes.size() / kBlock, last = bytes.size() % kBlock;
   std::vector<std::uint64_t> head{whole + (last > 0 ? 1 : 0), kBlock, last};
   const std::size_t at = sink.size(), n_blocks = head[0];
@@ -89,7 +90,7 @@ void ArrayPacker::pack_into(std::string_view bytes, Sink& sink) {
   sink.append(bytes_of(head));
   for (std::size_t b = 0; b < n_blocks; b += kAtOnce) {
     const std::size_t n = std::min(kAtOnce, n_blocks - b);
-    pack(bytes.substr(b * kBlock), {&head[3 + b], n});
+    pack(bytes.substr(b * kBlock), worth, {&head[3 + b], n});
     if (std::find(&head[3 + b], &head[3 + b] + n, 0) != &head[3 + b] + n) {
       throw MachineError("cannot write a frame: LZ4 does not pack an array");
     }
@@ -103,7 +104,9 @@ void ArrayPacker::pack_into(std::string_view bytes, Sink& sink) {
   sink.overwrite(at, bytes_of(head));
 }
 
-void ArrayPacker::append(std::string_view bytes, ReplacedFile& file) { pack_into(bytes, file); }
+void ArrayPacker::append(std::string_view bytes, ReplacedFile& file) {
+  pack_into(bytes, kWorthPacking, file);
+}
 
 void ArrayPacker::append_kept(const std::string& name, std::string_view bytes, KeptArrays& kept,
                               ReplacedFile& file) {
@@ -111,7 +114,7 @@ void ArrayPacker::append_kept(const std::string& name, std::string_view bytes, K
   KeptArrays::Array& array = kept.by_name[name];
   if (array.packed.empty() || array.size != bytes.size() || array.hash != hash) {
     Text text;
-    pack_into(bytes, text);
+    pack_into(bytes, kWorthKeeping, text);
     array = {bytes.size(), hash, text.take()};
     array.packed.shrink_to_fit();  // it doubled as it grew, and stays
   }

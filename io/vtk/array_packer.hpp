@@ -23,7 +23,8 @@ struct KeptArrays {
 };
 
 /// Packs arrays by LZ4 in blocks of 32 kB, on several threads. Eight blocks side by side are kept
-/// as they are where the first 4 kB of them get smaller by less than a half, as most numbers do:
+/// as they are where the first 4 kB of them get smaller by less than a half, as most numbers do
+/// (by a quarter where they are packed once for many frames):
 /// files get larger by a sixth, and writing them takes half the time
 /// (docs/decisions/228-frames-in-parts.md).
 /// As VTK has it: number of blocks, bytes of each, of the last one where that is shorter, packed
@@ -38,8 +39,8 @@ class ArrayPacker {
 
  private:
   template <class Sink>
-  void pack_into(std::string_view bytes, Sink& sink);
-  void pack(std::string_view bytes, std::span<std::uint64_t> size);
+  void pack_into(std::string_view bytes, double worth, Sink& sink);
+  void pack(std::string_view bytes, double worth, std::span<std::uint64_t> size);
 
   std::string packed_;             // blocks, with room between them; of a plain one its head
   std::vector<std::size_t> head_;  // [byte] of a plain block; 0: it is packed

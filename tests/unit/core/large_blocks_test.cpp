@@ -3,12 +3,17 @@
 // had is said as anywhere: std::bad_alloc. The address sanitizer has an operator new of its own,
 // which ends the program there.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <new>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace brunt {
@@ -72,6 +77,27 @@ TEST(LargeBlocks, FieldsBeginAtDifferentLines) {
       EXPECT_EQ(fields[static_cast<std::size_t>(k)][bytes - 1], k);
     }
   }
+}
+
+/// What the system says of the memory at a place, by its flags ("hg": large pages are asked for).
+std::string flags_of(std::uintptr_t at) {
+  std::ifstream maps("/proc/self/smaps");
+  bool here = false;
+  for (std::string line; std::getline(maps, line);) {
+    std::uintptr_t begin = 0, end = 0;
+    if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) == 2) here = begin <= at && at < end;
+    if (here && line.starts_with("VmFlags:")) return line + " ";
+  }
+  return "";
+}
+
+// Fields that are too small for large pages of their own stand in those of the heap.
+TEST(LargeBlocks, HeapHasLargePages) {
+  if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP();
+  std::vector<std::unique_ptr<char[]>> fields;
+  for (int k = 0; k < 80; ++k) fields.push_back(std::make_unique<char[]>(100'000));
+  const auto heap = reinterpret_cast<std::uintptr_t>(sbrk(0)) - 1;
+  EXPECT_NE(flags_of(heap).find(" hg "), std::string::npos) << flags_of(heap);
 }
 
 TEST(LargeBlocks, SayThatThereIsNoRoom) {
