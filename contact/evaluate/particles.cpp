@@ -1,165 +1,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/evaluate/evaluate.hpp"
+#include "contact/evaluate/near_faces.hpp"
 #include "contact/evaluate/particle_law.hpp"
 #include "contact/evaluate/particle_touches.hpp"
 #include "contact/evaluate/ties.hpp"
-#include "contact/geometry/box_query.hpp"
 
 namespace brunt {
 
 namespace {
-/// A particle with what its contacts need.
-template <int Dim>
-struct Present {
-  const ContactParticle& particle;
-  LocalIndex place;  // of the particle
-  Vec<Dim> x, v;
-  BoxQuery<Dim> about;
-  Real mass;
-  Real breadth;
-};
-
-/// Whether a particle may overlap a face, and whether it does so from before it.
-struct Reach {
-  bool any, before;
-};
-
-/// Of the particle, `before` [m] the mean plane: its centre is at most r before the face or a few r
-/// behind. Without branches: which faces are near changes from one to the next.
-template <int Dim>
-Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
-               Real before) {
-  const Real r = now.particle.radius;
-  const bool clear = before > plane.warp;
-  const bool none =
-      (plane.area == 0) | (before > r + plane.warp) | (before < -kDepthRadii * r - plane.warp);
-  const bool any = !none & now.about.in(box, clear ? r : kDepthRadii * r);
-  return {any, clear};
-}
-
-/// The same of an open surface, which holds what belongs to one of its `side`s deep on the other.
-template <int Dim>
-Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
-                    Real before, int side) {
-  const Real reach = (side != 0 ? kOpenDepthRadii : 1) * now.particle.radius;
-  const bool none = plane.area == 0 || std::fabs(before) > reach + plane.warp;
-  return {!none && now.about.in(box, reach), side == 0 || side * before > plane.warp};
-}
-
-/// Where the particle belongs at an open surface, as it was at the last evaluation; 0: not known.
-template <int Dim>
-int side_of(const TouchStep& step, const ContactParticle& particle, const ContactFace<Dim>& face) {
-  const auto* before = step.before->find(touch_key(particle.id, face.body, face.piece));
-  return before == nullptr ? 0 : before->side;
-}
-
-/// A product that is larger by this factor is larger however it was rounded.
-constexpr Real kSurelyMore = 1 + 1e-9;
-
-/// The bound of a particle, `before` [m] the mean plane of face f, that closes on it: to half a
-/// radius of overlap, or half a radius more, of faces that hold less than a radius half of that.
-/// What would allow more than `longest` need not be near, nor listed. On an open surface it closes
-/// from both sides, and where it touches either way.
-template <int Dim>
-void limit_by_speed(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
-                    Real before, Real longest, StepLimit& step_limit) {
-  const auto& plane = entities.planes[f];
-  const Vec<Dim> relative = now.v - entities.face_velocity(f);
-  const Real r = now.particle.radius;
-  Real closing = -relative.dot(plane.normal);
-  if (entities.any_open && entities.faces[f].open) {
-    if (std::fabs(before) <= r) closing = std::fabs(closing);
-    if (before < -r) closing = -closing;
-    before = std::fabs(before);
-  }
-  const Real way =
-      std::max(before - r - plane.warp, 0.0) + 0.5 * std::min(r, entities.faces[f].half_thickness);
-  const Real least = std::min(longest, step_limit.step);
-  // Most take longer, which spares the division; one branch for all that bounds no step.
-  const bool none =
-      !(closing > 0) | (before < -kDepthRadii * r) | (way > closing * least * kSurelyMore);
-  if (none) return;
-  const Real step = way / closing;
-  if (step > least) return;
-  if (!now.about.in(entities.boxes[f], r + relative.norm() * longest)) return;
-  step_limit.take({step, "contact speed", now.particle.body, now.particle.id});
-}
-
-/// Faces that hold a particle behind some, and those before which it is as far as others hold it:
-/// beside the edge of a wedge that is thin for it, it is behind the far side, and outside.
-/// first, last  of the candidates of its row;  near  out, of room for all;  returns how many
-template <int Dim>
-std::size_t find_around(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t first,
-                        std::size_t last, const Present<Dim>& now, const EvaluationStep& step,
-                        LocalIndex* near) {
-  const Real farthest = kDepthRadii * now.particle.radius;
-  std::size_t n = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const std::size_t f = rows.clearances.entity(i);
-    const auto& plane = entities.planes[f];
-    const auto& box = entities.boxes[f];
-    const Real before = plane.normal.dot(now.x - plane.center);
-    const bool open = entities.any_open && entities.faces[f].open;
-    const bool holds =
-        open ? reach_of_open<Dim>(plane, box, now, before,
-                                  side_of(step.touches, now.particle, entities.faces[f]))
-                   .any
-             : plane.area > 0 && std::fabs(before) <= farthest + plane.warp &&
-                   now.about.in(box, farthest);
-    near[n] = static_cast<LocalIndex>(f);
-    n += holds ? 1 : 0;
-  }
-  return n;
-}
-
-/// Faces that may hold the particle of a row. Where it is before all of them, those farther from it
-/// than what still touches are left out: none is a contact, nor nearer than one. Behind some, they
-/// tell where the surface is nearest.
-template <int Dim>
-std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const ParticleRows& rows,
-                                      std::size_t row, const Present<Dim>& now,
-                                      const EvaluationStep& step,
-                                      typename Records<Dim>::Part& part) {
-  const auto [first, last] = rows.range(row);
-  const std::size_t room = last - first + kLanes;
-  if (part.near.size() < 2 * room) part.near.resize(2 * room);
-  LocalIndex *near = part.near.data(), *touching = near + room;
-  const std::size_t listed = rows.clearances.find_near(first, last, rows.loss, near);
-  const Real farthest = (1 + 10 * kTouchingGap) * now.particle.radius;
-  // Where nothing is fast enough for the least way no face bounds the step.
-  const Real least = 0.5 * std::min(now.particle.radius, entities.shallowest);
-  const bool step_limits = !(least > rows.fastest * step.longest * kSurelyMore);
-  bool before_all = true;
-  std::size_t n_touching = 0;
-  for (std::size_t i = 0; i < listed; ++i) {
-    const LocalIndex face = near[i];
-    const auto f = slot_of(face);
-    const auto& plane = entities.planes[f];
-    const Real before = plane.normal.dot(now.x - plane.center);
-    if (step_limits) limit_by_speed(entities, f, now, before, step.longest, part.step_limit);
-    const auto& box = entities.boxes[f];
-    const bool open = entities.any_open && entities.faces[f].open;
-    const Reach reach =
-        open ? reach_of_open<Dim>(plane, box, now, before,
-                                  side_of(step.touches, now.particle, entities.faces[f]))
-             : reach_of<Dim>(plane, box, now, before);
-    before_all &= !reach.any | reach.before;
-    touching[n_touching] = face;
-    const bool touches = !(now.about.squared_distance(box) > farthest * farthest);
-    n_touching += reach.any & touches;
-  }
-  if (before_all) return {touching, n_touching};
-  return {near, find_around(entities, rows, first, last, now, step, near)};
-}
-
 /// Adds what of a face is nearest to the particle to part.hits.
 template <int Dim>
-void add_hit(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
-             const EvaluationStep& step, typename Records<Dim>::Part& part) {
+void add_hit(const Entities<Dim>& entities, const Present<Dim>& now, const NearestPoint<Dim>& found,
+             const FacePlane<Dim>& plane, const EvaluationStep& step,
+             typename Records<Dim>::Part& part) {
+  const auto f = static_cast<std::size_t>(&plane - entities.planes.data());
   const auto& face = entities.faces[f];
-  auto& hit = part.hits.emplace_back(entities.planes[f], now.x);
+  auto& hit = part.hits.emplace_back(plane, found);
   hit.node = face.node;
   hit.body = face.body, hit.piece = face.piece;
   hit.open = face.open;
@@ -325,6 +182,120 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
     part.step_limit.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
 }
+
+/// A row whose particle may touch faces, or is tied.
+template <int Dim>
+struct PresentRow {
+  PresentRow(const Entities<Dim>& entities, const Section& section, LocalIndex place)
+      : now(entities, section, place) {}
+  Present<Dim> now;
+  std::size_t row = 0;
+  bool tied = false;
+  std::size_t n_faces = 0;  // of the queries of all rows
+};
+
+/// What evaluates the particles of a part.
+template <int Dim>
+class ParticleWork {
+ public:
+  ParticleWork(const Entities<Dim>& entities, const ParticleRows& rows, const Section& section,
+               const EvaluationStep& step, FrictionHistory<Dim>* history,
+               std::span<ParticleLoad> loads, typename Records<Dim>::Part& part)
+      : entities_(entities),
+        rows_(rows),
+        section_(section),
+        step_(step),
+        history_(history),
+        loads_(loads),
+        part_(part),
+        pairs_(rows.pairs) {
+    present_.reserve(kAtOnce);
+  }
+  /// Finds near faces row by row, then what is nearest of all of them at once.
+  void run() {
+    const bool any_ties = !step_.touches.ties->empty(), conduct = entities_.nodes.conduct;
+    for (std::size_t row = 0; row < rows_.row_clearances.size(); ++row) {
+      const auto& clearance = rows_.row_clearances[row];
+      const bool out_of_touch = rows_.loss.leaves(clearance);
+      if (out_of_touch && !conduct && !any_ties) continue;
+      const auto& particle = entities_.particles[slot_of(clearance.entity)];
+      const bool tied = any_ties && is_tied(step_.touches, particle.id);
+      if (out_of_touch && !conduct && !tied) continue;
+      PresentRow<Dim>& one = present_.emplace_back(entities_, section_, clearance.entity);
+      one.row = row, one.tied = tied;
+      const auto near = find_near<Dim>(entities_, rows_, row, one.now, step_, part_);
+      one.n_faces = near.size();
+      for (const LocalIndex f : near) {
+        queries_.push_back({&entities_.planes[slot_of(f)], one.now.x});
+      }
+      if (present_.size() == kAtOnce) evaluate();
+    }
+    evaluate();
+  }
+
+ private:
+  /// So many that few are left alone at the end, and what is found of them stays in the cache.
+  static constexpr std::size_t kAtOnce = 16;
+
+  void evaluate() {
+    if (nearest_.size() < queries_.size()) nearest_.resize(2 * queries_.size());
+    nearest_points<Dim>(queries_, nearest_.data());
+    std::size_t first = 0;
+    for (const auto& one : present_) {
+      part_.hits.clear();
+      for (std::size_t i = first; i < first + one.n_faces; ++i) {
+        add_hit(entities_, one.now, nearest_[i], *queries_[i].face, step_, part_);
+      }
+      first += one.n_faces;
+      evaluate(one);
+    }
+    present_.clear(), queries_.clear();
+  }
+
+  void evaluate(const PresentRow<Dim>& one) {
+    const auto& now = one.now;
+    const Real section = section_of<Dim>(now.particle) * now.breadth;
+    const PartEnds ends{part_.particle_on_face.size(), part_.particle_heat.size()};
+    ParticleLoad load;
+    BrokenTies<Dim> broken;
+    if (one.tied) {
+      load.squared_frequency =
+          hold_particle<Dim>(entities_, now.place, pairs_, section, section_, step_, broken, part_);
+    }
+    if (!part_.hits.empty()) {
+      record_hits(entities_, now, pairs_, section_, step_, broken, history_, load, part_);
+    }
+    if (broken.any) {
+      settle_broken<Dim>(entities_, broken, std::span(part_.particle_on_face).subspan(ends.record),
+                         step_.dt, part_, part_.particle_losses);
+    }
+    if (step_.touches.time_zero && rows_.pairs.holds()) {
+      begin_particle_ties<Dim>(entities_, now.particle, pairs_, section, part_);
+    }
+    if (one.tied) {
+      std::sort(part_.particle_on_face.begin() + static_cast<std::ptrdiff_t>(ends.record),
+                part_.particle_on_face.end(),
+                [](const auto& a, const auto& b) { return key_of(a) < key_of(b); });
+    }
+    if (entities_.nodes.conduct) {
+      load.on_faces = load.heat_contacts =
+          add_particle_heat<Dim>(entities_, rows_, one.row, pairs_, section, ends, part_);
+    }
+    if (!loads_.empty()) loads_[slot_of(now.place)] = load;
+  }
+
+  const Entities<Dim>& entities_;
+  const ParticleRows& rows_;
+  const Section& section_;
+  const EvaluationStep& step_;
+  FrictionHistory<Dim>* history_;
+  std::span<ParticleLoad> loads_;
+  typename Records<Dim>::Part& part_;
+  PairFinder pairs_;
+  std::vector<PresentRow<Dim>> present_;
+  std::vector<NearQuery<Dim>> queries_;
+  std::vector<NearestPoint<Dim>> nearest_;
+};
 }  // namespace
 
 template <int Dim>
@@ -332,58 +303,7 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                         const Section& section, const EvaluationStep& step,
                         FrictionHistory<Dim>* history, std::span<ParticleLoad> loads,
                         typename Records<Dim>::Part& part) {
-  PairFinder pairs(rows.pairs);
-  const bool any_ties = !step.touches.ties->empty();
-  for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
-    const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
-    if (out_of_touch && !entities.nodes.conduct && !any_ties) continue;
-    const LocalIndex place = rows.row_clearances[row].entity;
-    const auto& particle = entities.particles[slot_of(place)];
-    const bool tied = any_ties && is_tied(step.touches, particle.id);
-    if (out_of_touch && !entities.nodes.conduct && !tied) continue;
-    const auto node = slot_of(particle.node);
-    const Vec<Dim> x = entities.nodes.x[node];
-    const Present<Dim> now{particle,
-                           place,
-                           x,
-                           entities.nodes.v[node],
-                           BoxQuery<Dim>(x),
-                           entities.nodes.mass[node],
-                           section.breadth(x[0])};
-    part.hits.clear();
-    const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    for (const LocalIndex f : find_near<Dim>(entities, rows, row, now, step, part)) {
-      add_hit(entities, slot_of(f), now, step, part);
-    }
-    ParticleLoad load;
-    BrokenTies<Dim> broken;
-    if (tied) {
-      load.squared_frequency =
-          hold_particle<Dim>(entities, place, pairs, section_of<Dim>(particle) * now.breadth,
-                             section, step, broken, part);
-    }
-    if (!part.hits.empty()) {
-      record_hits(entities, now, pairs, section, step, broken, history, load, part);
-    }
-    if (broken.any) {
-      settle_broken<Dim>(entities, broken, std::span(part.particle_on_face).subspan(ends.record),
-                         step.dt, part, part.particle_losses);
-    }
-    if (step.touches.time_zero && rows.pairs.holds()) {
-      begin_particle_ties<Dim>(entities, particle, pairs, section_of<Dim>(particle) * now.breadth,
-                               part);
-    }
-    if (tied) {
-      std::sort(part.particle_on_face.begin() + static_cast<std::ptrdiff_t>(ends.record),
-                part.particle_on_face.end(),
-                [](const auto& a, const auto& b) { return key_of(a) < key_of(b); });
-    }
-    if (entities.nodes.conduct) {
-      load.on_faces = load.heat_contacts = add_particle_heat<Dim>(
-          entities, rows, row, pairs, section_of<Dim>(particle) * now.breadth, ends, part);
-    }
-    if (!loads.empty()) loads[slot_of(place)] = load;
-  }
+  ParticleWork<Dim>(entities, rows, section, step, history, loads, part).run();
 }
 
 template void evaluate_particles<2>(const Entities<2>&, const ParticleRows&, const Section&,

@@ -44,5 +44,10 @@ BRUNT_INLINE Place<Pack> next(const Place<Pack>& p) {
   const auto turned = [](Pack v) { return Pack{v[1], v[2], v[3], v[0]}; };
   return {turned(p.x), turned(p.y), turned(p.z)};
 }
+/// The same about two quads.
+BRUNT_INLINE Place<Wide> next(const Place<Wide>& p) {
+  const auto turned = [](Wide v) { return __builtin_shufflevector(v, v, 1, 2, 3, 0, 5, 6, 7, 4); };
+  return {turned(p.x), turned(p.y), turned(p.z)};
+}
 
 }  // namespace brunt
