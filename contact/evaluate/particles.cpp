@@ -50,6 +50,24 @@ Real damping_of(const ParticleLaw& law, const ParticleSpring& spring, const Part
   return std::clamp(part * of_layer, -most, most) + (1 - part) * hit.damping * closing;
 }
 
+/// [1/kg] of the face's mass where the particle is.
+template <int Dim>
+Real compliance_of(const std::vector<Real>& mass, const ContactFace<Dim>& face,
+                   const ParticleHit<Dim>& hit) {
+  const auto& w = hit.nearest.weight;
+  const auto at = [&](std::size_t k) { return mass[slot_of(face.node[k])]; };
+  if constexpr (Dim == 3) {
+    if (face.n_nodes == 4) {
+      const Pack weight = load(w.data());
+      const Pack of = weight * weight / Pack{at(0), at(1), at(2), at(3)};
+      return of[0] + of[1] + of[2] + of[3];
+    }
+  }
+  Real compliance = 0;
+  for (std::size_t k = 0; k < slot_of(face.n_nodes); ++k) compliance += w[k] * w[k] / at(k);
+  return compliance;
+}
+
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
 void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
@@ -65,32 +83,30 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   record.point = hit.nearest.point;
   record.penetration = hit.overlap;
   record.area = section_of<Dim>(now.particle) * now.breadth;
-  record.add(now.particle.node, 1);
+  record.node[0] = now.particle.node, record.weight[0] = 1;
+  record.n_nodes = 1 + face.n_nodes;
 
-  Real compliance = 0;  // of the face's mass, [1/kg]
   Vec<Dim> velocity = Vec<Dim>::Zero();
-  const bool deforms = face.deforms();
-  for (int c = 0; c < face.n_nodes; ++c) {
-    const auto k = slot_of(c);
-    const auto node = slot_of(face.node[k]);
+  for (std::size_t k = 0; k < slot_of(face.n_nodes); ++k) {
     const Real w = hit.nearest.weight[k];
-    record.add(face.node[k], -w);
-    velocity += w * nodes.v[node];
-    if (deforms) compliance += w * w / nodes.mass[node];
+    record.node[k + 1] = face.node[k], record.weight[k + 1] = -w;
+    velocity += w * nodes.v[slot_of(face.node[k])];
   }
+  Real compliance = face.deforms() ? compliance_of<Dim>(nodes.mass, face, hit) : 0.0;
   if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
-  const ParticleSpring spring{law.stiffness * now.breadth,
-                              barrier_of(law, now.particle, face) * now.breadth,
-                              now.particle.radius, law.layer};
+  const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
+  // The barrier acts behind the face alone, where few are.
+  const bool behind = hit.overlap > now.particle.radius || coming > now.particle.radius;
+  const Real barrier = behind ? barrier_of(law, now.particle, face) * now.breadth : 0.0;
+  const ParticleSpring spring{law.stiffness * now.breadth, barrier, now.particle.radius, law.layer};
   hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
   record.stored = hit.share * spring.energy(hit.overlap);
   record.damping =
       std::max(hit.share * damping_of(law, spring, hit, mass, closing), -record.spring);
   if (mass > 0) {
-    const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
     squared_frequency += hit.share * stiffness_of(spring, coming, now, face, mass) / mass;
   }
 }

@@ -102,17 +102,22 @@ struct ParticleSpring {
     const Real in = std::min(d, layer.depth);
     return (1 - layer.softness) * in * (d - 0.5 * in);
   }
+  /// Most are in front, which spares divisions.
   Real force(Real d) const {
-    const Real deep = d > radius ? d - radius : 0.0;
-    return linear * (d - lacking(d)) + barrier * deep * (deep / radius) * (deep / radius);
+    const Real of_spring = linear * (d - lacking(d));
+    if (!(d > radius)) return of_spring;
+    const Real deep = d - radius;
+    return of_spring + barrier * deep * (deep / radius) * (deep / radius);
   }
   Real energy(Real d) const {
-    const Real deep = d > radius ? d - radius : 0.0;
-    return linear * (0.5 * d * d - lacking_energy(d)) +
-           0.25 * barrier * (deep * deep) * (deep / radius) * (deep / radius);
+    const Real of_spring = linear * (0.5 * d * d - lacking_energy(d));
+    if (!(d > radius)) return of_spring;
+    const Real deep = d - radius;
+    return of_spring + 0.25 * barrier * (deep * deep) * (deep / radius) * (deep / radius);
   }
   Real tangent(Real d) const {
-    const Real deep = d > radius ? d - radius : 0.0;
+    if (!(d > radius)) return linear;
+    const Real deep = d - radius;
     return linear + 3 * barrier * (deep / radius) * (deep / radius);
   }
 };
