@@ -161,8 +161,8 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
 
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFinder& pairs,
-                 const Section& section, const EvaluationStep& step, const BrokenTies<Dim>& broken,
-                 FrictionHistory<Dim>* history, ParticleLoad& load,
+                 ParticleLaws<Dim>& laws, const Section& section, const EvaluationStep& step,
+                 const BrokenTies<Dim>& broken, FrictionHistory<Dim>* history, ParticleLoad& load,
                  typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   const std::size_t first_touch = first_touch_of(now.particle.id, part.particle_touches);
@@ -179,18 +179,16 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
-    const auto law =
-        law_of(now.particle, entities.faces[slot_of(hit.face)],
-               pairs.of(now.particle.body, hit.body), pairs.resting(now.particle.body, hit.body));
+    const auto& law = laws.of(now.particle, entities.faces[slot_of(hit.face)]);
     fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
     if (hit.inside) note_deep(entities, hit, step.longest, part);
     if (law.laws.friction != nullptr && history != nullptr) {
       add_friction(entities, now, law, hit, section, dt, broken, *history, part);
     }
-    load.zeta = std::max({load.zeta, law.zeta, law.layer_zeta});
+    load.zeta = std::max(std::max(load.zeta, law.zeta), law.layer_zeta);
   }
-  const Real lag = lag_factor(load.zeta), least = part.step_limit.step;
+  const Real lag = laws.lag(load.zeta), least = part.step_limit.step;
   // Most steps are longer than one that is known, which spares a root and a division.
   const bool longer = 4 * lag * lag > least * least * squared_frequency * kSurelyMore;
   if (squared_frequency > 0 && !longer && !now.particle.held) {
@@ -224,7 +222,8 @@ class ParticleWork {
         history_(history),
         loads_(loads),
         part_(part),
-        pairs_(rows.pairs) {
+        pairs_(rows.pairs),
+        laws_(rows.pairs) {
     present_.reserve(kAtOnce);
   }
   /// Finds near faces row by row, then what is nearest of all of them at once.
@@ -279,7 +278,7 @@ class ParticleWork {
           hold_particle<Dim>(entities_, now.place, pairs_, section, section_, step_, broken, part_);
     }
     if (!part_.hits.empty()) {
-      record_hits(entities_, now, pairs_, section_, step_, broken, history_, load, part_);
+      record_hits(entities_, now, pairs_, laws_, section_, step_, broken, history_, load, part_);
     }
     if (broken.any) {
       settle_broken<Dim>(entities_, broken, std::span(part_.particle_on_face).subspan(ends.record),
@@ -308,6 +307,7 @@ class ParticleWork {
   std::span<ParticleLoad> loads_;
   typename Records<Dim>::Part& part_;
   PairFinder pairs_;
+  ParticleLaws<Dim> laws_;
   std::vector<PresentRow<Dim>> present_;
   std::vector<NearQuery<Dim>> queries_;
   std::vector<NearestPoint<Dim>> nearest_;
