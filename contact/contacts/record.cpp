@@ -46,7 +46,7 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
 /// all of them be read again.
 template <int Dim>
 struct AppliedNodes {
-  AppliedNodes(Real step, const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes)
+  AppliedNodes(Real step, const std::vector<Vec<Dim>*>& forces, ContactNodes<Dim>& nodes)
       : half_step(0.5 * step),
         v(nodes.v.data()),
         owned(nodes.owned.data()),
@@ -57,9 +57,8 @@ struct AppliedNodes {
         damping(nodes.damping.data()),
         friction(nodes.has_friction ? nodes.friction.data() : nullptr),
         spring_work(nodes.spring_work.data()),
-        damping_energy(nodes.damping_energy.data()) {
-    for (const auto* one : surfaces) force.push_back(one->points->f.data());
-  }
+        damping_energy(nodes.damping_energy.data()),
+        force(forces.data()) {}
   /// Books half of what the forces of a node take from its motion in a step: first of those of its
   /// begin, then of those of its end.
   void book_half(std::size_t i) const {
@@ -86,7 +85,7 @@ struct AppliedNodes {
   char* pressed;
   Vec<Dim>*spring, *damping, *friction;
   Real *spring_work, *damping_energy;
-  std::vector<Vec<Dim>*> force;  // of the points of each group
+  Vec<Dim>* const* force;  // on the points of each group
 };
 }  // namespace
 
@@ -208,13 +207,14 @@ template <int Dim>
 void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
   const std::size_t n = nodes.size();
-  const AppliedNodes<Dim> shared(dt, surfaces, nodes);
+  std::vector<Vec<Dim>*> forces;
+  for (const auto* surface : surfaces) forces.push_back(surface->points->f.data());
   on_threads(n > kWorthThreads, [&] {
     // Each thread owns a range of nodes and reads all records: sums keep the order of keys.
     const auto count = slot_of(omp_get_num_threads());
     const auto k = slot_of(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
-    const AppliedNodes<Dim> own = shared;
+    const AppliedNodes<Dim> own(dt, forces, nodes);
     for (std::size_t i = first; i < last; ++i) {
       if (own.pressed[i] == 0) continue;  // most touch nothing, and are not even read
       if (own.owned[i] != 0) own.book_half(i);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contact/evaluate/near_faces.hpp"
 #include "contact/evaluate/particle_law.hpp"
@@ -223,9 +224,7 @@ class ParticleWork {
         loads_(loads),
         part_(part),
         pairs_(rows.pairs),
-        laws_(rows.pairs) {
-    present_.reserve(kAtOnce);
-  }
+        laws_(rows.pairs) {}
   /// Finds near faces row by row, then what is nearest of all of them at once.
   void run() {
     const bool any_ties = !step_.touches.ties->empty(), conduct = entities_.nodes.conduct;
@@ -236,14 +235,14 @@ class ParticleWork {
       const auto& particle = entities_.particles[slot_of(clearance.entity)];
       const bool tied = any_ties && is_tied(step_.touches, particle.id);
       if (out_of_touch && !conduct && !tied) continue;
-      PresentRow<Dim>& one = present_.emplace_back(entities_, section_, clearance.entity);
+      PresentRow<Dim>& one = present_[n_present_++].emplace(entities_, section_, clearance.entity);
       one.row = row, one.tied = tied;
       const auto near = find_near<Dim>(entities_, rows_, row, one.now, step_, part_);
       one.n_faces = near.size();
       for (const LocalIndex f : near) {
-        queries_.push_back({&entities_.planes[slot_of(f)], one.now.x});
+        part_.queries.push_back({&entities_.planes[slot_of(f)], one.now.x});
       }
-      if (present_.size() == kAtOnce) evaluate();
+      if (n_present_ == kAtOnce) evaluate();
     }
     evaluate();
   }
@@ -253,18 +252,21 @@ class ParticleWork {
   static constexpr std::size_t kAtOnce = 16;
 
   void evaluate() {
-    if (nearest_.size() < queries_.size()) nearest_.resize(2 * queries_.size());
-    nearest_points<Dim>(queries_, nearest_.data());
+    auto& queries = part_.queries;
+    auto& nearest = part_.nearest;
+    if (nearest.size() < queries.size()) nearest.resize(2 * queries.size());
+    nearest_points<Dim>(queries, nearest.data());
     std::size_t first = 0;
-    for (const auto& one : present_) {
+    for (std::size_t k = 0; k < n_present_; ++k) {
+      const PresentRow<Dim>& one = *present_[k];
       part_.hits.clear();
       for (std::size_t i = first; i < first + one.n_faces; ++i) {
-        add_hit(entities_, one.now, nearest_[i], *queries_[i].face, step_, part_);
+        add_hit(entities_, one.now, nearest[i], *queries[i].face, step_, part_);
       }
       first += one.n_faces;
       evaluate(one);
     }
-    present_.clear(), queries_.clear();
+    n_present_ = 0, queries.clear();
   }
 
   void evaluate(const PresentRow<Dim>& one) {
@@ -308,9 +310,8 @@ class ParticleWork {
   typename Records<Dim>::Part& part_;
   PairFinder pairs_;
   ParticleLaws<Dim> laws_;
-  std::vector<PresentRow<Dim>> present_;
-  std::vector<NearQuery<Dim>> queries_;
-  std::vector<NearestPoint<Dim>> nearest_;
+  std::array<std::optional<PresentRow<Dim>>, kAtOnce> present_;
+  std::size_t n_present_ = 0;
 };
 }  // namespace
 
