@@ -251,4 +251,3 @@ std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const Parti
 }
 
 }  // namespace brunt
-// Tested by tests/unit/contact/manager_test.cpp.

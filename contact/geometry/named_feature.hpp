@@ -44,3 +44,4 @@ struct QuadFeatures {
 inline constexpr QuadFeatures kQuadFeatures;
 
 }  // namespace brunt
+// Tested by tests/unit/contact/nearest_quads_test.cpp.

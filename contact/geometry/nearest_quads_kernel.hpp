@@ -232,3 +232,4 @@ void nearest_on_quads(const NearQuery<3>* of, std::size_t n, NearestPoint<3>* ne
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/nearest_quads_test.cpp.

@@ -63,3 +63,4 @@ BRUNT_INLINE OfTriangles<V> nearest_on(const Place<V> (&t)[3], const Place<V>& x
 }
 
 }  // namespace brunt
+// Tested by tests/unit/contact/nearest_quads_test.cpp.
