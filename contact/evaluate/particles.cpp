@@ -17,12 +17,9 @@ void add_hit(const Entities<Dim>& entities, const Present<Dim>& now, const Neare
              typename Records<Dim>::Part& part) {
   const auto f = static_cast<std::size_t>(&plane - entities.planes.data());
   const auto& face = entities.faces[f];
-  auto& hit = part.hits.emplace_back(plane, found);
-  hit.node = face.node;
-  hit.body = face.body, hit.piece = face.piece;
-  hit.open = face.open;
+  auto& hit = part.hits.emplace_back(plane, found, face.node, face.body, face.piece, face.open,
+                                     static_cast<LocalIndex>(f));
   if (face.open) hit.side = side_of(step.touches, now.particle, face);
-  hit.face = static_cast<LocalIndex>(f);
   hit.limit = held_behind(now.particle, face);
 }
 

@@ -46,8 +46,16 @@ template <int Dim>
 struct ParticleHit {
   static constexpr int kCorners = Facet<Dim>::kNodes;
   ParticleHit() {}  // NOLINT(modernize-use-equals-default)
-  ParticleHit(const FacePlane<Dim>& of_plane, const NearestPoint<Dim>& of_particle)
-      : plane(&of_plane), nearest(of_particle) {}
+  ParticleHit(const FacePlane<Dim>& of_plane, const NearestPoint<Dim>& of_particle,
+              const std::array<LocalIndex, kCorners>& nodes, Label of_body, Label of_piece,
+              bool is_open, LocalIndex of_face)
+      : plane(&of_plane),
+        node(nodes),
+        body(of_body),
+        piece(of_piece),
+        face(of_face),
+        open(is_open),
+        nearest(of_particle) {}
   /// Of a particle at x, its nearest point where it stands: it is not copied.
   ParticleHit(const FacePlane<Dim>& of_plane, const Vec<Dim>& x)
       : plane(&of_plane), nearest(nearest_point<Dim>(of_plane, x)) {}
