@@ -21,6 +21,7 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
     ++next;
   };
   Vec<Dim>*const springs = nodes.spring.data(), *const dampings = nodes.damping.data();
+  Vec<Dim>* const frictions = nodes.friction.data();
   char* const pressed = nodes.pressed.data();
   records.visit_whole([&](const WholeRecord<Dim>& whole) {
     const auto& record = whole.record;
@@ -34,30 +35,58 @@ void gather(const Records<Dim>& records, std::span<const Contribution<Dim>> else
       const auto at = slot_of(node);
       springs[at] += whole.spring_on(k);
       dampings[at] += record.weight[k] * damping * normal;
-      if (whole.friction != nullptr) nodes.friction[at] += whole.friction->force[k];
+      if (whole.friction != nullptr) frictions[at] += whole.friction->force[k];
       pressed[at] = 1;
     }
   });
   while (next != elsewhere.end()) add_next();
 }
 
-/// Books half of what the forces of a node take from its motion in a step: first of those of its
-/// begin, then of those of its end.
+/// What apply reads and writes of nodes, by plain pointers: else each byte that is written makes
+/// all of them be read again.
 template <int Dim>
-void book_half(std::size_t i, Real dt, ContactNodes<Dim>& nodes) {
-  const Vec<Dim> half_way = 0.5 * dt * nodes.v[i];
-  nodes.spring_work[i] -= nodes.spring[i].dot(half_way);
-  nodes.damping_energy[i] -= nodes.damping[i].dot(half_way);
-}
+struct AppliedNodes {
+  AppliedNodes(Real step, const std::vector<Vec<Dim>*>& forces, ContactNodes<Dim>& nodes)
+      : half_step(0.5 * step),
+        v(nodes.v.data()),
+        owned(nodes.owned.data()),
+        surface(nodes.surface.data()),
+        point(nodes.point.data()),
+        pressed(nodes.pressed.data()),
+        spring(nodes.spring.data()),
+        damping(nodes.damping.data()),
+        friction(nodes.has_friction ? nodes.friction.data() : nullptr),
+        spring_work(nodes.spring_work.data()),
+        damping_energy(nodes.damping_energy.data()),
+        force(forces.data()) {}
+  /// Books half of what the forces of a node take from its motion in a step: first of those of its
+  /// begin, then of those of its end.
+  void book_half(std::size_t i) const {
+    const Vec<Dim> half_way = half_step * v[i];
+    spring_work[i] -= spring[i].dot(half_way);
+    damping_energy[i] -= damping[i].dot(half_way);
+  }
+  void clear(std::size_t i) const {
+    spring[i].setZero();
+    damping[i].setZero();
+    if (friction != nullptr) friction[i].setZero();
+    pressed[i] = 0;
+  }
+  void add_to_point(std::size_t i) const {
+    auto& f = force[slot_of(surface[i])][point[i]];
+    f += spring[i] + damping[i];
+    if (friction != nullptr) f += friction[i];
+  }
 
-template <int Dim>
-void add_to_point(std::size_t i, const std::vector<Surface<Dim>*>& surfaces,
-                  const ContactNodes<Dim>& nodes) {
-  auto& points = *surfaces[slot_of(nodes.surface[i])]->points;
-  auto& f = points.f[slot_of(nodes.point[i])];
-  f += nodes.spring[i] + nodes.damping[i];
-  if (nodes.has_friction) f += nodes.friction[i];
-}
+  Real half_step;
+  const Vec<Dim>* v;
+  const char* owned;
+  const LocalIndex *surface, *point;
+  char* pressed;
+  Vec<Dim>*spring, *damping, *friction;
+  Real *spring_work, *damping_energy;
+  Vec<Dim>* const* force;  // on the points of each group
+};
 }  // namespace
 
 template <int Dim>
@@ -178,27 +207,25 @@ template <int Dim>
 void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsewhere, Real dt,
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
   const std::size_t n = nodes.size();
+  std::vector<Vec<Dim>*> forces;
+  for (const auto* surface : surfaces) forces.push_back(surface->points->f.data());
   on_threads(n > kWorthThreads, [&] {
     // Each thread owns a range of nodes and reads all records: sums keep the order of keys.
     const auto count = slot_of(omp_get_num_threads());
     const auto k = slot_of(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
-    char* const pressed = nodes.pressed.data();
-    const bool has_friction = nodes.has_friction;
+    const AppliedNodes<Dim> own(dt, forces, nodes);
     for (std::size_t i = first; i < last; ++i) {
-      if (!pressed[i]) continue;  // most touch nothing, and are not even read
-      if (nodes.owned[i]) book_half(i, dt, nodes);
-      nodes.spring[i].setZero();
-      nodes.damping[i].setZero();
-      if (has_friction) nodes.friction[i].setZero();
-      pressed[i] = 0;
+      if (own.pressed[i] == 0) continue;  // most touch nothing, and are not even read
+      if (own.owned[i] != 0) own.book_half(i);
+      own.clear(i);
     }
     gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
            nodes);
     for (std::size_t i = first; i < last; ++i) {
-      if (!pressed[i] || !nodes.owned[i]) continue;
-      book_half(i, dt, nodes);
-      add_to_point(i, surfaces, nodes);
+      if (own.pressed[i] == 0 || own.owned[i] == 0) continue;
+      own.book_half(i);
+      own.add_to_point(i);
     }
   });
 }

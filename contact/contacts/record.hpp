@@ -87,10 +87,12 @@ class Records {
     std::vector<PairHeatPath<Dim>> pair_heat;
     std::vector<ParticleHit<Dim>> hits, near_hits;  ///< room to work
     std::vector<LocalIndex> near;                   ///< room to work: faces
-    std::vector<LostContact<Dim>> lost;             ///< without their times; nearly always empty
-    std::vector<DeepParticle<Dim>> deep;            ///< the same
-    std::vector<ParticleMeeting<Dim>> meetings;     ///< room to work
-    std::size_t past = 0;                           ///< where its frictions look for theirs
+    std::vector<NearQuery<Dim>> queries;            ///< the same
+    std::vector<NearestPoint<Dim>> nearest;
+    std::vector<LostContact<Dim>> lost;          ///< without their times; nearly always empty
+    std::vector<DeepParticle<Dim>> deep;         ///< the same
+    std::vector<ParticleMeeting<Dim>> meetings;  ///< room to work
+    std::size_t past = 0;                        ///< where its frictions look for theirs
     StepLimit step_limit;
   };
   void clear();

@@ -41,6 +41,41 @@ ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face
   return law;
 }
 
+/// Laws of contacts one after another, mostly alike: kept while nothing changes that they are found
+/// from, and their factor of the step.
+template <int Dim>
+class ParticleLaws {
+ public:
+  explicit ParticleLaws(const PairTable& pairs) : pairs_(pairs) {}
+  const ParticleLaw& of(const ContactParticle& particle, const ContactFace<Dim>& face) {
+    const Inputs now{particle.body,     face.body,       particle.conductivity > 0, face.deforms(),
+                     face.capacity > 0, particle.radius, particle.modulus,          face.stiffness};
+    if (known_ && now == inputs_) return law_;
+    law_ =
+        law_of(particle, face, pairs_.of(now.body, now.other), pairs_.resting(now.body, now.other));
+    inputs_ = now, known_ = true;
+    return law_;
+  }
+  /// lag_factor(zeta).
+  Real lag(Real zeta) {
+    if (zeta != zeta_) zeta_ = zeta, lag_ = lag_factor(zeta);
+    return lag_;
+  }
+
+ private:
+  struct Inputs {
+    Label body = 0, other = 0;
+    bool conducts = false, deforms = false, takes_heat = false;
+    Real radius = 0, modulus = 0, stiffness = 0;
+    bool operator==(const Inputs&) const = default;
+  };
+  PairFinder pairs_;
+  bool known_ = false;
+  Inputs inputs_;
+  ParticleLaw law_;
+  Real zeta_ = 0, lag_ = lag_factor(0.0);
+};
+
 /// How far behind the face the particle is held [m]. In front of a thin rigid body it no longer
 /// overlaps it stands so far behind the other side; nearer it may be where that is thin only
 /// elsewhere.

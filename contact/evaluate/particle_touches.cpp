@@ -128,6 +128,7 @@ Real overlap_ignored(const Entities<Dim>& entities, const ContactParticle& parti
 template <int Dim>
 void track_overlaps(const Entities<Dim>& entities, const ContactParticle& particle,
                     PairFinder& pairs, const TouchStep& step, typename Records<Dim>::Part& part) {
+  if (!step.time_zero && !entities.any_born && step.before->empty()) return;  // nearly always
   const auto meets = [&](const auto& hit) { return is_first(entities, particle, step, hit); };
   const bool any_first = std::any_of(part.hits.begin(), part.hits.end(), meets);
   if (!any_first && step.before->empty()) return;

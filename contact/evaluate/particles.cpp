@@ -1,170 +1,25 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "contact/evaluate/evaluate.hpp"
+#include "contact/evaluate/near_faces.hpp"
 #include "contact/evaluate/particle_law.hpp"
 #include "contact/evaluate/particle_touches.hpp"
 #include "contact/evaluate/ties.hpp"
-#include "contact/geometry/box_query.hpp"
 
 namespace brunt {
 
 namespace {
-/// A particle with what its contacts need.
-template <int Dim>
-struct Present {
-  const ContactParticle& particle;
-  LocalIndex place;  // of the particle
-  Vec<Dim> x, v;
-  BoxQuery<Dim> about;
-  Real mass;
-  Real breadth;
-};
-
-/// Whether a particle may overlap a face, and whether it does so from before it.
-struct Reach {
-  bool any, before;
-};
-
-/// Of the particle, `before` [m] the mean plane: its centre is at most r before the face or a few r
-/// behind. Without branches: which faces are near changes from one to the next.
-template <int Dim>
-Reach reach_of(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
-               Real before) {
-  const Real r = now.particle.radius;
-  const bool clear = before > plane.warp;
-  const bool none =
-      (plane.area == 0) | (before > r + plane.warp) | (before < -kDepthRadii * r - plane.warp);
-  const bool any = !none & now.about.in(box, clear ? r : kDepthRadii * r);
-  return {any, clear};
-}
-
-/// The same of an open surface, which holds what belongs to one of its `side`s deep on the other.
-template <int Dim>
-Reach reach_of_open(const FacePlane<Dim>& plane, const SearchBox<Dim>& box, const Present<Dim>& now,
-                    Real before, int side) {
-  const Real reach = (side != 0 ? kOpenDepthRadii : 1) * now.particle.radius;
-  const bool none = plane.area == 0 || std::fabs(before) > reach + plane.warp;
-  return {!none && now.about.in(box, reach), side == 0 || side * before > plane.warp};
-}
-
-/// Where the particle belongs at an open surface, as it was at the last evaluation; 0: not known.
-template <int Dim>
-int side_of(const TouchStep& step, const ContactParticle& particle, const ContactFace<Dim>& face) {
-  const auto* before = step.before->find(touch_key(particle.id, face.body, face.piece));
-  return before == nullptr ? 0 : before->side;
-}
-
-/// A product that is larger by this factor is larger however it was rounded.
-constexpr Real kSurelyMore = 1 + 1e-9;
-
-/// The bound of a particle, `before` [m] the mean plane of face f, that closes on it: to half a
-/// radius of overlap, or half a radius more, of faces that hold less than a radius half of that.
-/// What would allow more than `longest` need not be near, nor listed. On an open surface it closes
-/// from both sides, and where it touches either way.
-template <int Dim>
-void limit_by_speed(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
-                    Real before, Real longest, StepLimit& step_limit) {
-  const auto& plane = entities.planes[f];
-  const Vec<Dim> relative = now.v - entities.face_velocity(f);
-  const Real r = now.particle.radius;
-  Real closing = -relative.dot(plane.normal);
-  if (entities.any_open && entities.faces[f].open) {
-    if (std::fabs(before) <= r) closing = std::fabs(closing);
-    if (before < -r) closing = -closing;
-    before = std::fabs(before);
-  }
-  const Real way =
-      std::max(before - r - plane.warp, 0.0) + 0.5 * std::min(r, entities.faces[f].half_thickness);
-  const Real least = std::min(longest, step_limit.step);
-  // Most take longer, which spares the division; one branch for all that bounds no step.
-  const bool none =
-      !(closing > 0) | (before < -kDepthRadii * r) | (way > closing * least * kSurelyMore);
-  if (none) return;
-  const Real step = way / closing;
-  if (step > least) return;
-  if (!now.about.in(entities.boxes[f], r + relative.norm() * longest)) return;
-  step_limit.take({step, "contact speed", now.particle.body, now.particle.id});
-}
-
-/// Faces that hold a particle behind some, and those before which it is as far as others hold it:
-/// beside the edge of a wedge that is thin for it, it is behind the far side, and outside.
-/// first, last  of the candidates of its row;  near  out, of room for all;  returns how many
-template <int Dim>
-std::size_t find_around(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t first,
-                        std::size_t last, const Present<Dim>& now, const EvaluationStep& step,
-                        LocalIndex* near) {
-  const Real farthest = kDepthRadii * now.particle.radius;
-  std::size_t n = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const std::size_t f = rows.clearances.entity(i);
-    const auto& plane = entities.planes[f];
-    const auto& box = entities.boxes[f];
-    const Real before = plane.normal.dot(now.x - plane.center);
-    const bool open = entities.any_open && entities.faces[f].open;
-    const bool holds =
-        open ? reach_of_open<Dim>(plane, box, now, before,
-                                  side_of(step.touches, now.particle, entities.faces[f]))
-                   .any
-             : plane.area > 0 && std::fabs(before) <= farthest + plane.warp &&
-                   now.about.in(box, farthest);
-    near[n] = static_cast<LocalIndex>(f);
-    n += holds ? 1 : 0;
-  }
-  return n;
-}
-
-/// Faces that may hold the particle of a row. Where it is before all of them, those farther from it
-/// than what still touches are left out: none is a contact, nor nearer than one. Behind some, they
-/// tell where the surface is nearest.
-template <int Dim>
-std::span<const LocalIndex> find_near(const Entities<Dim>& entities, const ParticleRows& rows,
-                                      std::size_t row, const Present<Dim>& now,
-                                      const EvaluationStep& step,
-                                      typename Records<Dim>::Part& part) {
-  const auto [first, last] = rows.range(row);
-  const std::size_t room = last - first + kLanes;
-  if (part.near.size() < 2 * room) part.near.resize(2 * room);
-  LocalIndex *near = part.near.data(), *touching = near + room;
-  const std::size_t listed = rows.clearances.find_near(first, last, rows.loss, near);
-  const Real farthest = (1 + 10 * kTouchingGap) * now.particle.radius;
-  // Where nothing is fast enough for the least way no face bounds the step.
-  const Real least = 0.5 * std::min(now.particle.radius, entities.shallowest);
-  const bool step_limits = !(least > rows.fastest * step.longest * kSurelyMore);
-  bool before_all = true;
-  std::size_t n_touching = 0;
-  for (std::size_t i = 0; i < listed; ++i) {
-    const LocalIndex face = near[i];
-    const auto f = slot_of(face);
-    const auto& plane = entities.planes[f];
-    const Real before = plane.normal.dot(now.x - plane.center);
-    if (step_limits) limit_by_speed(entities, f, now, before, step.longest, part.step_limit);
-    const auto& box = entities.boxes[f];
-    const bool open = entities.any_open && entities.faces[f].open;
-    const Reach reach =
-        open ? reach_of_open<Dim>(plane, box, now, before,
-                                  side_of(step.touches, now.particle, entities.faces[f]))
-             : reach_of<Dim>(plane, box, now, before);
-    before_all &= !reach.any | reach.before;
-    touching[n_touching] = face;
-    const bool touches = !(now.about.squared_distance(box) > farthest * farthest);
-    n_touching += reach.any & touches;
-  }
-  if (before_all) return {touching, n_touching};
-  return {near, find_around(entities, rows, first, last, now, step, near)};
-}
-
 /// Adds what of a face is nearest to the particle to part.hits.
 template <int Dim>
-void add_hit(const Entities<Dim>& entities, std::size_t f, const Present<Dim>& now,
-             const EvaluationStep& step, typename Records<Dim>::Part& part) {
+void add_hit(const Entities<Dim>& entities, const Present<Dim>& now, const NearestPoint<Dim>& found,
+             const FacePlane<Dim>& plane, const EvaluationStep& step,
+             typename Records<Dim>::Part& part) {
+  const auto f = static_cast<std::size_t>(&plane - entities.planes.data());
   const auto& face = entities.faces[f];
-  auto& hit = part.hits.emplace_back(entities.planes[f], now.x);
-  hit.node = face.node;
-  hit.body = face.body, hit.piece = face.piece;
-  hit.open = face.open;
+  auto& hit = part.hits.emplace_back(plane, found, face.node, face.body, face.piece, face.open,
+                                     static_cast<LocalIndex>(f));
   if (face.open) hit.side = side_of(step.touches, now.particle, face);
-  hit.face = static_cast<LocalIndex>(f);
   hit.limit = held_behind(now.particle, face);
 }
 
@@ -193,6 +48,24 @@ Real damping_of(const ParticleLaw& law, const ParticleSpring& spring, const Part
   return std::clamp(part * of_layer, -most, most) + (1 - part) * hit.damping * closing;
 }
 
+/// [1/kg] of the face's mass where the particle is.
+template <int Dim>
+Real compliance_of(const std::vector<Real>& mass, const ContactFace<Dim>& face,
+                   const ParticleHit<Dim>& hit) {
+  const auto& w = hit.nearest.weight;
+  const auto at = [&](std::size_t k) { return mass[slot_of(face.node[k])]; };
+  if constexpr (Dim == 3) {
+    if (face.n_nodes == 4) {
+      const Pack weight = load(w.data());
+      const Pack of = weight * weight / Pack{at(0), at(1), at(2), at(3)};
+      return of[0] + of[1] + of[2] + of[3];
+    }
+  }
+  Real compliance = 0;
+  for (std::size_t k = 0; k < slot_of(face.n_nodes); ++k) compliance += w[k] * w[k] / at(k);
+  return compliance;
+}
+
 /// Fills the record of one chosen hit; adds its k/m to the sum that bounds the particle's step.
 template <int Dim>
 void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const ParticleLaw& law,
@@ -208,32 +81,30 @@ void fill_record(const Entities<Dim>& entities, const Present<Dim>& now, const P
   record.point = hit.nearest.point;
   record.penetration = hit.overlap;
   record.area = section_of<Dim>(now.particle) * now.breadth;
-  record.add(now.particle.node, 1);
+  record.node[0] = now.particle.node, record.weight[0] = 1;
+  record.n_nodes = 1 + face.n_nodes;
 
-  Real compliance = 0;  // of the face's mass, [1/kg]
   Vec<Dim> velocity = Vec<Dim>::Zero();
-  const bool deforms = face.deforms();
-  for (int c = 0; c < face.n_nodes; ++c) {
-    const auto k = slot_of(c);
-    const auto node = slot_of(face.node[k]);
+  for (std::size_t k = 0; k < slot_of(face.n_nodes); ++k) {
     const Real w = hit.nearest.weight[k];
-    record.add(face.node[k], -w);
-    velocity += w * nodes.v[node];
-    if (deforms) compliance += w * w / nodes.mass[node];
+    record.node[k + 1] = face.node[k], record.weight[k + 1] = -w;
+    velocity += w * nodes.v[slot_of(face.node[k])];
   }
+  Real compliance = face.deforms() ? compliance_of<Dim>(nodes.mass, face, hit) : 0.0;
   if (face.compliance > 0) compliance = face.compliance;
   const Real closing = (velocity - now.v).dot(hit.direction);
   const Real mass = in_series(now.mass, compliance > 0 ? 1 / compliance : 0.0);
-  const ParticleSpring spring{law.stiffness * now.breadth,
-                              barrier_of(law, now.particle, face) * now.breadth,
-                              now.particle.radius, law.layer};
+  const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
+  // The barrier acts behind the face alone, where few are.
+  const bool behind = hit.overlap > now.particle.radius || coming > now.particle.radius;
+  const Real barrier = behind ? barrier_of(law, now.particle, face) * now.breadth : 0.0;
+  const ParticleSpring spring{law.stiffness * now.breadth, barrier, now.particle.radius, law.layer};
   hit.damping = damping_coefficient(law.zeta, spring.linear, mass);
   record.spring = hit.share * spring.force(hit.overlap);
   record.stored = hit.share * spring.energy(hit.overlap);
   record.damping =
       std::max(hit.share * damping_of(law, spring, hit, mass, closing), -record.spring);
   if (mass > 0) {
-    const Real coming = hit.overlap + std::max(closing, 0.0) * dt;
     squared_frequency += hit.share * stiffness_of(spring, coming, now, face, mass) / mass;
   }
 }
@@ -288,8 +159,8 @@ void add_friction(const Entities<Dim>& entities, const Present<Dim>& now, const 
 
 template <int Dim>
 void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFinder& pairs,
-                 const Section& section, const EvaluationStep& step, const BrokenTies<Dim>& broken,
-                 FrictionHistory<Dim>* history, ParticleLoad& load,
+                 ParticleLaws<Dim>& laws, const Section& section, const EvaluationStep& step,
+                 const BrokenTies<Dim>& broken, FrictionHistory<Dim>* history, ParticleLoad& load,
                  typename Records<Dim>::Part& part) {
   const Real dt = step.dt;
   const std::size_t first_touch = first_touch_of(now.particle.id, part.particle_touches);
@@ -306,18 +177,16 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
   Real& squared_frequency = load.squared_frequency;
   for (auto& hit : part.hits) {
     if (!hit.kept || !hit.pushes || hit.share == 0) continue;
-    const auto law =
-        law_of(now.particle, entities.faces[slot_of(hit.face)],
-               pairs.of(now.particle.body, hit.body), pairs.resting(now.particle.body, hit.body));
+    const auto& law = laws.of(now.particle, entities.faces[slot_of(hit.face)]);
     fill_record(entities, now, law, dt, hit, squared_frequency,
                 part.particle_on_face.emplace_back());
     if (hit.inside) note_deep(entities, hit, step.longest, part);
     if (law.laws.friction != nullptr && history != nullptr) {
       add_friction(entities, now, law, hit, section, dt, broken, *history, part);
     }
-    load.zeta = std::max({load.zeta, law.zeta, law.layer_zeta});
+    load.zeta = std::max(std::max(load.zeta, law.zeta), law.layer_zeta);
   }
-  const Real lag = lag_factor(load.zeta), least = part.step_limit.step;
+  const Real lag = laws.lag(load.zeta), least = part.step_limit.step;
   // Most steps are longer than one that is known, which spares a root and a division.
   const bool longer = 4 * lag * lag > least * least * squared_frequency * kSurelyMore;
   if (squared_frequency > 0 && !longer && !now.particle.held) {
@@ -325,6 +194,122 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
     part.step_limit.take({step, "contact stiffness", now.particle.body, now.particle.id});
   }
 }
+
+/// A row whose particle may touch faces, or is tied.
+template <int Dim>
+struct PresentRow {
+  PresentRow(const Entities<Dim>& entities, const Section& section, LocalIndex place)
+      : now(entities, section, place) {}
+  Present<Dim> now;
+  std::size_t row = 0;
+  bool tied = false;
+  std::size_t n_faces = 0;  // of the queries of all rows
+};
+
+/// What evaluates the particles of a part.
+template <int Dim>
+class ParticleWork {
+ public:
+  ParticleWork(const Entities<Dim>& entities, const ParticleRows& rows, const Section& section,
+               const EvaluationStep& step, FrictionHistory<Dim>* history,
+               std::span<ParticleLoad> loads, typename Records<Dim>::Part& part)
+      : entities_(entities),
+        rows_(rows),
+        section_(section),
+        step_(step),
+        history_(history),
+        loads_(loads),
+        part_(part),
+        pairs_(rows.pairs),
+        laws_(rows.pairs) {}
+  /// Finds near faces row by row, then what is nearest of all of them at once.
+  void run() {
+    const bool any_ties = !step_.touches.ties->empty(), conduct = entities_.nodes.conduct;
+    for (std::size_t row = 0; row < rows_.row_clearances.size(); ++row) {
+      const auto& clearance = rows_.row_clearances[row];
+      const bool out_of_touch = rows_.loss.leaves(clearance);
+      if (out_of_touch && !conduct && !any_ties) continue;
+      const auto& particle = entities_.particles[slot_of(clearance.entity)];
+      const bool tied = any_ties && is_tied(step_.touches, particle.id);
+      if (out_of_touch && !conduct && !tied) continue;
+      PresentRow<Dim>& one = present_[n_present_++].emplace(entities_, section_, clearance.entity);
+      one.row = row, one.tied = tied;
+      const auto near = find_near<Dim>(entities_, rows_, row, one.now, step_, part_);
+      one.n_faces = near.size();
+      for (const LocalIndex f : near) {
+        part_.queries.push_back({&entities_.planes[slot_of(f)], one.now.x});
+      }
+      if (n_present_ == kAtOnce) evaluate();
+    }
+    evaluate();
+  }
+
+ private:
+  /// So many that few are left alone at the end, and what is found of them stays in the cache.
+  static constexpr std::size_t kAtOnce = 16;
+
+  void evaluate() {
+    auto& queries = part_.queries;
+    auto& nearest = part_.nearest;
+    if (nearest.size() < queries.size()) nearest.resize(2 * queries.size());
+    nearest_points<Dim>(queries, nearest.data());
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < n_present_; ++k) {
+      const PresentRow<Dim>& one = *present_[k];
+      part_.hits.clear();
+      for (std::size_t i = first; i < first + one.n_faces; ++i) {
+        add_hit(entities_, one.now, nearest[i], *queries[i].face, step_, part_);
+      }
+      first += one.n_faces;
+      evaluate(one);
+    }
+    n_present_ = 0, queries.clear();
+  }
+
+  void evaluate(const PresentRow<Dim>& one) {
+    const auto& now = one.now;
+    const Real section = section_of<Dim>(now.particle) * now.breadth;
+    const PartEnds ends{part_.particle_on_face.size(), part_.particle_heat.size()};
+    ParticleLoad load;
+    BrokenTies<Dim> broken;
+    if (one.tied) {
+      load.squared_frequency =
+          hold_particle<Dim>(entities_, now.place, pairs_, section, section_, step_, broken, part_);
+    }
+    if (!part_.hits.empty()) {
+      record_hits(entities_, now, pairs_, laws_, section_, step_, broken, history_, load, part_);
+    }
+    if (broken.any) {
+      settle_broken<Dim>(entities_, broken, std::span(part_.particle_on_face).subspan(ends.record),
+                         step_.dt, part_, part_.particle_losses);
+    }
+    if (step_.touches.time_zero && rows_.pairs.holds()) {
+      begin_particle_ties<Dim>(entities_, now.particle, pairs_, section, part_);
+    }
+    if (one.tied) {
+      std::sort(part_.particle_on_face.begin() + static_cast<std::ptrdiff_t>(ends.record),
+                part_.particle_on_face.end(),
+                [](const auto& a, const auto& b) { return key_of(a) < key_of(b); });
+    }
+    if (entities_.nodes.conduct) {
+      load.on_faces = load.heat_contacts =
+          add_particle_heat<Dim>(entities_, rows_, one.row, pairs_, section, ends, part_);
+    }
+    if (!loads_.empty()) loads_[slot_of(now.place)] = load;
+  }
+
+  const Entities<Dim>& entities_;
+  const ParticleRows& rows_;
+  const Section& section_;
+  const EvaluationStep& step_;
+  FrictionHistory<Dim>* history_;
+  std::span<ParticleLoad> loads_;
+  typename Records<Dim>::Part& part_;
+  PairFinder pairs_;
+  ParticleLaws<Dim> laws_;
+  std::array<std::optional<PresentRow<Dim>>, kAtOnce> present_;
+  std::size_t n_present_ = 0;
+};
 }  // namespace
 
 template <int Dim>
@@ -332,58 +317,7 @@ void evaluate_particles(const Entities<Dim>& entities, const ParticleRows& rows,
                         const Section& section, const EvaluationStep& step,
                         FrictionHistory<Dim>* history, std::span<ParticleLoad> loads,
                         typename Records<Dim>::Part& part) {
-  PairFinder pairs(rows.pairs);
-  const bool any_ties = !step.touches.ties->empty();
-  for (std::size_t row = 0; row < rows.row_clearances.size(); ++row) {
-    const bool out_of_touch = rows.loss.leaves(rows.row_clearances[row]);
-    if (out_of_touch && !entities.nodes.conduct && !any_ties) continue;
-    const LocalIndex place = rows.row_clearances[row].entity;
-    const auto& particle = entities.particles[slot_of(place)];
-    const bool tied = any_ties && is_tied(step.touches, particle.id);
-    if (out_of_touch && !entities.nodes.conduct && !tied) continue;
-    const auto node = slot_of(particle.node);
-    const Vec<Dim> x = entities.nodes.x[node];
-    const Present<Dim> now{particle,
-                           place,
-                           x,
-                           entities.nodes.v[node],
-                           BoxQuery<Dim>(x),
-                           entities.nodes.mass[node],
-                           section.breadth(x[0])};
-    part.hits.clear();
-    const PartEnds ends{part.particle_on_face.size(), part.particle_heat.size()};
-    for (const LocalIndex f : find_near<Dim>(entities, rows, row, now, step, part)) {
-      add_hit(entities, slot_of(f), now, step, part);
-    }
-    ParticleLoad load;
-    BrokenTies<Dim> broken;
-    if (tied) {
-      load.squared_frequency =
-          hold_particle<Dim>(entities, place, pairs, section_of<Dim>(particle) * now.breadth,
-                             section, step, broken, part);
-    }
-    if (!part.hits.empty()) {
-      record_hits(entities, now, pairs, section, step, broken, history, load, part);
-    }
-    if (broken.any) {
-      settle_broken<Dim>(entities, broken, std::span(part.particle_on_face).subspan(ends.record),
-                         step.dt, part, part.particle_losses);
-    }
-    if (step.touches.time_zero && rows.pairs.holds()) {
-      begin_particle_ties<Dim>(entities, particle, pairs, section_of<Dim>(particle) * now.breadth,
-                               part);
-    }
-    if (tied) {
-      std::sort(part.particle_on_face.begin() + static_cast<std::ptrdiff_t>(ends.record),
-                part.particle_on_face.end(),
-                [](const auto& a, const auto& b) { return key_of(a) < key_of(b); });
-    }
-    if (entities.nodes.conduct) {
-      load.on_faces = load.heat_contacts = add_particle_heat<Dim>(
-          entities, rows, row, pairs, section_of<Dim>(particle) * now.breadth, ends, part);
-    }
-    if (!loads.empty()) loads[slot_of(place)] = load;
-  }
+  ParticleWork<Dim>(entities, rows, section, step, history, loads, part).run();
 }
 
 template void evaluate_particles<2>(const Entities<2>&, const ParticleRows&, const Section&,

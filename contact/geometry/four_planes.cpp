@@ -7,24 +7,27 @@ BRUNT_INLINE Place<Pack> keep(PackMask mask, const Place<Pack>& a) {
   const Pack none = broadcast<Pack>(0);
   return {select(mask, a.x, none), select(mask, a.y, none), select(mask, a.z, none)};
 }
-}  // namespace
 
-FourMeans::FourMeans(const std::array<Place<Pack>, 4>& x) {
+BRUNT_INLINE void find_means(const std::array<Place<Pack>, 4>& x, FourMeans& means) {
   const Place<Pack> twice = cross(x[2] - x[0], x[3] - x[1]);
   const Pack norm = vsqrt(dot(twice, twice));
-  area = 0.5 * norm;
-  normal = {twice.x / norm, twice.y / norm, twice.z / norm};
+  const Pack area = 0.5 * norm;
+  const Place<Pack> normal = {twice.x / norm, twice.y / norm, twice.z / norm};
   // The corners of a quad lie at equal distances from its mean plane, alternately over and under.
-  warp = 0.25 * vabs(dot((x[0] - x[1]) + (x[2] - x[3]), normal));
-  there = (area > 0) & (dot(normal, normal) > 0.5);
-  area = select(there, area, broadcast<Pack>(0));
-  warp = select(there, warp, broadcast<Pack>(0));
-  normal = keep(there, normal);
+  const Pack warp = 0.25 * vabs(dot((x[0] - x[1]) + (x[2] - x[3]), normal));
+  means.there = (area > 0) & (dot(normal, normal) > 0.5);
+  means.area = select(means.there, area, broadcast<Pack>(0));
+  means.warp = select(means.there, warp, broadcast<Pack>(0));
+  means.normal = keep(means.there, normal);
 }
+}  // namespace
+
+FourMeans::FourMeans(const std::array<Place<Pack>, 4>& x) { find_means(x, *this); }
 
 FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
   center = broadcast<Pack>(0.25) * ((x[0] + x[1]) + (x[2] + x[3]));
-  const FourMeans means(x);
+  FourMeans means;
+  find_means(x, means);
   area = means.area, warp = means.warp, normal = means.normal;
   const Pack width = vsqrt(area), width_start = vsqrt(area_start);
   simple = warp <= kWarpLimit * width;
@@ -56,6 +59,26 @@ void FourPlanes::give(int lane, FacePlane<3>& face) const {
   face.warp = warp[lane];
   face.simple = lane_of(simple, lane);
   face.flat = lane_of(flat, lane);
+}
+
+void FourPlanes::give(FacePlane<3>* const (&face)[4], SearchBox<3>* const (&box)[4]) const {
+  Pack first[4], last[4], low[4], high[4];
+  transpose(center.x, center.y, center.z, normal.x, first);
+  transpose(normal.y, normal.z, area, warp, last);
+  transpose(lo.x, lo.y, lo.z, hi.x, low);
+  transpose(hi.y, hi.z, hi.y, hi.z, high);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    // Numbers in a row, as they stand in a plane.
+    FacePlane<3>& plane = *face[lane];
+    Real* at = plane.center.data();
+    store(at, first[lane]), store(at + kLanes, last[lane]);
+    plane.simple = lane_of(simple, lane);
+    plane.flat = lane_of(flat, lane);
+    static_assert(sizeof(SearchBox<3>) == 6 * sizeof(Real));
+    char* const sides = reinterpret_cast<char*>(box[lane]);
+    std::memcpy(sides, &low[lane], sizeof(Pack));
+    std::memcpy(sides + sizeof(Pack), &high[lane], 2 * sizeof(Real));
+  }
 }
 
 SearchBox<3> FourPlanes::box(int lane) const {

@@ -10,6 +10,7 @@ struct FourMeans {
   Pack area, warp;
   PackMask there;  ///< those that have an area and a normal; others have 0 of all
 
+  FourMeans() = default;
   /// x  [m] corner c of all four, for c = 0 .. 3
   explicit FourMeans(const std::array<Place<Pack>, 4>& x);
 };
@@ -26,6 +27,8 @@ struct FourPlanes {
   FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start);
   /// Hands those of one of them over: all that refresh fills.
   void give(int lane, FacePlane<3>& face) const;
+  /// The same of all four, and their boxes.
+  void give(FacePlane<3>* const (&face)[4], SearchBox<3>* const (&box)[4]) const;
   SearchBox<3> box(int lane) const;
 };
 

@@ -1,7 +1,9 @@
 #include "contact/geometry/particle_face.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <span>
 
 namespace brunt {
@@ -20,19 +22,22 @@ Edge feature_nodes(const ParticleHit<Dim>& hit) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+/// Without a branch: where it stands changes from face to face.
 template <int Dim>
 int corner_of(const ParticleHit<Dim>& hit, LocalIndex node) {
-  for (int c = 0; c < hit.plane->n_corners; ++c) {
-    if (hit.node[slot_of(c)] == node) return c;
+  unsigned at = 0;
+  for (int c = 0; c < ParticleHit<Dim>::kCorners; ++c) {
+    at |= (hit.node[slot_of(c)] == node ? 1U : 0U) << c;
   }
-  return -1;
+  at &= (1U << hit.plane->n_corners) - 1;
+  return at == 0 ? -1 : std::countr_zero(at);
 }
 
 template <int Dim>
 bool has_edge(const ParticleHit<Dim>& hit, const Edge& edge) {
-  const int n = hit.plane->n_corners;
   const int a = corner_of(hit, edge.first), b = corner_of(hit, edge.second);
-  return a >= 0 && b >= 0 && ((a + 1) % n == b || (b + 1) % n == a);
+  const int apart = std::abs(a - b);
+  return (a >= 0) & (b >= 0) & ((apart == 1) | (apart == hit.plane->n_corners - 1));
 }
 
 template <int Dim>
@@ -143,6 +148,12 @@ void keep_side_of_entry(std::span<ParticleHit<Dim>> hits) {
   }
 }
 
+template <int Dim>
+bool is_held(Real radius, const ParticleHit<Dim>& hit) {
+  const bool touches = hit.overlap >= -kTouchingGap * 2 * radius;
+  return touches && (!hit.inside || hit.nearest.distance <= hit.limit);
+}
+
 /// A centre behind a surface belongs to the nearest face of that body; outside, to all it overlaps.
 template <int Dim>
 void keep_nearest_side(Real radius, std::span<ParticleHit<Dim>> hits) {
@@ -157,26 +168,38 @@ void keep_nearest_side(Real radius, std::span<ParticleHit<Dim>> hits) {
       if (nearer > 0 || (nearer == 0 && j < i)) hit.kept = false;
     }
   }
-  for (auto& hit : hits) {
-    const bool touches = hit.overlap >= -kTouchingGap * 2 * radius;
-    const bool held = touches && (!hit.inside || hit.nearest.distance <= hit.limit);
-    hit.kept = hit.kept && held;
-  }
+  for (auto& hit : hits) hit.kept = hit.kept && is_held(radius, hit);
+}
+
+/// The same as below of one that is kept alone: what is dropped takes no part.
+template <int Dim>
+void choose_alone(const Vec<Dim>& x, Real radius, std::span<const ParticleHit<Dim>> all,
+                  ParticleHit<Dim>& hit) {
+  find_side<Dim>(x, radius, all, hit);
+  hit.kept = is_held(radius, hit);
+  if (!hit.kept || !(hit.overlap > 0)) return;
+  hit.share = hit.overlap / (hit.overlap * std::max(0.0, hit.direction.dot(hit.direction)));
 }
 }  // namespace
 
 template <int Dim>
 void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits) {
   const std::span<ParticleHit<Dim>> all(hits);
-  for (auto& hit : all) hit.kept = true;
+  for (auto& hit : all) hit.kept = true, hit.share = 0;
   if (all.size() > 1) drop_shared(all, radius);
+  std::size_t kept = 0;
+  ParticleHit<Dim>* last = nullptr;
+  for (auto& hit : all) {
+    kept += hit.kept ? 1 : 0;
+    last = hit.kept ? &hit : last;
+  }
+  if (kept == 1) return choose_alone<Dim>(x, radius, all, *last);
   for (auto& hit : all) {
     if (hit.kept) find_side<Dim>(x, radius, all, hit);
   }
   keep_side_of_entry(all);
   keep_nearest_side(radius, all);
   for (auto& hit : all) {
-    hit.share = 0;
     if (!hit.kept || !(hit.overlap > 0)) continue;
     Real along = 0;
     for (const auto& other : all) {

@@ -1,7 +1,7 @@
 #pragma once
-#include <vector>
-
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "contact/geometry/face_plane.hpp"
 #include "contact/geometry/soft_layer.hpp"
@@ -14,6 +14,7 @@ enum class Feature : std::uint8_t { face, edge, vertex };
 /// The point of a face that is nearest to a particle.
 template <int Dim>
 struct NearestPoint {
+  NearestPoint() {}  // NOLINT(modernize-use-equals-default): else all bytes are set to 0 first
   static constexpr int kCorners = Facet<Dim>::kNodes;
   Vec<Dim> point;                       ///< [m]
   Real distance = kInfinity;            ///< [m] to the particle, >= 0
@@ -25,15 +26,36 @@ struct NearestPoint {
 };
 
 /// Nearest point of a face; a quad is four triangles about its centre, whose weight goes to the
-/// corners by a quarter each. Closest point on a triangle after Ericson (2005), 5.1.5.
+/// corners by a quarter each.
 template <int Dim>
 NearestPoint<Dim> nearest_point(const FacePlane<Dim>& face, const Vec<Dim>& x);
+
+/// A particle at x beside a face.
+template <int Dim>
+struct NearQuery {
+  const FacePlane<Dim>* face;
+  Vec<Dim> x;  ///< [m]
+};
+
+/// The same of many at once, in less time. nearest  out, of room for all
+template <int Dim>
+void nearest_points(std::span<const NearQuery<Dim>> of, NearestPoint<Dim>* nearest);
 
 /// A face within reach of a particle, and what choose_hits makes of it.
 template <int Dim>
 struct ParticleHit {
   static constexpr int kCorners = Facet<Dim>::kNodes;
   ParticleHit() {}  // NOLINT(modernize-use-equals-default)
+  ParticleHit(const FacePlane<Dim>& of_plane, const NearestPoint<Dim>& of_particle,
+              const std::array<LocalIndex, kCorners>& nodes, Label of_body, Label of_piece,
+              bool is_open, LocalIndex of_face)
+      : plane(&of_plane),
+        node(nodes),
+        body(of_body),
+        piece(of_piece),
+        face(of_face),
+        open(is_open),
+        nearest(of_particle) {}
   /// Of a particle at x, its nearest point where it stands: it is not copied.
   ParticleHit(const FacePlane<Dim>& of_plane, const Vec<Dim>& x)
       : plane(&of_plane), nearest(nearest_point<Dim>(of_plane, x)) {}
@@ -88,17 +110,22 @@ struct ParticleSpring {
     const Real in = std::min(d, layer.depth);
     return (1 - layer.softness) * in * (d - 0.5 * in);
   }
+  /// Most are in front, which spares divisions.
   Real force(Real d) const {
-    const Real deep = d > radius ? d - radius : 0.0;
-    return linear * (d - lacking(d)) + barrier * deep * (deep / radius) * (deep / radius);
+    const Real of_spring = linear * (d - lacking(d));
+    if (!(d > radius)) return of_spring;
+    const Real deep = d - radius;
+    return of_spring + barrier * deep * (deep / radius) * (deep / radius);
   }
   Real energy(Real d) const {
-    const Real deep = d > radius ? d - radius : 0.0;
-    return linear * (0.5 * d * d - lacking_energy(d)) +
-           0.25 * barrier * (deep * deep) * (deep / radius) * (deep / radius);
+    const Real of_spring = linear * (0.5 * d * d - lacking_energy(d));
+    if (!(d > radius)) return of_spring;
+    const Real deep = d - radius;
+    return of_spring + 0.25 * barrier * (deep * deep) * (deep / radius) * (deep / radius);
   }
   Real tangent(Real d) const {
-    const Real deep = d > radius ? d - radius : 0.0;
+    if (!(d > radius)) return linear;
+    const Real deep = d - radius;
     return linear + 3 * barrier * (deep / radius) * (deep / radius);
   }
 };

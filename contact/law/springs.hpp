@@ -26,12 +26,16 @@ inline Real contact_spring(Real a, bool a_deforms, Real b, bool b_deforms) {
 /// with w = -(l M - sum J^T k J)^-1 sum J^T k u of a mode of frequency^2 l nothing gives more than
 /// k u^2 / (1 - r) where the rigid body's own frequency^2, its neighbours held, is at most r l.
 inline constexpr Real kMostRecoil = 0.25;  ///< r that its own bound of the step leaves
-inline Real recoil_factor(Real recoil) { return 1 / (1 - std::min(recoil, kMostRecoil)); }
+template <class V>
+BRUNT_INLINE V recoil_factor(V recoil) {
+  return 1.0 / (1.0 - vmin(broadcast<V>(kMostRecoil), recoil));
+}
 /// The same factor on the damping ratio: the damper feels (u - J w)^2, 1/(1 - r)^2 of u^2, where
 /// sqrt(k) has grown by 1/sqrt(1 - r).
-inline Real recoil_damping(Real zeta, Real recoil) {
-  const Real factor = recoil_factor(recoil);
-  return recoil > 0 ? zeta * factor * std::sqrt(factor) : zeta;
+template <class V>
+BRUNT_INLINE V recoil_damping(V zeta, V recoil) {
+  const V factor = recoil_factor(recoil);
+  return select(recoil > 0.0, zeta * factor * vsqrt(factor), zeta);
 }
 
 /// Coefficient of a damper that is zeta of critical: 2 zeta sqrt(k m).

@@ -241,8 +241,12 @@ struct Entities {
   void drop_imports();
   void take_corners(std::size_t face);
   void refresh_plane(std::size_t face);
+  bool are_quads(const LocalIndex* four) const;
+  void refresh_four_quads(const LocalIndex* four);
   void refresh_some_planes(std::span<const LocalIndex> some);
+  void compare_with_lists(std::size_t face, Seen& seen) const;
   void look_at(std::size_t face, Seen& seen) const;
+  void look_at_four(const LocalIndex* face, Seen& seen) const;
   void look_at_unlisted(std::size_t first, std::size_t last, Seen& seen) const;
 
   std::size_t own_nodes_ = 0;  // before those that other ranks showed

@@ -29,6 +29,15 @@ template <int Dim>
 bool bounds_step(const ContactFace<Dim>& face) {
   return face.deforms() && !face.held && face.area_start > 0;
 }
+
+/// What of its plane does not move.
+template <int Dim>
+void describe(const ContactFace<Dim>& face, FacePlane<Dim>& plane) {
+  plane.n_corners = face.n_nodes;
+  plane.borders = face.borders;
+  plane.sharpness = face.sharpness;
+  plane.rigid = !face.deforms();
+}
 }  // namespace
 
 template <int Dim>
@@ -42,10 +51,7 @@ template <int Dim>
 void Entities<Dim>::take_corners(std::size_t f) {
   const auto& face = faces[f];
   auto& plane = planes[f];
-  plane.n_corners = face.n_nodes;
-  plane.borders = face.borders;
-  plane.sharpness = face.sharpness;
-  plane.rigid = !face.deforms();
+  describe(face, plane);
   for (int c = 0; c < FacePlane<Dim>::kCorners; ++c) {
     const auto k = slot_of(c);
     const bool there = c < face.n_nodes;
@@ -62,36 +68,62 @@ void Entities<Dim>::refresh_plane(std::size_t f) {
   boxes[f] = box_of(plane, 0.0);
 }
 
-/// Quads four at a time.
+namespace {
+/// The corners of a quad, twelve numbers in a row, as three packs.
+struct CornerRows {
+  Pack row[3];
+  CornerRows(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+      : row{{a[0], a[1], a[2], b[0]}, {b[1], b[2], c[0], c[1]}, {c[2], d[0], d[1], d[2]}} {}
+};
+
+/// Corner c of four quads, for c = 0 .. 3.
+std::array<Place<Pack>, 4> side_by_side(const CornerRows& a, const CornerRows& b,
+                                        const CornerRows& c, const CornerRows& d) {
+  Pack first[4], middle[4], last[4];
+  transpose(a.row[0], b.row[0], c.row[0], d.row[0], first);
+  transpose(a.row[1], b.row[1], c.row[1], d.row[1], middle);
+  transpose(a.row[2], b.row[2], c.row[2], d.row[2], last);
+  return {{{first[0], first[1], first[2]},
+           {first[3], middle[0], middle[1]},
+           {middle[2], middle[3], last[0]},
+           {last[1], last[2], last[3]}}};
+}
+}  // namespace
+
+/// Four quads at a time.
+template <int Dim>
+void Entities<Dim>::refresh_four_quads(const LocalIndex* f) {
+  if constexpr (Dim == 3) {
+    const auto rows = [&](int lane) {
+      const auto& face = faces[slot_of(f[lane])];
+      auto& plane = planes[slot_of(f[lane])];
+      describe(face, plane);
+      const auto at = [&](std::size_t c) -> const Vec3& { return nodes.x[slot_of(face.node[c])]; };
+      const CornerRows corners(at(0), at(1), at(2), at(3));
+      Real* to = plane.corner[0].data();
+      for (int i = 0; i < 3; ++i) store(to + i * kLanes, corners.row[i]);
+      return corners;
+    };
+    const auto start = [&](int lane) { return faces[slot_of(f[lane])].area_start; };
+    FourPlanes(side_by_side(rows(0), rows(1), rows(2), rows(3)),
+               Pack{start(0), start(1), start(2), start(3)})
+        .give({&planes[slot_of(f[0])], &planes[slot_of(f[1])], &planes[slot_of(f[2])],
+               &planes[slot_of(f[3])]},
+              {&boxes[slot_of(f[0])], &boxes[slot_of(f[1])], &boxes[slot_of(f[2])],
+               &boxes[slot_of(f[3])]});
+  }
+}
+
 template <int Dim>
 void Entities<Dim>::refresh_some_planes(std::span<const LocalIndex> some) {
   std::size_t k = 0;
   if constexpr (Dim == 3) {
     for (; k + kLanes <= some.size(); k += kLanes) {
       const LocalIndex* f = &some[k];
-      bool quads = true;
-      for (int lane = 0; lane < kLanes; ++lane) {
-        take_corners(slot_of(f[lane]));
-        quads = quads && faces[slot_of(f[lane])].n_nodes == 4;
-      }
-      if (!quads) {
+      if (are_quads(f)) {
+        refresh_four_quads(f);
+      } else {
         for (int lane = 0; lane < kLanes; ++lane) refresh_plane(slot_of(f[lane]));
-        continue;
-      }
-      const auto four = [&](const auto& of) {
-        return Pack{of(slot_of(f[0])), of(slot_of(f[1])), of(slot_of(f[2])), of(slot_of(f[3]))};
-      };
-      std::array<Place<Pack>, 4> corner;
-      for (std::size_t c = 0; c < 4; ++c) {
-        const auto along = [&](int i) {
-          return four([&](std::size_t at) { return planes[at].corner[c][i]; });
-        };
-        corner[c] = {along(0), along(1), along(2)};
-      }
-      const FourPlanes found(corner, four([&](std::size_t at) { return faces[at].area_start; }));
-      for (int lane = 0; lane < kLanes; ++lane) {
-        found.give(lane, planes[slot_of(f[lane])]);
-        boxes[slot_of(f[lane])] = found.box(lane);
       }
     }
   }
@@ -99,19 +131,59 @@ void Entities<Dim>::refresh_some_planes(std::span<const LocalIndex> some) {
 }
 
 template <int Dim>
-void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
+bool Entities<Dim>::are_quads(const LocalIndex* f) const {
+  bool quads = true;
+  for (int lane = 0; lane < kLanes; ++lane) quads &= faces[slot_of(f[lane])].n_nodes == 4;
+  return quads;
+}
+
+template <int Dim>
+void Entities<Dim>::compare_with_lists(std::size_t f, Seen& seen) const {
+  if (shapes.empty()) return;
   const auto& plane = planes[f];
-  if (!shapes.empty()) {
-    seen.warped = std::max(seen.warped, plane.warp - shapes[f].warp);
-    const Real turn_square = (plane.normal - shapes[f].normal).squaredNorm();
-    seen.turned_square = std::max(seen.turned_square, turn_square);
-  }
+  seen.warped = std::max(seen.warped, plane.warp - shapes[f].warp);
+  const Real turn_square = (plane.normal - shapes[f].normal).squaredNorm();
+  seen.turned_square = std::max(seen.turned_square, turn_square);
+}
+
+template <int Dim>
+void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
+  compare_with_lists(f, seen);
   const auto& face = faces[f];
   if (!bounds_step(face)) return;
-  const Real area = std::max(plane.area, face.footprint);
+  const Real area = std::max(planes[f].area, face.footprint);
   const Real phi = face.phi_always * recoil_factor(face.recoil) * area / face.area_start;
   const Real ratio = surface_step_ratio(phi, recoil_damping(face.zeta, face.recoil));
   seen.step_limit.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
+}
+
+/// The same of four: roots and divisions side by side.
+template <int Dim>
+void Entities<Dim>::look_at_four(const LocalIndex* f, Seen& seen) const {
+  const std::array<const ContactFace<Dim>*, 4> face = {
+      &faces[slot_of(f[0])], &faces[slot_of(f[1])], &faces[slot_of(f[2])], &faces[slot_of(f[3])]};
+  bool any = false;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    compare_with_lists(slot_of(f[lane]), seen);
+    any |= bounds_step(*face[lane]);
+  }
+  if (!any) return;
+  const auto four = [&](Real ContactFace<Dim>::*of) {
+    return Pack{face[0]->*of, face[1]->*of, face[2]->*of, face[3]->*of};
+  };
+  using Face = ContactFace<Dim>;
+  const auto area_of = [&](int lane) { return planes[slot_of(f[lane])].area; };
+  const Pack area =
+      vmax(four(&Face::footprint), Pack{area_of(0), area_of(1), area_of(2), area_of(3)});
+  const Pack recoil = four(&Face::recoil);
+  const Pack phi = four(&Face::phi_always) * recoil_factor(recoil) * area / four(&Face::area_start);
+  const Pack zeta = recoil_damping(four(&Face::zeta), recoil);
+  const Pack limit = four(&Face::element_step) * surface_step_ratio(phi, zeta);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Face& one = *face[slot_of(lane)];
+    if (!bounds_step(one) || limit[lane] > seen.step_limit.step) continue;
+    seen.step_limit.take({limit[lane], "contact stiffness", one.body, one.id});
+  }
 }
 
 /// Four at a time, with the bits that look_at gives of each.
@@ -165,7 +237,9 @@ void Entities<Dim>::refresh_planes() {
     for (std::size_t first = 0; first < n; first += kBlock) {
       const std::size_t last = std::min(first + kBlock, n);
       refresh_some_planes({face + first, face + last});
-      for (std::size_t k = first; k < last; ++k) look_at(slot_of(face[k]), part);
+      std::size_t k = first;
+      for (; k + kLanes <= last; k += kLanes) look_at_four(face + k, part);
+      for (; k < last; ++k) look_at(slot_of(face[k]), part);
     }
 #pragma omp for schedule(static) nowait
     for (std::size_t first = 0; first < n_unlisted; first += kBlock) {

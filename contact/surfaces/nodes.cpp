@@ -73,9 +73,18 @@ void ContactNodes<Dim>::begin_motion(const std::vector<Surface<Dim>*>& surfaces)
 
 template <int Dim>
 void ContactNodes<Dim>::choose(const std::vector<char>& is_near) {
-  near.clear(), far.clear();
+  constexpr LocalIndex kLongest = 256;  // so that threads can share them
+  near.clear(), far.clear(), near_runs.clear();
   for (std::size_t i = 0; i < size(); ++i) {
-    if (point[i] >= 0) (is_near[i] != 0 ? near : far).push_back(static_cast<LocalIndex>(i));
+    if (point[i] < 0) continue;
+    const auto node = static_cast<LocalIndex>(i);
+    (is_near[i] != 0 ? near : far).push_back(node);
+    if (is_near[i] == 0) continue;
+    const NodeRun last = near_runs.empty() ? NodeRun{} : near_runs.back();
+    const bool follows = last.n > 0 && last.n < kLongest && node == last.node + last.n &&
+                         surface[i] == last.surface && point[i] == last.point + last.n;
+    if (!follows) near_runs.push_back({node, surface[i], point[i], 0});
+    ++near_runs.back().n;
   }
 }
 
@@ -90,13 +99,19 @@ void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) 
   const LocalIndex *const place = point.data(), *const whose = surface.data();
   Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
   const Vec<Dim>* const from_x = x_made.data();
-  motion = bounds_of<Dim>(near.size(), [&](std::size_t k, MotionBounds<Dim>& part) {
-    const auto i = slot_of(near[k]);
-    const Motion& from = of[slot_of(whose[i])];
-    const Vec<Dim> now = from.x[place[i]], velocity = from.v[place[i]];
-    to_x[i] = now;
-    to_v[i] = velocity;
-    part.take(now - from_x[i], velocity);
+  const NodeRun* const runs = near_runs.data();
+  motion = {};
+  on_threads(near.size() > kWorthThreads, [&] {
+    MovedNodes<Dim> part;
+#pragma omp for schedule(static) nowait
+    for (std::size_t k = 0; k < near_runs.size(); ++k) {
+      const NodeRun& run = runs[k];
+      const Motion& from = of[slot_of(run.surface)];
+      part.read(slot_of(run.n), from.x + run.point, from.v + run.point, from_x + run.node,
+                to_x + run.node, to_v + run.node);
+    }
+#pragma omp critical(brunt_contact_bounds)
+    motion.take(part.bounds());
   });
   motion.take(bounds_of<Dim>(far.size(), [&](std::size_t k, MotionBounds<Dim>& part) {
     const auto i = slot_of(far[k]);

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "contact/geometry/motion_bounds.hpp"
+#include "contact/surfaces/moved_nodes.hpp"
 #include "core/field_use.hpp"
 #include "core/parallel/threads.hpp"
 #include "core/surface.hpp"
@@ -61,6 +61,7 @@ struct ContactNodes {
 
   /// Those that are here: of bodies that may touch something, and of others.
   std::vector<LocalIndex> near, far;
+  std::vector<NodeRun> near_runs;  ///< `near`, by runs
 
   /// Hands each field that outlives a step to f(&ContactNodes::field, use). All that is done with
   /// them reads them here: room, rows of a checkpoint in this order, the hash, a table made anew.

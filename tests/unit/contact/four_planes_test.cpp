@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -25,6 +26,26 @@ struct Quad {
   Real area_start = 1;
 };
 
+/// Handed over with the others a quad gets what it gets by itself, and nothing else is touched.
+void expect_all_given(const FourPlanes& found, int lane, const FacePlane<3>& given,
+                      const SearchBox<3>& given_box) {
+  FacePlane<3> alone;
+  found.give(lane, alone);
+  const SearchBox<3> box = found.box(lane);
+  for (int i = 0; i < 3; ++i) {
+    expect_bits(given.center[i], alone.center[i]);
+    expect_bits(given.normal[i], alone.normal[i]);
+    expect_bits(given_box.lo[slot_of(i)], box.lo[slot_of(i)]);
+    expect_bits(given_box.hi[slot_of(i)], box.hi[slot_of(i)]);
+  }
+  expect_bits(given.area, alone.area);
+  expect_bits(given.warp, alone.warp);
+  EXPECT_EQ(given.simple, alone.simple);
+  EXPECT_EQ(given.flat, alone.flat);
+  EXPECT_FALSE(given.rigid);
+  EXPECT_EQ(given.n_corners, 4);
+}
+
 void expect_same_as_alone(const std::array<Quad, 4>& quads) {
   std::array<Place<Pack>, 4> corner;
   for (std::size_t c = 0; c < 4; ++c) {
@@ -36,8 +57,17 @@ void expect_same_as_alone(const std::array<Quad, 4>& quads) {
   }
   const FourPlanes found(corner, Pack{quads[0].area_start, quads[1].area_start, quads[2].area_start,
                                       quads[3].area_start});
+  std::array<FacePlane<3>, 4> given;
+  std::array<SearchBox<3>, 4> given_box;
+  for (std::size_t k = 0; k < 4; ++k) given[k].corner = quads[k].corner;
+  found.give({&given[0], &given[1], &given[2], &given[3]},
+             {&given_box[0], &given_box[1], &given_box[2], &given_box[3]});
   for (int lane = 0; lane < kLanes; ++lane) {
     SCOPED_TRACE(lane);
+    expect_all_given(found, lane, given[slot_of(lane)], given_box[slot_of(lane)]);
+    EXPECT_EQ(std::memcmp(given[slot_of(lane)].corner.data(), quads[slot_of(lane)].corner.data(),
+                          12 * sizeof(Real)),
+              0);
     const Quad& quad = quads[slot_of(lane)];
     FacePlane<3> alone, four;
     alone.corner = four.corner = quad.corner;

@@ -75,6 +75,37 @@ TEST(ParticleLaw, BarrierStopsFiveSpeedsOfSoundBeforeTheMiddle) {
   }
 }
 
+// Laws one after another are those that each has by itself, whatever came before.
+TEST(ParticleLaw, LawsInARowAreThoseOfEach) {
+  ContactOptions options;
+  options.fallback.stiffness = 0.3, options.fallback.damping = 0.2;
+  const PairTable pairs(options, std::vector<Surface<3>*>{}, {"a", "b", "c"});
+  ParticleLaws<3> laws(pairs);
+  for (unsigned i = 0; i < 1000; ++i) {
+    // Each change comes alone, too, and nothing changes now and then.
+    const unsigned bits = i * 2654435761U >> 20U;
+    ContactParticle one = particle();
+    ContactFace<3> other = face();
+    one.body = bits & 1U, other.body = bits >> 1U & 1U;
+    if ((bits >> 2U & 1U) != 0) one.radius = 0.25;
+    if ((bits >> 3U & 1U) != 0) one.modulus = 1e9;
+    if ((bits >> 4U & 1U) != 0) one.conductivity = 0;
+    if ((bits >> 5U & 1U) != 0) other.stiffness = (bits >> 6U & 1U) != 0 ? 0 : 1e9;
+    if ((bits >> 7U & 1U) != 0) other.compliance = 1;
+    if ((bits >> 8U & 1U) != 0) other.capacity = 0;
+    const ParticleLaw& law = laws.of(one, other);
+    const ParticleLaw alone =
+        law_of(one, other, pairs.of(one.body, other.body), pairs.resting(one.body, other.body));
+    EXPECT_EQ(law.stiffness, alone.stiffness);
+    EXPECT_EQ(law.own, alone.own);
+    EXPECT_EQ(law.zeta, alone.zeta);
+    EXPECT_EQ(law.layer_zeta, alone.layer_zeta);
+    EXPECT_EQ(law.laws.heat, alone.laws.heat);
+    EXPECT_EQ(law.laws.friction, alone.laws.friction);
+    EXPECT_EQ(laws.lag(0.1 * (bits & 3U)), lag_factor(0.1 * (bits & 3U)));
+  }
+}
+
 TEST(ParticleLaw, HeatPassesWhereBothSidesTakeIt) {
   PairOptions options;
   EXPECT_EQ(heat_between(particle(), face(), options), nullptr);

@@ -72,6 +72,18 @@ TEST(ContactLaw, DampedSurfaceIsStableAtItsRatioAndGainsNothing) {
   }
 }
 
+// Four at once have the bits of each.
+TEST(ContactLaw, RecoilOfFourIsThatOfEach) {
+  const Pack recoil = {0, 0.1, 0.25, 0.7}, zeta = {0, 0.05, 0.3, 1};
+  const Pack factor = recoil_factor(recoil), damping = recoil_damping(zeta, recoil);
+  for (int k = 0; k < kLanes; ++k) {
+    EXPECT_EQ(factor[k], 1 / (1 - std::min(recoil[k], kMostRecoil)));
+    EXPECT_EQ(factor[k], recoil_factor(recoil[k]));
+    EXPECT_EQ(damping[k], recoil_damping(zeta[k], recoil[k]));
+    EXPECT_EQ(damping[k], k == 0 ? zeta[k] : zeta[k] * factor[k] * std::sqrt(factor[k]));
+  }
+}
+
 TEST(ContactLaw, SpringsInSeriesAndRigidSides) {
   EXPECT_EQ(in_series(2, 2), 1);
   EXPECT_EQ(in_series(0, 3), 3);
