@@ -4,16 +4,20 @@
 /// - Those of some pages begin at different lines: where forty fields began pages, the same element
 ///   of each fell into the same eight places of the first cache.
 /// - Large ones stand in large pages: a processor follows a stream to the end of a page only, and
-///   looks up where the next one stands. So does the heap that the others are cut from, where the
-///   program lets it grow by some large pages at a time (app/cli/main.cpp).
+///   looks up where the next one stands. Those that the others are cut from are gathered into large
+///   ones once all are there.
+#include "core/large_blocks.hpp"
+
 #include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <new>
+#include <string>
 
 // The address sanitizer brings its own.
 #ifndef __SANITIZE_ADDRESS__
@@ -37,14 +41,6 @@ std::size_t stagger(std::size_t bytes) {
   return bytes < kLarge ? turn * 7 % 64 : turn * 37 % 1024;
 }
 
-/// Asks for large pages where the heap has grown since it was last asked for. given  a block
-void advise_heap(const void* given) {
-  static std::atomic<std::uintptr_t> advised{reinterpret_cast<std::uintptr_t>(given)};
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) / kPage * kPage;
-  const std::uintptr_t begin = advised.exchange(end, std::memory_order_relaxed) / kPage * kPage;
-  if (end > begin) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-}
-
 void* allocate(std::size_t bytes) {
   if (bytes < kLarge) return std::malloc(bytes);
   void* const at =
@@ -64,7 +60,6 @@ void* block(std::size_t bytes, std::size_t align) {
   if (bytes > SIZE_MAX - kLargePage - extra) return nullptr;
   char* const given = static_cast<char*>(allocate(bytes + extra));
   if (given == nullptr) return nullptr;
-  if (bytes >= kStaggered) advise_heap(given);
   const auto free = reinterpret_cast<std::uintptr_t>(given) + kHead;
   char* const at = given + kHead + (from - free % from) % from + before;
   reinterpret_cast<void**>(at)[-1] = given;
@@ -98,4 +93,22 @@ void* block_or_throw(std::size_t bytes, std::size_t align) {
 }
 // NOLINTEND(cppcoreguidelines-no-malloc, cppcoreguidelines-owning-memory)
 #endif
+
+namespace brunt {
+
+void gather_heap() {
+  constexpr int kCollapse = 25;  // MADV_COLLAPSE, which not all headers have
+  constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    std::uintptr_t begin = 0, end = 0;
+    if (!line.ends_with("[heap]")) continue;
+    if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) != 2) continue;
+    begin = (begin + kLargePage - 1) / kLargePage * kLargePage;
+    end = end / kLargePage * kLargePage;
+    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, kCollapse);
+  }
+}
+
+}  // namespace brunt
 // Tested by tests/unit/core/large_blocks_test.cpp.

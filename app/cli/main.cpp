@@ -11,8 +11,5 @@ int main(int argc, char** argv) {
   // What a frame takes and gives back again stays: the system would clear it for the next one.
   constexpr int kKept = 16 << 20;  // [byte]
   mallopt(M_TRIM_THRESHOLD, kKept);
-  // The heap grows by large pages (core/large_blocks.cpp).
-  constexpr int kGrowth = 32 << 20;  // [byte]
-  mallopt(M_TOP_PAD, kGrowth);
   return brunt::command_line(argc, argv);
 }

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/loop/verlet.hpp"
+#include "core/large_blocks.hpp"
 
 namespace brunt {
 
@@ -75,6 +76,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
   Phases& phases = scene.phases;
   start(scene);
   observer.begin(scene, clock);
+  gather_heap();
   const WallTimer loop(scene.loop, *phases.ranks);
   while (!clock.finished()) {
     if (balance != nullptr) {

@@ -13,10 +13,9 @@ namespace brunt {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 15;   // [byte] VTK's own; a multiple of all numbers
-constexpr std::size_t kAtOnce = 64;       // blocks
-constexpr std::size_t kTried = 8;         // blocks side by side: all or none
-constexpr std::size_t kSample = 1 << 12;  // [byte] of them that are tried
+constexpr std::size_t kBlock = 1 << 18;   // [byte] a multiple of all numbers
+constexpr std::size_t kAtOnce = 8;        // blocks
+constexpr std::size_t kSample = 1 << 12;  // [byte] of a block that are tried
 constexpr double kWorthPacking = 0.5;     // of its bytes, at most
 constexpr double kWorthKeeping = 0.75;    // the same of what is packed once for many frames
 constexpr std::size_t kRoom = kBlock + kBlock / 255 + 16;  // [byte] a packed block at most
@@ -62,21 +61,19 @@ class Text {
 /// worth  of a sample's bytes, at most, where they are packed
 /// size   [byte] out, of each of them
 void ArrayPacker::pack(std::string_view bytes, double worth, std::span<std::uint64_t> size) {
-  const std::size_t n = size.size(), n_groups = (n + kTried - 1) / kTried;
+  const std::size_t n = size.size();
   if (packed_.size() < n * kRoom) packed_.resize(n * kRoom), head_.resize(kAtOnce);
-  on_threads(n_groups > 1, [&] {
+  on_threads(n > 1, [&] {
     const vtkNew<vtkLZ4DataCompressor> lz4;
 #pragma omp for schedule(static)
-    for (std::size_t g = 0; g < n_groups; ++g) {
-      const std::string_view sample = bytes.substr(g * kTried * kBlock, kSample);
-      const std::size_t packed = pack_block(*lz4, sample, &packed_[g * kTried * kRoom]);
-      const bool packs = static_cast<double>(packed) < worth * static_cast<double>(sample.size());
-      for (std::size_t k = g * kTried; k < std::min(n, (g + 1) * kTried); ++k) {
-        const std::string_view block = bytes.substr(k * kBlock, kBlock);
-        char* const to = &packed_[k * kRoom];
-        head_[k] = packs ? 0 : put_plain_head(block.size(), to);
-        size[k] = packs ? pack_block(*lz4, block, to) : head_[k] + block.size();
-      }
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::string_view block = bytes.substr(k * kBlock, kBlock);
+      const std::string_view sample = block.substr(0, kSample);
+      char* const to = &packed_[k * kRoom];
+      const auto packed = static_cast<double>(pack_block(*lz4, sample, to));
+      const bool packs = packed < worth * static_cast<double>(sample.size());
+      head_[k] = packs ? 0 : put_plain_head(block.size(), to);
+      size[k] = packs ? pack_block(*lz4, block, to) : head_[k] + block.size();
     }
   });
 }

@@ -22,13 +22,11 @@ struct KeptArrays {
   std::map<std::string, Array> by_name;
 };
 
-/// Packs arrays by LZ4 in blocks of 32 kB, on several threads. Eight blocks side by side are kept
-/// as they are where the first 4 kB of them get smaller by less than a half, as most numbers do
-/// (by a quarter where they are packed once for many frames):
-/// files get larger by a sixth, and writing them takes half the time
-/// (docs/decisions/228-frames-in-parts.md).
-/// As VTK has it: number of blocks, bytes of each, of the last one where that is shorter, packed
-/// bytes of each; then the blocks.
+/// Packs arrays by LZ4 in blocks of 256 kB, on several threads. Blocks are kept as they are where
+/// their first 4 kB get smaller by less than a half, as most numbers do (by a quarter where they
+/// are packed once for many frames): files get larger by a sixth, and writing them takes half the
+/// time (docs/decisions/228-frames-in-parts.md). As VTK has it: number of blocks, bytes of each, of
+/// the last one where that is shorter, packed bytes of each; then the blocks.
 class ArrayPacker {
  public:
   /// Appends an array. Throws MachineError.

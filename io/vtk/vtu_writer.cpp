@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "core/view_fields.hpp"
 #include "io/vtk/grid.hpp"
@@ -15,6 +16,17 @@ std::size_t corners_in(const std::int64_t* cell, std::size_t corners, bool may_b
   return may_be_triangle && (cell[3] < 0 || cell[3] == cell[2]) ? 3 : corners;
 }
 
+/// Corners of cells are points of the view; the last of a quad may be none.
+void check_corners(const BodyView& view, std::span<const std::int64_t> all) {
+  const auto n_points = static_cast<std::int64_t>(view.position.size() / 3);
+  const auto corners = slot_of(std::max(view.corners, 1));
+  const bool may_lack = corners == 4 && view.cell_dimension != 3;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const bool left_out = may_lack && all[c] < 0 && c % corners == 3;
+    if (!left_out && (all[c] < 0 || all[c] >= n_points)) misfit("connectivity");
+  }
+}
+
 /// Calls take(cell) with the corners of each cell. Those that wait are made in parts.
 template <class Take>
 void for_cells(const BodyView& view, std::size_t n, const Take& take) {
@@ -23,8 +35,12 @@ void for_cells(const BodyView& view, std::size_t n, const Take& take) {
   for (std::size_t first = 0; first < n; first += kFieldPart) {
     const std::size_t last = std::min(n, first + kFieldPart);
     const std::int64_t* part = made.data();
-    if (view.fill_corners) view.fill_corners(first, last, made.data());
-    if (!view.fill_corners) part = &view.connectivity[first * corners];
+    if (view.fill_corners) {
+      view.fill_corners(first, last, made.data());
+      check_corners(view, std::span(made).first((last - first) * corners));
+    } else {
+      part = &view.connectivity[first * corners];
+    }
     for (std::size_t c = first; c < last; ++c, part += corners) take(part);
   }
 }
@@ -102,15 +118,8 @@ std::vector<VtkFileArray> field_arrays(const BodyView& view) {
 
 void check_lengths(const BodyView& view, std::size_t n_points, std::size_t n_cells) {
   if (view.position.size() % 3 != 0) misfit("position");
-  const auto corners = slot_of(std::max(view.corners, 1));
-  if (view.connectivity.size() % corners != 0) misfit("connectivity");
-  for (std::size_t c = 0; c < view.connectivity.size(); ++c) {
-    const auto point = view.connectivity[c];
-    const bool left_out = point < 0 && c % corners == 3 && corners == 4 && view.cell_dimension != 3;
-    if (!left_out && (point < 0 || point >= static_cast<std::int64_t>(n_points))) {
-      misfit("connectivity");
-    }
-  }
+  if (view.connectivity.size() % slot_of(std::max(view.corners, 1)) != 0) misfit("connectivity");
+  check_corners(view, view.connectivity);
   const auto check = [](const std::vector<Field>& fields, std::size_t n) {
     for (const auto& field : fields) {
       if (field.size() != n * slot_of(field.components)) {

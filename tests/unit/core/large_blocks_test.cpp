@@ -2,18 +2,21 @@
 // eight of them that did would fill the eight places that a first cache has for it. What cannot be
 // had is said as anywhere: std::bad_alloc. The address sanitizer has an operator new of its own,
 // which ends the program there.
-#include <gtest/gtest.h>
-#include <unistd.h>
+#include "core/large_blocks.hpp"
 
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include <algorithm>
 #include <cstdint>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <new>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brunt {
@@ -79,25 +82,46 @@ TEST(LargeBlocks, FieldsBeginAtDifferentLines) {
   }
 }
 
-/// What the system says of the memory at a place, by its flags ("hg": large pages are asked for).
-std::string flags_of(std::uintptr_t at) {
+/// [kB] of the heap that stand in large pages.
+long large_in_heap() {
   std::ifstream maps("/proc/self/smaps");
-  bool here = false;
+  bool heap = false;
+  long all = 0;
   for (std::string line; std::getline(maps, line);) {
-    std::uintptr_t begin = 0, end = 0;
-    if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) == 2) here = begin <= at && at < end;
-    if (here && line.starts_with("VmFlags:")) return line + " ";
+    if (line.find('-') != std::string::npos && line.find(':') > line.find(' ')) {
+      heap = line.ends_with("[heap]");
+    }
+    constexpr std::string_view kLarge = "AnonHugePages:";
+    if (heap && line.starts_with(kLarge)) all += std::stol(line.substr(kLarge.size()));
   }
-  return "";
+  return all;
 }
 
-// Fields that are too small for large pages of their own stand in those of the heap.
-TEST(LargeBlocks, HeapHasLargePages) {
-  if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP();
+/// True where the system gathers pages (Linux from 6.1 on, with memory to spare).
+bool gathers_pages() {
+  constexpr int kCollapse = 25;
+  void* const at = std::aligned_alloc(kLargePage, kLargePage);
+  std::memset(at, 1, kLargePage);
+  const bool does = madvise(at, kLargePage, kCollapse) == 0;
+  std::free(at);
+  return does;
+}
+
+// Fields that are too small for large pages of their own; what is in them stays.
+TEST(LargeBlocks, HeapIsGatheredIntoLargePages) {
   std::vector<std::unique_ptr<char[]>> fields;
-  for (int k = 0; k < 80; ++k) fields.push_back(std::make_unique<char[]>(100'000));
-  const auto heap = reinterpret_cast<std::uintptr_t>(sbrk(0)) - 1;
-  EXPECT_NE(flags_of(heap).find(" hg "), std::string::npos) << flags_of(heap);
+  for (int k = 0; k < 120; ++k) {
+    fields.push_back(std::make_unique_for_overwrite<char[]>(100'000));
+    std::memset(fields.back().get(), k, 100'000);
+  }
+  const long before = large_in_heap();
+  gather_heap();
+  for (int k = 0; k < 120; ++k) {
+    const char* field = fields[static_cast<std::size_t>(k)].get();
+    EXPECT_TRUE(std::all_of(field, field + 100'000, [k](char c) { return c == k; })) << k;
+  }
+  if (!gathers_pages()) GTEST_SKIP() << "the system does not gather pages";
+  EXPECT_GE(large_in_heap(), before + 2048);
 }
 
 TEST(LargeBlocks, SayThatThereIsNoRoom) {
