@@ -55,6 +55,7 @@ void start(Scene<Dim>& scene) {
   scene.refresh_motion();
   for (auto& solid : scene.solids) solid->begin_lists();
   if (scene.contact) scene.contact->rearrange(), scene.contact->start();
+  gather_heap();
 }
 
 /// Points to x(n+1), with v(n+1/2).
@@ -76,7 +77,6 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
   Phases& phases = scene.phases;
   start(scene);
   observer.begin(scene, clock);
-  gather_heap();
   const WallTimer loop(scene.loop, *phases.ranks);
   while (!clock.finished()) {
     if (balance != nullptr) {
