@@ -264,9 +264,9 @@ int guarded(const ParallelSession& session, Command command) {
   if (!session.ranks().alone()) session.abort(status);
   return status;
 }
-}  // namespace
 
-int command_line(int argc, char** argv) {
+/// All of command_line but what happens where not even options have room.
+int do_command(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads may go; a run goes on
   CLI::App app{
       "brunt: bodies that hit, cut, slide on and heat each other. Finite elements, SPH, contact."};
@@ -322,6 +322,16 @@ int command_line(int argc, char** argv) {
                           : keys  ? SchemaPage::keys
                                   : SchemaPage::json);
   });
+}
+}  // namespace
+
+int command_line(int argc, char** argv) {
+  try {
+    return do_command(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("brunt: not enough memory\n", stderr);
+    return kMachineFailed;
+  }
 }
 
 }  // namespace brunt

@@ -17,6 +17,19 @@ says() { grep -q -- "$1" err.txt || { cat err.txt; fail "does not say '$1'"; }; 
 expect 3 "$brunt" run "$deck" "${short[@]}" --out fast --set 'bodies.striker.velocity=[1e160 m/s, 0, 0]'
 says 'is no finite number'
 
+# Hardly any memory. Where libraries do not fit the loader ends the program, or they do themselves;
+# once it is there, it says what is wrong.
+there=false
+for kilobytes in $(seq 40000 4000 180000); do
+  status=0
+  (ulimit -v "$kilobytes" && exec "$brunt" --version) >out.txt 2>err.txt || status=$?
+  case $status in
+    0 | 4) there=true ;;
+    *) [ $there = false ] || fail "--version in $kilobytes kB: status $status" ;;
+  esac
+done
+[ $there = true ] || fail "--version needs more than 180 MB"
+
 # Paths that cannot be: too long, in a circle, of another kind, where nobody may look.
 long=$(printf 'n%.0s' $(seq 300))
 ln -s loop loop
