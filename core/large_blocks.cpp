@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -98,15 +99,15 @@ namespace brunt {
 
 void gather_heap() {
   constexpr int kCollapse = 25;  // MADV_COLLAPSE, which not all headers have
-  constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
+  constexpr std::size_t kLargePage = std::size_t{1} << 21;
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
-    std::uintptr_t begin = 0, end = 0;
+    void *begin = nullptr, *end = nullptr;
     if (!line.ends_with("[heap]")) continue;
-    if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) != 2) continue;
-    begin = (begin + kLargePage - 1) / kLargePage * kLargePage;
-    end = end / kLargePage * kLargePage;
-    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, kCollapse);
+    if (std::sscanf(line.c_str(), "%p-%p ", &begin, &end) != 2) continue;
+    auto room = static_cast<std::size_t>(static_cast<char*>(end) - static_cast<char*>(begin));
+    void* const from = std::align(kLargePage, kLargePage, begin, room);
+    if (from != nullptr) madvise(from, room / kLargePage * kLargePage, kCollapse);
   }
 }
 

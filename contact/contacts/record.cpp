@@ -208,6 +208,7 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
            const std::vector<Surface<Dim>*>& surfaces, ContactNodes<Dim>& nodes) {
   const std::size_t n = nodes.size();
   std::vector<Vec<Dim>*> forces;
+  forces.reserve(surfaces.size());
   for (const auto* surface : surfaces) forces.push_back(surface->points->f.data());
   on_threads(n > kWorthThreads, [&] {
     // Each thread owns a range of nodes and reads all records: sums keep the order of keys.

@@ -8,7 +8,7 @@ namespace brunt {
 struct NamedFeature {
   Feature feature = Feature::face;
   bool smooth = true;
-  std::int8_t first = 0, second = 0;  // corners
+  std::int16_t first = 0, second = 0;  // corners
 };
 
 /// By a bit for each weight that is 0. corner  of the triangle; -1: the centre of a quad
@@ -16,7 +16,8 @@ constexpr NamedFeature name_feature(unsigned zeros, const int (&corner)[3]) {
   NamedFeature named;
   const auto set = [&](Feature feature, int first, int second) {
     named.feature = feature;
-    named.first = static_cast<std::int8_t>(first), named.second = static_cast<std::int8_t>(second);
+    named.first = static_cast<std::int16_t>(first),
+    named.second = static_cast<std::int16_t>(second);
   };
   named.smooth = zeros == 0;
   const bool is_quad = corner[2] < 0;
