@@ -6,6 +6,7 @@
 #include <bit>
 #include <span>
 
+#include "core/transpose.hpp"
 #include "sph/kernels.hpp"
 #include "sph/pair_precision.hpp"
 
@@ -61,15 +62,7 @@ struct alignas(32) ArtificialRecord {
 /// Four rows of four numbers: out[c] holds component c of the rows at a, b, c and d.
 BRUNT_INLINE void load_transposed(const Real* a, const Real* b, const Real* c, const Real* d,
                                   Pack* out) {
-  const Pack ra = load(a), rb = load(b), rc = load(c), rd = load(d);
-  const Pack ab_even = __builtin_shufflevector(ra, rb, 0, 4, 2, 6);
-  const Pack ab_odd = __builtin_shufflevector(ra, rb, 1, 5, 3, 7);
-  const Pack cd_even = __builtin_shufflevector(rc, rd, 0, 4, 2, 6);
-  const Pack cd_odd = __builtin_shufflevector(rc, rd, 1, 5, 3, 7);
-  out[0] = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-  out[1] = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-  out[2] = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-  out[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+  transpose(load(a), load(b), load(c), load(d), out);
 }
 
 /// Eight rows of four numbers. Two rows are loaded into one register, so that a transposition of

@@ -40,13 +40,12 @@ template <int Dim>
 void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
   for (std::size_t b = 0; b < scene.body_names.size(); ++b) {
     const auto& body = loaded.deck.bodies[b].value;
-    std::size_t points = 0, elements = 0;
+    std::size_t points = 0;
     for (const auto& solid : scene.solids) {
       if (solid->rides()) continue;
       for (const Label label : solid->points().body) points += label == b;
     }
-    const BodyView view = scene.view(static_cast<Label>(b), kNoFields);
-    if (view.corners > 0) elements = view.connectivity.size() / slot_of(view.corners);
+    const std::size_t elements = scene.view(static_cast<Label>(b), kNoFields).n_cells();
     if (body.rigid) {
       const bool conducts = heat_mode(loaded.deck, body, scene.body_names[b]) == HeatMode::conducts;
       std::printf("  %-16s rigid, %s: %zu %s%s\n", scene.body_names[b].c_str(),

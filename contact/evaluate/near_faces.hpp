@@ -6,6 +6,7 @@
 #include "contact/evaluate/evaluate.hpp"
 #include "contact/geometry/box_query.hpp"
 #include "contact/geometry/place.hpp"
+#include "core/transpose.hpp"
 
 namespace brunt {
 

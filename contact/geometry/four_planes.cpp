@@ -1,4 +1,5 @@
 #include "contact/geometry/four_planes.hpp"
+#include "core/transpose.hpp"
 
 namespace brunt {
 

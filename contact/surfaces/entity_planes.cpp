@@ -7,6 +7,7 @@
 #include "contact/surfaces/entities.hpp"
 #include "contact/surfaces/start_warp.hpp"
 #include "core/parallel/threads.hpp"
+#include "core/transpose.hpp"
 
 namespace brunt {
 

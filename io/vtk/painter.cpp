@@ -122,8 +122,6 @@ void add_outline(vtkRenderer& renderer, vtkPolyData* surface) {
   renderer.AddActor(actor);
 }
 
-std::size_t cells_of(const BodyView& body) { return body.n_cells(); }
-
 void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
               const PictureStyle& style, vtkLookupTable* table) {
   const bool flat = style.camera.axes.toward == Vec3::UnitZ() && !is_solid(body);
@@ -154,7 +152,7 @@ void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
   property.SetSpecular(flat ? 0.0 : 0.08);
   property.SetSpecularPower(20);
   property.SetLineWidth(3 * kOversampling);
-  if (!rigid && body.corners > 2 && cells_of(body) < kCellsWithEdges) {
+  if (!rigid && body.corners > 2 && body.n_cells() < kCellsWithEdges) {
     property.EdgeVisibilityOn();
     property.SetEdgeColor(0.30, 0.30, 0.33);
     property.SetLineWidth(0.6 * kOversampling);
