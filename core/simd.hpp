@@ -129,11 +129,35 @@ BRUNT_INLINE void set_lane(Real& a, int, Real value) { a = value; }
 BRUNT_INLINE void set_lane(Pack& a, int lane, Real value) { a[lane] = value; }
 BRUNT_INLINE void set_lane(Wide& a, int lane, Real value) { a[lane] = value; }
 BRUNT_INLINE Real vmin(Real a, Real b) { return a < b ? a : b; }
-BRUNT_INLINE Pack vmin(Pack a, Pack b) { return a < b ? a : b; }
-BRUNT_INLINE Wide vmin(Wide a, Wide b) { return a < b ? a : b; }
+BRUNT_INLINE Pack vmin(Pack a, Pack b) {
+#ifdef __AVX__
+  return __builtin_ia32_minpd256(a, b);  // one instruction; the same answer, b if one is no number
+#else
+  return a < b ? a : b;
+#endif
+}
+BRUNT_INLINE Wide vmin(Wide a, Wide b) {
+#ifdef BRUNT_WIDE
+  return _mm512_maskz_min_pd(0xff, a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
 BRUNT_INLINE Real vmax(Real a, Real b) { return a > b ? a : b; }
-BRUNT_INLINE Pack vmax(Pack a, Pack b) { return a > b ? a : b; }
-BRUNT_INLINE Wide vmax(Wide a, Wide b) { return a > b ? a : b; }
+BRUNT_INLINE Pack vmax(Pack a, Pack b) {
+#ifdef __AVX__
+  return __builtin_ia32_maxpd256(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+BRUNT_INLINE Wide vmax(Wide a, Wide b) {
+#ifdef BRUNT_WIDE
+  return _mm512_maskz_max_pd(0xff, a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
 BRUNT_INLINE Real vabs(Real a) { return std::fabs(a); }
 BRUNT_INLINE Pack vabs(Pack a) {
   return reinterpret_cast<Pack>(reinterpret_cast<PackMask>(a) & 0x7fffffffffffffffLL);
