@@ -229,6 +229,29 @@ BRUNT_INLINE Wide vfnma(Wide a, Wide b, Wide c) {
   return vfma(-a, b, c);
 #endif
 }
+/// What comes before is done before what comes after, as far as the compiler is concerned: fewer
+/// values wait for their use, and sums stay in registers. No value depends on it.
+#ifdef BRUNT_WIDE
+BRUNT_INLINE void keep_order(Wide& a) { asm volatile("" : "+v"(a) : : "memory"); }
+BRUNT_INLINE void keep_order(Wide (&a)[2]) {
+  asm volatile("" : "+v"(a[0]), "+v"(a[1]) : : "memory");
+}
+BRUNT_INLINE void keep_order(Wide (&a)[3]) {
+  asm volatile("" : "+v"(a[0]), "+v"(a[1]), "+v"(a[2]) : : "memory");
+}
+#else
+template <class V>
+BRUNT_INLINE void keep_order(V&) {}
+#endif
+/// True where any bit of any lane is set.
+BRUNT_INLINE bool any_bit(Wide a) {
+#ifdef BRUNT_WIDE
+  const auto bits = reinterpret_cast<__m512i>(a);
+  return _mm512_test_epi64_mask(bits, bits) != 0;
+#else
+  return any(reinterpret_cast<WideMask>(a) != 0);
+#endif
+}
 /// at_0 + slope x, rounded once.
 template <class V>
 BRUNT_INLINE V line_at(V x, Real at_0, Real slope) {

@@ -44,18 +44,21 @@ struct StressPart {
   BRUNT_INLINE void add(const StressRecord<Dim, typename P::Stored>* records, const LocalIndex* j,
                         const PairPack<Dim, P>& pair) {
     using Record = StressRecord<Dim, typename P::Stored>;
-    Pack gradient[Dim], stress[8];
+    Pack gradient[Dim];
     for (int a = 0; a < Dim; ++a) {
       gradient[a] = pair.weight * pair.arm[a];
       arm[a] = arm[a] + gradient[a];
     }
-    for (int g = 0; g < Record::kScalars; g += 4) load_four<P>(records, j, g, stress + g);
-    for (int a = 0; a < Dim; ++a) {
-      for (int b = 0; b < Dim; ++b) {
-        const int place = Dim * a + b;
-        force[a] = vfma(place < 8 ? stress[place] : pair.last_stress, gradient[b], force[a]);
+    for (int g = 0; g < Record::kScalars; g += 4) {
+      Pack stress[4];
+      load_four<P>(records, j, g, stress);
+      for (int k = 0; k < 4; ++k) {
+        const int a = (g + k) / Dim, b = (g + k) % Dim;
+        force[a] = vfma(stress[k], gradient[b], force[a]);
       }
+      if constexpr (kSumsAtOnce<P>) keep_order(force);
     }
+    if constexpr (Dim == 3) force[2] = vfma(pair.last_stress, gradient[2], force[2]);
   }
 };
 
@@ -73,6 +76,7 @@ struct ViscousPart {
   BRUNT_INLINE void add(const PairPack<Dim, P>& pair, Number own_sound_speed, Number own_density,
                         Pack sound_speed, Pack density, const SphPairOptions& options) {
     const auto alpha = static_cast<Number>(options.alpha), beta = static_cast<Number>(options.beta);
+    const auto half = number_of<Pack>(0.5);
     Pack approach = pair.velocity[0] * pair.arm[0], speed2 = pair.velocity[0] * pair.velocity[0];
     for (int a = 1; a < Dim; ++a) {
       approach = vfma(pair.velocity[a], pair.arm[a], approach);
@@ -83,8 +87,9 @@ struct ViscousPart {
     const Pack inverse = 1.0 / (distance2 * densities);
     const Pack mu = vmin(pair.inverse_h * approach * (densities * inverse), broadcast<Pack>(0.0));
     const Pack both = (2 * own_density) * density * (distance2 * inverse);
-    const Pack c = 0.5 * (sound_speed + own_sound_speed);
-    const Pack push = -(both * pair.weight) * (mu * (beta * mu - alpha * c));
+    const Pack c =
+        vfma(sound_speed, broadcast<Pack>(half), broadcast<Pack>(half * own_sound_speed));
+    const Pack push = (both * pair.weight) * (mu * (alpha * c - beta * mu));
     for (int a = 0; a < Dim; ++a) force[a] = vfma(push, pair.arm[a], force[a]);
     power = vfma(push, approach, power);
     largest_mu = vmin(largest_mu, mu);
@@ -129,6 +134,24 @@ struct ForceParts {
   InTurns<P, StressPart<Dim, P>> stress;
   InTurns<P, ViscousPart<Dim, P>> viscous;
   InTurns<P, ArtificialPart<Dim, P>> artificial;
+
+  /// Numbers of a turn: force and arm of the stress, forces of viscosity and artificial stress,
+  /// then the powers of both.
+  template <int k>
+  BRUNT_INLINE typename P::Pack number(int turn) const {
+    constexpr int of = k / Dim, a = k % Dim;
+    if constexpr (of == 0) {
+      return stress.part[turn].force[a];
+    } else if constexpr (of == 1) {
+      return stress.part[turn].arm[a];
+    } else if constexpr (of == 2) {
+      return viscous.part[turn].force[a];
+    } else if constexpr (of == 3) {
+      return artificial.part[turn].force[a];
+    } else {
+      return a == 0 ? viscous.part[turn].power : artificial.part[turn].power;
+    }
+  }
 };
 
 /// Packs of a stretch, of one turn, in which the artificial stress acts.
@@ -136,6 +159,16 @@ struct TensePacks {
   std::uint32_t pack[RowStretch<3>::kLength / kLanes];
   std::size_t n = 0;
 };
+
+/// True where the artificial stress of any of a pack is not zero: 1 is noted then, else 0.
+template <class V>
+BRUNT_INLINE bool any_tension(V noted) {
+  if constexpr (std::is_same_v<V, Wide>) {
+    return any_bit(noted);
+  } else {
+    return any(noted != 0.0);
+  }
+}
 
 /// The weights of a pack [1/m^2] as the first pass left them.
 BRUNT_INLINE void take_weights(const Real* kept, Real, Pack& weight) { weight = load(kept); }
@@ -182,12 +215,13 @@ BRUNT_INLINE void add_viscosity(const ForceRecords<Dim, P>& records, LocalIndex 
     typename P::Pack part[4];
     PairPack<Dim, P> pair;
     set_pair<Dim, Kernel>(records, i, of_pack, weights + (Dim == 2 ? p * P::kLanes : 0), pair);
+    if constexpr (kSumsAtOnce<P>) keep_order(pair.weight);
     load_four<P>(records.stress, of_pack, g, part);
     if constexpr (Dim == 3) pair.last_stress = part[0];
+    if constexpr (kSumsAtOnce<P>) stress.add(records.stress, of_pack, pair);
     viscous.add(pair, own_sound_speed, own_density, part[Record::kSoundSpeed - g],
                 part[Record::kDensity - g], options);
-    const bool in_tension = own_tension | any(part[Record::kTension - g] != 0.0);
-    if constexpr (kSumsAtOnce<P>) stress.add(records.stress, of_pack, pair);
+    const bool in_tension = own_tension | any_tension(part[Record::kTension - g]);
     if (!kSumsAtOnce<P> || in_tension) pairs[p] = pair;
     tense.pack[found] = static_cast<std::uint32_t>(p);
     found += slot_of(int{in_tension});
@@ -261,22 +295,19 @@ BRUNT_INLINE ForceSums<Dim> sum_forces(const ForceRecords<Dim, P>& records, Loca
                             turn, packs, options, stretch.pairs, parts);
     }
   }
-  const auto sum = [&](const auto& of, const auto& member) {
-    return in_metres<P>(records.inverse_length, total(of, member));
-  };
+  constexpr int n = 4 * Dim + 2;
+  Real all[n];
+  totals<n, P>([&]<int k>(int turn, At<k>) { return parts.template number<k>(turn); }, all);
+  for (Real& sum : all) sum = in_metres<P>(records.inverse_length, sum);
   ForceSums<Dim> sums;
   for (int a = 0; a < Dim; ++a) {
-    sums.stress[a] = sum(parts.stress, [a](const auto& part) { return part.force[a]; });
-    for (int b = 0; b < Dim; ++b) {
-      sums.stress[a] +=
-          own[Dim * a + b] * sum(parts.stress, [b](const auto& part) { return part.arm[b]; });
-    }
-    sums.viscosity[a] = sum(parts.viscous, [a](const auto& part) { return part.force[a]; });
-    sums.artificial[a] = sum(parts.artificial, [a](const auto& part) { return part.force[a]; });
+    sums.stress[a] = all[a];
+    for (int b = 0; b < Dim; ++b) sums.stress[a] += own[Dim * a + b] * all[Dim + b];
+    sums.viscosity[a] = all[2 * Dim + a];
+    sums.artificial[a] = all[3 * Dim + a];
   }
-  const auto power = [](const auto& part) { return part.power; };
-  sums.viscosity_power = 0.5 * sum(parts.viscous, power);
-  sums.artificial_power = 0.5 * sum(parts.artificial, power);
+  sums.viscosity_power = 0.5 * all[4 * Dim];
+  sums.artificial_power = 0.5 * all[4 * Dim + 1];
   sums.speed = std::sqrt(largest(parts.viscous, [](const auto& p) { return p.largest_speed2; }));
   sums.mu = largest(parts.viscous, [](const auto& part) { return -part.largest_mu; });
   return sums;

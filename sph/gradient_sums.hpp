@@ -125,6 +125,26 @@ BRUNT_INLINE GradientParts<Dim, P> sums_by_stretches(
   return parts;
 }
 
+/// What is left in lanes, summed.
+template <int Dim, class P>
+BRUNT_INLINE GradientSums<Dim> lanes_summed(const GradientParts<Dim, P>& parts,
+                                            Real inverse_length) {
+  constexpr int n = kSymmetric<Dim>;
+  Real all[n + Dim * Dim];
+  const auto of = [&]<int k>(int turn, At<k>) {
+    if constexpr (k < n) {
+      return parts.moment.part[turn].moment[k];
+    } else {
+      return parts.rate.part[turn].rate[k - n];
+    }
+  };
+  totals<n + Dim * Dim, P>(of, all);
+  GradientSums<Dim> sums;
+  for (int k = 0; k < n; ++k) sums.moment[k] = all[k];
+  for (int k = 0; k < Dim * Dim; ++k) sums.rate[k] = in_metres<P>(inverse_length, all[n + k]);
+  return sums;
+}
+
 /// The first pass over the row of a particle.
 /// inverse_length  [1/m] of the unit of length; 1 in double precision
 /// weights  [1/m^2] V_j grad_i W = weight (x_j - x_i) of each pair of the row, out; or null
@@ -132,23 +152,13 @@ template <int Dim, class Kernel, class P>
 BRUNT_INLINE GradientSums<Dim> sum_gradients(const MotionRecord<Dim, typename P::Stored>* motion,
                                              LocalIndex i, std::span<const LocalIndex> row,
                                              Real inverse_length, Real* weights) {
-  const GradientParts<Dim, P> parts = [&] {
-    if constexpr (kSumsAtOnce<P>) {
-      return sums_at_once<Dim, Kernel, P>(motion, i, row, weights);
-    } else {
-      const Real unit = inverse_length * inverse_length;
-      return sums_by_stretches<Dim, Kernel, P>(motion, i, row, unit, weights);
-    }
-  }();
-  GradientSums<Dim> sums;
-  for (int k = 0; k < kSymmetric<Dim>; ++k) {
-    sums.moment[k] = total(parts.moment, [k](const auto& part) { return part.moment[k]; });
+  if constexpr (kSumsAtOnce<P>) {
+    return lanes_summed<Dim, P>(sums_at_once<Dim, Kernel, P>(motion, i, row, weights), 1);
+  } else {
+    const Real unit = inverse_length * inverse_length;
+    return lanes_summed<Dim, P>(sums_by_stretches<Dim, Kernel, P>(motion, i, row, unit, weights),
+                                inverse_length);
   }
-  for (int k = 0; k < Dim * Dim; ++k) {
-    const Real rate = total(parts.rate, [k](const auto& part) { return part.rate[k]; });
-    sums.rate[k] = in_metres<P>(inverse_length, rate);
-  }
-  return sums;
 }
 
 }  // namespace brunt

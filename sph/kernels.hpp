@@ -9,14 +9,14 @@
 
 namespace brunt {
 
-/// Where a kernel divides by q, 1/q is taken at this q below it: the force of a pair stays finite
-/// and vanishes with the distance.
+/// Where a kernel divides by q however small it is, 1/q is taken at this q below it: the force of a
+/// pair stays finite and vanishes with the distance.
 inline constexpr Real kSmallestRatio = 1e-12;
 
 /// Monaghan & Lattanzio 1985.
 struct CubicKernel {
-  static constexpr Real kStepFactor = 1.81;  ///< undamped stable step in h/c
-  static constexpr bool kDivides = true;
+  static constexpr Real kStepFactor = 1.81;                       ///< undamped stable step in h/c
+  static constexpr bool kDivides = true, kDividesAtRest = false;  // beyond q = 1 alone
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 10.0 / (7.0 * kPi) : 1.0 / kPi;
 
@@ -35,7 +35,7 @@ struct CubicKernel {
 /// Johnson, Stryk & Beissel 1996.
 struct QuadraticKernel {
   static constexpr Real kStepFactor = 2.05;
-  static constexpr bool kDivides = true;
+  static constexpr bool kDivides = true, kDividesAtRest = true;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 2.0 / kPi : 5.0 / (4.0 * kPi);
 
@@ -53,7 +53,7 @@ struct QuadraticKernel {
 /// Yang, Peng & Liu 2014: f'' >= 0 everywhere, so that particles never pair under compression.
 struct HyperbolicKernel {
   static constexpr Real kStepFactor = 1.80;
-  static constexpr bool kDivides = true;
+  static constexpr bool kDivides = true, kDividesAtRest = true;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 1.0 / (3.0 * kPi) : 15.0 / (62.0 * kPi);
 
@@ -73,7 +73,7 @@ struct HyperbolicKernel {
 /// Wendland 1995, twice differentiable.
 struct WendlandC2Kernel {
   static constexpr Real kStepFactor = 1.73;
-  static constexpr bool kDivides = false;
+  static constexpr bool kDivides = false, kDividesAtRest = false;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 7.0 / (4.0 * kPi) : 21.0 / (16.0 * kPi);
 
@@ -92,7 +92,7 @@ struct WendlandC2Kernel {
 /// Wendland 1995, four times differentiable.
 struct WendlandC4Kernel {
   static constexpr Real kStepFactor = 1.51;
-  static constexpr bool kDivides = false;
+  static constexpr bool kDivides = false, kDividesAtRest = false;
   template <int Dim>
   static constexpr Real kAlpha = Dim == 2 ? 9.0 / (4.0 * kPi) : 495.0 / (256.0 * kPi);
 

@@ -1,7 +1,9 @@
 #pragma once
 /// What the passes over the true neighbours of a particle share. All pair terms are symmetric under
 /// the exchange of i and j up to the factor V_i, so that forces are opposite.
+#include <algorithm>
 #include <span>
+#include <utility>
 
 #include "sph/kernels.hpp"
 #include "sph/records.hpp"
@@ -22,6 +24,40 @@ BRUNT_INLINE Real total(const InTurns<P, Part>& sums, const SumOf& sum_of) {
     return sum_lanes(sum_of(sums.part[0]));
   } else {
     return sum_lanes(sum_of(sums.part[0]) + sum_of(sums.part[1]));
+  }
+}
+
+/// A place that the compiler knows.
+template <int k>
+using At = std::integral_constant<int, k>;
+
+/// Sums over all lanes of all turns of n numbers, with the bits of total(); of(turn, At<k>) is
+/// number k. Written out, so that nothing keeps the sums out of registers before.
+template <int n, class P, class Of>
+BRUNT_INLINE void totals(const Of& of, Real* sums) {
+  if constexpr (std::is_same_v<P, WidePairs>) {
+    constexpr int kEight = 2 * kLanes;
+    alignas(64) Real all[(n + kEight - 1) / kEight * kEight];
+    const auto add_eight = [&]<int... k>(auto first, std::integer_sequence<int, k...>) {
+      sum_lanes({of(0, At<std::min(first + k, n - 1)>{})...}, all + first);
+    };
+    const auto add_all = [&]<int... eight>(std::integer_sequence<int, eight...>) {
+      (add_eight(At<kEight * eight>{}, std::make_integer_sequence<int, kEight>{}), ...);
+    };
+    add_all(std::make_integer_sequence<int, (n + kEight - 1) / kEight>{});
+    std::copy_n(all, n, sums);
+  } else {
+    const auto add_all = [&]<int... k>(std::integer_sequence<int, k...>) {
+      ((sums[k] =
+            [&] {
+              if constexpr (P::kTurns == 1)
+                return sum_lanes(of(0, At<k>{}));
+              else
+                return sum_lanes(of(0, At<k>{}) + of(1, At<k>{}));
+            }()),
+       ...);
+    };
+    add_all(std::make_integer_sequence<int, n>{});
   }
 }
 

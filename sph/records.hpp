@@ -65,19 +65,22 @@ BRUNT_INLINE void load_transposed(const Real* a, const Real* b, const Real* c, c
   transpose(load(a), load(b), load(c), load(d), out);
 }
 
-/// Eight rows of four numbers. Two rows are loaded into one register, so that a transposition of
-/// four by four is done for both at once.
+/// Eight rows of four numbers. Two rows are loaded into one register, such that what is interleaved
+/// comes out in their order.
 BRUNT_INLINE void load_transposed(const Real* const (&row)[2 * kLanes], Wide* out) {
-  Wide two[4];  // row k, and row k + 4
-  for (int k = 0; k < kLanes; ++k) two[k] = joined_wide(load(row[k]), load(row[k + kLanes]));
-  const Wide ab_even = __builtin_shufflevector(two[0], two[1], 0, 8, 2, 10, 4, 12, 6, 14);
-  const Wide ab_odd = __builtin_shufflevector(two[0], two[1], 1, 9, 3, 11, 5, 13, 7, 15);
-  const Wide cd_even = __builtin_shufflevector(two[2], two[3], 0, 8, 2, 10, 4, 12, 6, 14);
-  const Wide cd_odd = __builtin_shufflevector(two[2], two[3], 1, 9, 3, 11, 5, 13, 7, 15);
-  out[0] = __builtin_shufflevector(ab_even, cd_even, 0, 1, 8, 9, 4, 5, 12, 13);
-  out[1] = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 8, 9, 4, 5, 12, 13);
-  out[2] = __builtin_shufflevector(ab_even, cd_even, 2, 3, 10, 11, 6, 7, 14, 15);
-  out[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 10, 11, 6, 7, 14, 15);
+  Wide two[4];  // rows 0 and 2, 1 and 3, 4 and 6, 5 and 7
+  for (int k = 0; k < kLanes; ++k) {
+    const int first = k < 2 ? k : k + 2;
+    two[k] = joined_wide(load(row[first]), load(row[first + 2]));
+  }
+  const Wide low_even = __builtin_shufflevector(two[0], two[1], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Wide low_odd = __builtin_shufflevector(two[0], two[1], 1, 9, 3, 11, 5, 13, 7, 15);
+  const Wide high_even = __builtin_shufflevector(two[2], two[3], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Wide high_odd = __builtin_shufflevector(two[2], two[3], 1, 9, 3, 11, 5, 13, 7, 15);
+  out[0] = __builtin_shufflevector(low_even, high_even, 0, 1, 4, 5, 8, 9, 12, 13);
+  out[1] = __builtin_shufflevector(low_odd, high_odd, 0, 1, 4, 5, 8, 9, 12, 13);
+  out[2] = __builtin_shufflevector(low_even, high_even, 2, 3, 6, 7, 10, 11, 14, 15);
+  out[3] = __builtin_shufflevector(low_odd, high_odd, 2, 3, 6, 7, 10, 11, 14, 15);
 }
 
 /// Four numbers of the records of a pack of particles, from number g on.
@@ -99,6 +102,23 @@ BRUNT_INLINE void load_four(const Record* records, const LocalIndex* j, int g,
 BRUNT_INLINE Real sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 BRUNT_INLINE Real sum_lanes(Wide a) { return sum_lanes(low_half(a) + high_half(a)); }
 BRUNT_INLINE Real sum_lanes(SinglePack a) { return sum_lanes(low_half(a) + high_half(a)); }
+/// The same of eight, side by side: sums  out.
+BRUNT_INLINE void sum_lanes(const Wide (&a)[8], Real* sums) {
+  Wide halves[4], quarters[2];  // of sums 0 and 2, 1 and 3, 4 and 6, 5 and 7; of the first four
+  for (int k = 0; k < 4; ++k) {
+    const int first = k < 2 ? k : k + 2;
+    const Wide low = a[first], high = a[first + 2];
+    halves[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 8, 9, 10, 11) +
+                __builtin_shufflevector(low, high, 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+  for (int k = 0; k < 2; ++k) {
+    const Wide low = halves[2 * k], high = halves[2 * k + 1];
+    quarters[k] = __builtin_shufflevector(low, high, 0, 8, 2, 10, 4, 12, 6, 14) +
+                  __builtin_shufflevector(low, high, 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  store(sums, __builtin_shufflevector(quarters[0], quarters[1], 0, 1, 4, 5, 8, 9, 12, 13) +
+                  __builtin_shufflevector(quarters[0], quarters[1], 2, 3, 6, 7, 10, 11, 14, 15));
+}
 BRUNT_INLINE Real max_lanes(Pack a) { return vmax(vmax(a[0], a[1]), vmax(a[2], a[3])); }
 BRUNT_INLINE Real max_lanes(Wide a) { return max_lanes(vmax(low_half(a), high_half(a))); }
 BRUNT_INLINE Real max_lanes(SinglePack a) { return max_lanes(vmax(low_half(a), high_half(a))); }
@@ -157,7 +177,9 @@ BRUNT_INLINE void set_arms(const MotionRecord<Dim, typename P::Stored>* records,
   for (int d = 0; d < Dim; ++d) pairs.arm[d] = arm[d] = difference(part[d], own[d]);
   Pack r2 = arm[0] * arm[0];
   for (int d = 1; d < Dim; ++d) r2 = vfma(arm[d], arm[d], r2);
-  pairs.inverse_h = 0.5 * (part[Record::kInverse] + own[Record::kInverse]);
+  const auto half = number_of<Pack>(0.5);
+  pairs.inverse_h = vfma(part[Record::kInverse], broadcast<Pack>(half),
+                         broadcast<Pack>(half * own[Record::kInverse]));
   pairs.q2 = r2 * (pairs.inverse_h * pairs.inverse_h);
 }
 
@@ -181,7 +203,8 @@ BRUNT_INLINE typename P::Pack kernel_weight(const PairPack<Dim, P>& pairs) {
   Pack inverse_q = {};
   if constexpr (Kernel::kDivides) {
     // beside the root and not after it; below the smallest ratio the force goes to zero
-    inverse_q = q * (1.0 / vmax(pairs.q2, broadcast<Pack>(kSmallestRatio * kSmallestRatio)));
+    const Pack least = broadcast<Pack>(kSmallestRatio * kSmallestRatio);
+    inverse_q = q * (1.0 / (Kernel::kDividesAtRest ? vmax(pairs.q2, least) : pairs.q2));
   }
   Pack scale = pairs.inverse_h * pairs.inverse_h;
   scale = scale * scale;
