@@ -196,6 +196,8 @@ class SphParticles final : public Solid<Dim> {
   void take_forces(const ParticleBlock& block, LocalIndex i, const ForceSums<Dim>& sums, Real dt);
   void move_with_neighbours(Real dt);
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
+  void begin_tile(const ParticleBlock& block, std::size_t first, Real dt, TileStress& stress,
+                  MaterialTile& tile);
   void turn_thin(const ParticleBlock& block, std::size_t first, Real dt, TileStress& tile) const;
   void form_thin_stress(const ParticleBlock& block, std::size_t first, Real dt,
                         TileStress& tile) const;

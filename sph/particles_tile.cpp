@@ -1,6 +1,8 @@
 /// The material points of a tile: rotation, law, and what neighbours will read of the stress.
 #include "core/geometry/rotation.hpp"
+#include "core/transpose.hpp"
 #include "sph/correction.hpp"
+#include "sph/fetch_record.hpp"
 #include "sph/parallel.hpp"
 #include "sph/particles.hpp"
 #include "sph/principal_tension.hpp"
@@ -36,6 +38,26 @@ BRUNT_INLINE void load_stress(const MaterialState& state, std::size_t at, Pack (
   if constexpr (Dim == 3) {
     sigma[1][2] = sigma[2][1] = component(yz);
     sigma[0][2] = sigma[2][0] = component(zx);
+  }
+}
+
+/// Rows of a tile from `slot` on <- the arrays of four records, which array_of points to.
+template <class Record, class ArrayOf, std::size_t N>
+BRUNT_INLINE void lay_side_by_side(const Record* const (&record)[kLanes], const ArrayOf& array_of,
+                                   int slot, Real (&row)[N][kTile]) {
+  constexpr int n = N;
+  for (int c = 0; c < n; c += kLanes) {
+    const int at = std::min(c, n - kLanes);  // the last four overlap those before
+    if (at < 0 || c + 1 == n) {
+      for (int r = c; r < n; ++r) {
+        for (int k = 0; k < kLanes; ++k) row[r][slot + k] = array_of(*record[k])[r];
+      }
+      continue;
+    }
+    Pack part[kLanes];
+    transpose(load(array_of(*record[0]) + at), load(array_of(*record[1]) + at),
+              load(array_of(*record[2]) + at), load(array_of(*record[3]) + at), part);
+    for (int r = c; r < std::min(c + kLanes, n); ++r) store(row[r] + slot, part[r - at]);
   }
 }
 
@@ -171,10 +193,73 @@ void SphParticles<Dim>::form_thin_stress(const ParticleBlock& block, std::size_t
   }
 }
 
+/// What the forces that were added last do until the middle of the step, by channel.
+template <int Dim>
+void add_work_of_forces(ParticleState<Dim>& state, const Vec<Dim>& v, Real dt) {
+  const Vec<Dim> half = 0.5 * dt * v;
+  state.stress_work -= dot<Dim>(state.stress_force, half);
+  state.viscous_work -= dot<Dim>(state.viscous_force, half);
+  state.artificial_work -= dot<Dim>(state.artificial_force, half);
+}
+
+/// The particles of a tile: books the work of their forces, and lays side by side what the tile
+/// reads of them.
+template <int Dim>
+void SphParticles<Dim>::begin_tile(const ParticleBlock& block, std::size_t first, Real dt,
+                                   TileStress& stress, MaterialTile& tile) {
+  const auto& particle = block.set.particle;
+  const std::size_t n = particle.size();
+  const bool correction = block.set.options.correction;
+  static const ParticleState<Dim> resting;
+  static const PlainMoment<Dim> none;
+  for (int slot = 0; slot < kTile; slot += kLanes) {
+    const ParticleState<Dim>* state[kLanes];
+    const PlainMoment<Dim>* plain[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const std::size_t k = first + slot_of(slot + lane);
+      state[lane] = &resting, plain[lane] = &none;
+      if (k >= n) continue;
+      auto& own = state_[particle[k]];
+      add_work_of_forces(own, points_.v[particle[k]], dt);
+      state[lane] = &own;
+      if (!correction) plain[lane] = &plain_[particle[k]];
+    }
+    lay_side_by_side(
+        state, [](const auto& s) { return s.velocity_gradient; }, slot, stress.gradient);
+    for (auto& row : stress.gradient) store(row + slot, dt * load(row + slot));
+    if (correction) {
+      lay_side_by_side(
+          state, [](const auto& s) { return s.correction; }, slot, stress.correction);
+    } else {
+      lay_side_by_side(
+          plain, [](const auto& p) { return p.inverse; }, slot, stress.correction);
+      lay_side_by_side(
+          plain, [](const auto& p) { return p.moment; }, slot, stress.moment);
+    }
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const auto& own = *state[lane];
+      tile.ratio_old[slot + lane] = own.ratio;
+      tile.viscous_work[slot + lane] =
+          own.start_volume > 0 ? dt * own.viscous_power / own.start_volume : 0.0;
+    }
+  }
+}
+
+/// Asks for particles of a block, before their tile begins.
+template <int Dim>
+BRUNT_INLINE void fetch_particles(const std::vector<LocalIndex>& particle, std::size_t first,
+                                  std::size_t count, const ParticleState<Dim>* state,
+                                  const Vec<Dim>* v) {
+  const std::size_t end = std::min(particle.size(), first + count);
+  for (std::size_t k = first; k < end; ++k) {
+    fetch_record(state[particle[k]]);
+    fetch_record(v[particle[k]]);
+  }
+}
+
 template <int Dim>
 void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Real dt) {
   const Material& material = *block.set.material;
-  const std::size_t n = block.set.particle.size();
   TileStress stress;
   MaterialTile tile;
   tile.state = &block.state;
@@ -182,26 +267,15 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
   tile.count = kTile;
   tile.fixed_temperature = block.set.temperature;
   tile.adiabatic = block.set.adiabatic;
-  const ParticleState<Dim> resting;
-  for (int slot = 0; slot < kTile; ++slot) {
-    const std::size_t k = first + slot_of(slot);
-    const auto& state = k < n ? state_[block.set.particle[k]] : resting;
-    for (int c = 0; c < Dim * Dim; ++c) {
-      stress.gradient[c][slot] = dt * state.velocity_gradient[c];
-    }
-    const PlainMoment<Dim>* plain =
-        k < n && !block.set.options.correction ? &plain_[block.set.particle[k]] : nullptr;
-    for (int c = 0; c < kSymmetric<Dim>; ++c) {
-      stress.correction[c][slot] = plain ? plain->inverse[c] : state.correction[c];
-      stress.moment[c][slot] = plain ? plain->moment[c] : 0.0;
-    }
-    tile.ratio_old[slot] = state.ratio;
-    const bool works = k < n && state.start_volume > 0;
-    tile.viscous_work[slot] = works ? dt * state.viscous_power / state.start_volume : 0.0;
-  }
+  begin_tile(block, first, dt, stress, tile);
   if (!thin_.empty()) turn_thin(block, first, dt, stress);
-  for (int i = 0; i < kTile; i += kLanes) {
+  // Particles of the next tile arrive while this one is computed, if no more than a few are asked
+  // for at once.
+  constexpr std::size_t few = kLanes / 2;
+  std::size_t next = first + kTile;
+  for (int i = 0; i < kTile; i += kLanes, next += few) {
     const std::size_t at = first + slot_of(i);
+    fetch_particles<Dim>(block.set.particle, next, few, state_.data(), points_.v.data());
     Pack end[Dim][Dim], s[6], strain[6];
     for (int c = 0; c < Dim * Dim; ++c) end[c / Dim][c % Dim] = load(stress.gradient[c] + i);
     for (std::size_t c = 0; c < 6; ++c) s[c] = load(block.state.deviator[c].data() + at);
@@ -215,8 +289,9 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     store(tile.ratio + i, load(tile.ratio_old + i) * mid.volume_ratio);
   }
   material.update(tile, dt);
-  for (int i = 0; i < kTile; i += kLanes) {
+  for (int i = 0; i < kTile; i += kLanes, next += few) {
     const std::size_t at = first + slot_of(i);
+    fetch_particles<Dim>(block.set.particle, next, few, state_.data(), points_.v.data());
     Pack sigma[Dim][Dim];
     load_stress<Dim>(block.state, at, sigma);
     form_pair_stress<Dim>(sigma, block.set.options, stress, i);
@@ -290,6 +365,10 @@ void SphParticles<Dim>::move_with_neighbours(Real dt) {
 
 template struct SphParticles<2>::TileStress;
 template struct SphParticles<3>::TileStress;
+template void SphParticles<2>::begin_tile(const ParticleBlock&, std::size_t, Real, TileStress&,
+                                          MaterialTile&);
+template void SphParticles<3>::begin_tile(const ParticleBlock&, std::size_t, Real, TileStress&,
+                                          MaterialTile&);
 template void SphParticles<2>::update_tile(ParticleBlock&, std::size_t, Real);
 template void SphParticles<3>::update_tile(ParticleBlock&, std::size_t, Real);
 template void SphParticles<2>::publish(ParticleBlock&, std::size_t, const TileStress&);
