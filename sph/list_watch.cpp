@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel/threads.hpp"
+#include "core/simd.hpp"
 #include "sph/parallel.hpp"
 
 namespace brunt {
@@ -89,16 +90,20 @@ std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
   on_threads(points.x.size() >= 4096, [&] {
 #pragma omp for schedule(static)
     for (std::size_t z = 0; z < zones_.size(); ++z) {
-      Extent extent{Vec<Dim>::Constant(kInfinity), Vec<Dim>::Constant(-kInfinity), 0};
-      for (LocalIndex k = member_begin_[z]; k < member_begin_[z + 1]; ++k) {
-        const auto i = slot_of(member_[k]);
+      Real lower[Dim], upper[Dim], growth = 0;  // in registers
+      for (int d = 0; d < Dim; ++d) lower[d] = kInfinity, upper[d] = -kInfinity;
+      for (const LocalIndex i : members(z)) {
+        const auto k = slot_of(i);
         for (int d = 0; d < Dim; ++d) {
-          const Real u = points.x[i][d] - x_[i][d];
-          if (!(extent.lower[d] <= u)) extent.lower[d] = u;  // takes in what is not a number
-          if (!(extent.upper[d] >= u)) extent.upper[d] = u;
+          const Real u = points.x[k][d] - x_[k][d];
+          lower[d] = vmin(lower[d], u);  // takes in what is not a number
+          upper[d] = vmax(upper[d], u);
         }
-        extent.growth = std::max(extent.growth, reach[i] - reach_[i]);
+        growth = vmax(reach[k] - reach_[k], growth);
       }
+      Extent extent;
+      for (int d = 0; d < Dim; ++d) extent.lower[d] = lower[d], extent.upper[d] = upper[d];
+      extent.growth = growth;
       extents[z] = extent;
     }
   });

@@ -161,13 +161,6 @@ void SphParticles<Dim>::update_state(Real dt) {
     if (surface_.needs_material) publish_materials();
     return;
   }
-  for_each(n_owned(), [&](std::size_t i) {
-    auto& state = state_[i];
-    const Vec<Dim> half = 0.5 * dt * points_.v[i];
-    state.stress_work -= dot<Dim>(state.stress_force, half);
-    state.viscous_work -= dot<Dim>(state.viscous_force, half);
-    state.artificial_work -= dot<Dim>(state.artificial_force, half);
-  });
   refresh_motion();
   move_with_neighbours(dt);
   if (!rides()) still_.look(watch_, points_);

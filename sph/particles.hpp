@@ -65,6 +65,9 @@ struct alignas(64) ParticleState {
 };
 
 template <int Dim>
+struct TileStress;  // sph/tile_passes.hpp
+
+template <int Dim>
 struct ThinParticle {
   LocalIndex particle = 0;
   ThinMoment<Dim> moment;
@@ -146,7 +149,6 @@ class SphParticles final : public Solid<Dim> {
   std::size_t n_left_out() const { return still_.count(); }
 
  private:
-  struct TileStress;
   bool sleeps(std::size_t i) const { return state_[i].start_volume == 0; }
   bool tile_sleeps(const ParticleBlock& block, std::size_t first) const;
   bool is_left_out(const ParticleBlock& block, LocalIndex i) const;
@@ -196,10 +198,13 @@ class SphParticles final : public Solid<Dim> {
   void take_forces(const ParticleBlock& block, LocalIndex i, const ForceSums<Dim>& sums, Real dt);
   void move_with_neighbours(Real dt);
   void update_tile(ParticleBlock& block, std::size_t first, Real dt);
-  void turn_thin(const ParticleBlock& block, std::size_t first, Real dt, TileStress& tile) const;
+  void begin_tile(const ParticleBlock& block, std::size_t first, Real dt, TileStress<Dim>& stress,
+                  MaterialTile& tile);
+  void turn_thin(const ParticleBlock& block, std::size_t first, Real dt,
+                 TileStress<Dim>& tile) const;
   void form_thin_stress(const ParticleBlock& block, std::size_t first, Real dt,
-                        TileStress& tile) const;
-  void publish(ParticleBlock& block, std::size_t first, const TileStress& tile);
+                        TileStress<Dim>& tile) const;
+  void publish(ParticleBlock& block, std::size_t first, const TileStress<Dim>& tile);
   void set_size(std::size_t i);
   std::uint64_t slot_hash(const ParticleBlock& block, std::size_t slot) const;
   void add_slots(const ParticleBlock& block, std::size_t first, std::size_t last,

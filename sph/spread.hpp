@@ -2,6 +2,7 @@
 /// How far the neighbours of a particle reach in every direction, which bounds the step of bodies
 /// that are few particles thick.
 #include <Eigen/Dense>
+#include <bit>
 #include <span>
 
 #include "sph/correction.hpp"
@@ -47,6 +48,49 @@ InverseSpread inverse_of(const Eigen::Matrix<Real, Dim, Dim>& spread, const Exce
   return inverse;
 }
 
+/// Moments of the mass of a neighbourhood about its particle, over the volumes.
+template <int Dim>
+struct SpreadSums {
+  Real total = 0;                        ///< [m^Dim]
+  Vec<Dim> first;                        ///< [m^(Dim+1)]
+  Eigen::Matrix<Real, Dim, Dim> second;  ///< [m^(Dim+2)]
+};
+
+/// Sums over the row in its order, each number of its own: lanes are components here, and those
+/// that have none sum up what nobody reads.
+template <int Dim, class Kernel>
+SpreadSums<Dim> spread_sums(const MotionRecord<Dim>* motion, LocalIndex i,
+                            std::span<const LocalIndex> row) {
+  constexpr int volume = MotionRecord<Dim>::kVolume;
+  const Real* own = motion[i].data;
+  const Pack place = load(own);
+  Real total = own[volume];
+  Pack first{}, square{}, mixed{};  // xx, yy, zz and yx, zy, zx
+  PairPack<Dim> pairs;
+  for (std::size_t k = 0; k < row.size(); k += kLanes) {
+    set_arms(motion, own, row.data() + k, pairs);
+    pairs.weight = kernel_weight<Dim, Kernel>(pairs);
+    for (unsigned left = mask_bits(pairs.weight != 0.0); left != 0; left &= left - 1) {
+      const Real* other = motion[row[k + slot_of(std::countr_zero(left))]].data;
+      const Pack arm = load(other) - place, weighed = other[volume] * arm;
+      total += other[volume];
+      first += weighed;
+      square += weighed * arm;
+      mixed += __builtin_shufflevector(weighed, weighed, 1, 2, 2, 3) *
+               __builtin_shufflevector(arm, arm, 0, 1, 0, 3);
+    }
+  }
+  SpreadSums<Dim> sums;
+  sums.total = total;
+  for (int d = 0; d < Dim; ++d) sums.first[d] = first[d], sums.second(d, d) = square[d];
+  sums.second(0, 1) = sums.second(1, 0) = mixed[0];
+  if constexpr (Dim == 3) {
+    sums.second(1, 2) = sums.second(2, 1) = mixed[1];
+    sums.second(0, 2) = sums.second(2, 0) = mixed[2];
+  }
+  return sums;
+}
+
 /// The stiffest motion of a body a few particles thick is a linear one, v = A (x - x_c), whose
 /// gradient corrected sums have exactly: the energy V (lambda (tr A)^2/2 + mu A:A) over the mass
 /// moment tr(A C A) gives omega^2 <= (lambda tr C^-1 + 2 mu/c_min)/rho, c_min the least spread.
@@ -62,28 +106,11 @@ template <int Dim, class Kernel>
 InverseSpread inverse_spread(const MotionRecord<Dim>* motion, LocalIndex i,
                              std::span<const LocalIndex> row, Real shear_share,
                              const ThinMoment<Dim>* thin) {
-  using Matrix = Eigen::Matrix<Real, Dim, Dim>;
   constexpr int volume = MotionRecord<Dim>::kVolume;
-  const Real* own = motion[i].data;
-  Real total = own[volume];
-  Vec<Dim> first = Vec<Dim>::Zero();
-  Matrix second = Matrix::Zero();
-  PairPack<Dim> pairs;
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    if (k % kLanes == 0) {
-      set_arms(motion, own, row.data() + k, pairs);
-      pairs.weight = kernel_weight<Dim, Kernel>(pairs);
-    }
-    if (pairs.weight[k % kLanes] == 0) continue;
-    const Real* other = motion[row[k]].data;
-    Vec<Dim> arm;
-    for (int d = 0; d < Dim; ++d) arm[d] = other[d] - own[d];
-    total += other[volume];
-    first += other[volume] * arm;
-    second += other[volume] * arm * arm.transpose();
-  }
-  second /= total, first /= total;
-  const Real cubed = std::pow(own[volume], 6.0 / Dim);  // [m^6] dp^6
+  const SpreadSums<Dim> sums = spread_sums<Dim, Kernel>(motion, i, row);
+  const Vec<Dim> first = sums.first / sums.total;
+  const Eigen::Matrix<Real, Dim, Dim> second = sums.second / sums.total;
+  const Real cubed = std::pow(motion[i].data[volume], 6.0 / Dim);  // [m^6] dp^6
   const auto of_two_layers = [&](Real c) { return cubed / (16 * c * c); };
   const InverseSpread about_own = inverse_of<Dim>(second, of_two_layers, thin);
   const InverseSpread about_centre = inverse_of<Dim>(
