@@ -67,7 +67,7 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   run->add_option("--until", arguments.until, "stops at this time with a checkpoint: '20 us'")
       ->option_text("TIME");
   run->add_option("--restart", arguments.restart,
-                  "goes on from a checkpoint, with a longer end or other output")
+                  "goes on from a checkpoint, with a longer end or other output; writes to --out")
       ->option_text("MANIFEST|DIR");
   run->add_flag("--refine{3}", arguments.refine,
                 "runs other sizes too, --refine=2 or 3 in all: an error bar for every measure")
