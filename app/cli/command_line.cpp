@@ -268,6 +268,7 @@ int guarded(const ParallelSession& session, Command command) {
 /// All of command_line but what happens where not even options have room.
 int do_command(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads may go; a run goes on
+  std::signal(SIGXFSZ, SIG_IGN);  // what may not grow (ulimit -f) fails as on a full disk: EFBIG
   CLI::App app{
       "brunt: bodies that hit, cut, slide on and heat each other. Finite elements, SPH, contact."};
   app.set_version_flag("--version", std::string(BRUNT_VERSION) + " (" + BRUNT_ISA + ")");
