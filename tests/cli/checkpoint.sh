@@ -173,4 +173,19 @@ done
 expect 0 "$brunt" run "$deck" "${full[@]}" --resume --out disk
 cmp whole/history.csv disk/history.csv || fail "history after a full disk"
 echo "$tried of $count writes to a full disk: status 4, file named, checkpoint good"
+
+# Writes that are interrupted (EINTR) or take a part only change no byte of history, frames and checkpoints.
+plain=("${short[@]}" --set output.checkpoint_steps=20)
+for how in plain short; do
+  unset BRUNT_SHORT
+  [ $how = plain ] || export BRUNT_SHORT=1
+  expect 0 env LD_PRELOAD="$shim" BRUNT_COUNT="$work/count_$how" "$brunt" run "$deck" "${plain[@]}" --out "$how"
+done
+unset BRUNT_SHORT
+[ "$(cat count_short)" -gt $(($(cat count_plain) * 3 / 2)) ] || fail "only $(cat count_short) writes were seen"
+[ -n "$(find plain -name '*.h5')" ] || fail "no checkpoint of plain writes"
+diff -rq --exclude=log.txt --exclude=summary.json plain short || fail "short writes change bytes"
+diff <(result plain) <(result short) || fail "summary of short writes"
+expect 0 "$brunt" verify short
+echo "$(cat count_short) short writes for $(cat count_plain)"
 echo "all good"
