@@ -49,11 +49,22 @@ CLI::App* add_plan(CLI::App& app, RunArguments& arguments) {
   return plan;
 }
 
+/// Refuses what a variable without a value leaves in a script: --out "", and --out= before another
+/// option, which would be taken for the value.
+CLI::Validator value_given() {
+  const auto problem = [](const std::string& text) -> std::string {
+    if (text.empty()) return "is empty";
+    return text.starts_with("--") ? "has no value but the option '" + text + "'" : "";
+  };
+  return {problem, "", "a value"};
+}
+
 CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   auto* run = app.add_subcommand("run", "runs a deck");
   add_deck(run, arguments);
   run->add_option("--out", arguments.out, "output folder; default: the deck's name and .out")
-      ->option_text("DIR");
+      ->option_text("DIR")
+      ->check(value_given());
   run->add_flag("--force", arguments.force, "replaces what an earlier run wrote there");
   run->add_flag("--resume", arguments.resume,
                 "goes on from the latest good checkpoint; skips a run that is done");
@@ -68,13 +79,16 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
       ->option_text("TIME");
   run->add_option("--restart", arguments.restart,
                   "goes on from a checkpoint, with a longer end or other output; writes to --out")
-      ->option_text("MANIFEST|DIR");
-  run->add_flag("--refine{3}", arguments.refine,
-                "runs other sizes too, --refine=2 or 3 in all: an error bar for every measure")
-      ->check(CLI::Range(2, 5));
+      ->option_text("MANIFEST|DIR")
+      ->check(value_given());
+  auto* refine =
+      run->add_flag("--refine{3}", arguments.refine,
+                    "runs other sizes too, --refine=2 or 3 in all: an error bar for every measure")
+          ->check(CLI::Range(2, 5));
   run->add_option("--refine-key", arguments.refine_key,
                   "what they differ in: parameters.size, bodies.bar.cells; default: found")
-      ->option_text("KEY");
+      ->option_text("KEY")
+      ->needs(refine);
   run->add_flag("--quiet", arguments.quiet, "no progress, no closing words");
   run->add_flag("--json", arguments.json, "prints summary.json to stdout");
   return run;

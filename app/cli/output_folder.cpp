@@ -65,10 +65,10 @@ OutputFolder::OutputFolder(fs::path folder, const RunArguments& arguments)
     : folder_(std::move(folder)) {
   const auto type = type_of(folder_);
   if (type == fs::file_type::not_found) return;
+  if (type != fs::file_type::directory) refuse(folder_, "is a file, not an output folder");
   if (!arguments.force && !arguments.resume) {
     refuse(folder_, exists_text(folder_, arguments.restart));
   }
-  if (type != fs::file_type::directory) refuse(folder_, "is a file, not an output folder");
   take();
 }
 

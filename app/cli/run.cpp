@@ -10,6 +10,7 @@
 
 #include "app/cli/costs.hpp"
 #include "app/cli/find_restart.hpp"
+#include "app/cli/load_run.hpp"
 #include "app/cli/memory.hpp"
 #include "app/cli/output_folder.hpp"
 #include "app/cli/pictures.hpp"
@@ -33,23 +34,6 @@ namespace fs = std::filesystem;
 namespace {
 void choose_threads(int asked) {
   if (asked > 0) omp_set_num_threads(asked);
-}
-
-/// A deck with the command line's --until in place.
-LoadedDeck load(const RunArguments& arguments, bool print_warnings) {
-  auto overrides = arguments.overrides;
-  if (arguments.until) overrides.push_back("time.until=" + *arguments.until);
-  return load_or_tell_all(arguments.deck, overrides, print_warnings);
-}
-
-/// The same problems, those of --until under the name that the user knows.
-DeckError as_called(const DeckError& error, const RunArguments& arguments) {
-  auto problems = error.problems();
-  const std::string last = "--set #" + std::to_string(arguments.overrides.size() + 1);
-  for (auto& problem : problems) {
-    if (problem.place.file == last) problem.place.file = "--until";
-  }
-  return DeckError(problems);
 }
 
 /// The log of the root; other ranks keep none.
@@ -386,7 +370,7 @@ int run_command(const RunArguments& arguments, const Communicator& ranks) {
   listen_to_signals();
   choose_threads(arguments.threads);
   try {
-    const LoadedDeck loaded = load(arguments, ranks.is_root());
+    const LoadedDeck loaded = load_run(arguments, ranks.is_root());
     return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)
                                                      : run_scene<2>(loaded, arguments, ranks);
   } catch (const DeckError& error) {

@@ -29,6 +29,12 @@ std::string name_problem(const std::string& name) {
          " characters; a name has at most " + std::to_string(kLongestName);
 }
 
+/// What may be wrong where --set gives keys of something that the deck does not have.
+std::string made_anew(const Node& node, const std::string& path) {
+  if (!node.place.file.starts_with("--set")) return "";
+  return "; this is " + path + " as --set alone gives it: is its name right?";
+}
+
 std::string joined(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -115,10 +121,11 @@ void Reader::tell_unknown_and_missing(const Scope& closed) {
   for (; next != missing.end(); ++next) {
     const std::string name = (*next)->name;
     problem_at(closed.node->place, closed.path.empty() ? name : closed.path + "." + name,
-               "is missing: " + std::string((*next)->help));
+               "is missing: " + std::string((*next)->help) + made_anew(*closed.node, closed.path));
   }
   if (unknown.empty() && !closed.choice_missing.empty()) {
-    problem(*closed.node, closed.path, closed.choice_missing);
+    problem(*closed.node, closed.path,
+            closed.choice_missing + made_anew(*closed.node, closed.path));
   }
 }
 
