@@ -203,7 +203,8 @@ CLI::App* add_trade(CLI::App& app, TradeArguments& trade) {
       ->option_text("N")
       ->check(CLI::Range(1, 4096));
   command->add_option("--out", trade.out, "folder; default: the deck's name and .trade")
-      ->option_text("DIR");
+      ->option_text("DIR")
+      ->check(value_given());
   command->add_flag("--force", trade.force, "begins anew what is of another deck");
   command->add_flag("--quiet", trade.quiet, "no progress");
   command->add_flag("--json", trade.json, "prints trade.json instead of tables");
@@ -216,7 +217,8 @@ CLI::App* add_render(CLI::App& app, PictureArguments& picture) {
   render->add_option("--field", picture.field, "colours: von_mises, velocity.magnitude, ...")
       ->option_text("FIELD");
   render->add_option("--out", picture.out, "folder of the pictures; default: the output folder")
-      ->option_text("DIR");
+      ->option_text("DIR")
+      ->check(value_given());
   render->add_option("--frames", picture.frames, "all, last, or numbers such as 0,5,10")
       ->option_text("WHICH");
   render->add_option("--view", picture.view, "auto, oblique, front, side or top")
