@@ -118,9 +118,17 @@ class Memory {
 };
 // NOLINTEND(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory)
 
+/// How files, groups or arrays are made: without times, so that the same state is the same bytes.
+struct Creation : Handle {
+  explicit Creation(hid_t of) : Handle(H5Pcreate(of), H5Pclose, "no memory") {
+    need(H5Pset_obj_track_times(*this, false) >= 0, "HDF5 cannot leave times out");
+  }
+};
+
 struct Group : Handle {
   static Group made(hid_t in, const std::string& name) {
-    return Group(H5Gcreate2(in, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    const Creation creation(H5P_GROUP_CREATE);
+    return Group(H5Gcreate2(in, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT));
   }
   static Group opened(hid_t in, const std::string& name) {
     return Group(H5Gopen2(in, name.c_str(), H5P_DEFAULT));
@@ -138,7 +146,7 @@ void write_array(hid_t in, const char* name, hid_t file_type, hid_t memory_type,
   const std::size_t in_chunk = kChunkValues / std::max<std::size_t>(width, 1);
   const std::array<hsize_t, 2> chunk = {std::clamp<std::size_t>(in_chunk, 1, rows), width};
   const Handle space(H5Screate_simple(rank, size.data(), nullptr), H5Sclose, "no memory");
-  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "no memory");
+  const Creation layout(H5P_DATASET_CREATE);
   need(H5Pset_chunk(layout, rank, chunk.data()) >= 0 && H5Pset_fletcher32(layout) >= 0 &&
            H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER) >= 0,
        "an array cannot be laid out");
@@ -237,7 +245,8 @@ FileImage to_hdf5(CheckpointContent content) {
   {
     const Access access;
     need(memory.serve(access), "HDF5 does not take memory");
-    Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
+    const Creation creation(H5P_FILE_CREATE);
+    Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, creation, access), H5Fclose,
                 "HDF5 makes no file");
     write_content(file, content);
     need(file.close() >= 0, "HDF5 does not finish its file");

@@ -49,11 +49,22 @@ CLI::App* add_plan(CLI::App& app, RunArguments& arguments) {
   return plan;
 }
 
+/// Refuses what a variable without a value leaves in a script: --out "", and --out= before another
+/// option, which would be taken for the value.
+CLI::Validator value_given() {
+  const auto problem = [](const std::string& text) -> std::string {
+    if (text.empty()) return "is empty";
+    return text.starts_with("--") ? "has no value but the option '" + text + "'" : "";
+  };
+  return {problem, "", "a value"};
+}
+
 CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   auto* run = app.add_subcommand("run", "runs a deck");
   add_deck(run, arguments);
   run->add_option("--out", arguments.out, "output folder; default: the deck's name and .out")
-      ->option_text("DIR");
+      ->option_text("DIR")
+      ->check(value_given());
   run->add_flag("--force", arguments.force, "replaces what an earlier run wrote there");
   run->add_flag("--resume", arguments.resume,
                 "goes on from the latest good checkpoint; skips a run that is done");
@@ -67,14 +78,17 @@ CLI::App* add_run(CLI::App& app, RunArguments& arguments) {
   run->add_option("--until", arguments.until, "stops at this time with a checkpoint: '20 us'")
       ->option_text("TIME");
   run->add_option("--restart", arguments.restart,
-                  "goes on from a checkpoint, with a longer end or other output")
-      ->option_text("MANIFEST|DIR");
-  run->add_flag("--refine{3}", arguments.refine,
-                "runs other sizes too, --refine=2 or 3 in all: an error bar for every measure")
-      ->check(CLI::Range(2, 5));
+                  "goes on from a checkpoint, with a longer end or other output; writes to --out")
+      ->option_text("MANIFEST|DIR")
+      ->check(value_given());
+  auto* refine =
+      run->add_flag("--refine{3}", arguments.refine,
+                    "runs other sizes too, --refine=2 or 3 in all: an error bar for every measure")
+          ->check(CLI::Range(2, 5));
   run->add_option("--refine-key", arguments.refine_key,
                   "what they differ in: parameters.size, bodies.bar.cells; default: found")
-      ->option_text("KEY");
+      ->option_text("KEY")
+      ->needs(refine);
   run->add_flag("--quiet", arguments.quiet, "no progress, no closing words");
   run->add_flag("--json", arguments.json, "prints summary.json to stdout");
   return run;
@@ -189,7 +203,8 @@ CLI::App* add_trade(CLI::App& app, TradeArguments& trade) {
       ->option_text("N")
       ->check(CLI::Range(1, 4096));
   command->add_option("--out", trade.out, "folder; default: the deck's name and .trade")
-      ->option_text("DIR");
+      ->option_text("DIR")
+      ->check(value_given());
   command->add_flag("--force", trade.force, "begins anew what is of another deck");
   command->add_flag("--quiet", trade.quiet, "no progress");
   command->add_flag("--json", trade.json, "prints trade.json instead of tables");
@@ -202,7 +217,8 @@ CLI::App* add_render(CLI::App& app, PictureArguments& picture) {
   render->add_option("--field", picture.field, "colours: von_mises, velocity.magnitude, ...")
       ->option_text("FIELD");
   render->add_option("--out", picture.out, "folder of the pictures; default: the output folder")
-      ->option_text("DIR");
+      ->option_text("DIR")
+      ->check(value_given());
   render->add_option("--frames", picture.frames, "all, last, or numbers such as 0,5,10")
       ->option_text("WHICH");
   render->add_option("--view", picture.view, "auto, oblique, front, side or top")
@@ -268,6 +284,7 @@ int guarded(const ParallelSession& session, Command command) {
 /// All of command_line but what happens where not even options have room.
 int do_command(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads may go; a run goes on
+  std::signal(SIGXFSZ, SIG_IGN);  // what may not grow (ulimit -f) fails as on a full disk: EFBIG
   CLI::App app{
       "brunt: bodies that hit, cut, slide on and heat each other. Finite elements, SPH, contact."};
   app.set_version_flag("--version", std::string(BRUNT_VERSION) + " (" + BRUNT_ISA + ")");

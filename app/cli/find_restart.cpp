@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/deck/difference.hpp"
+#include "app/deck/findings.hpp"
 #include "io/file.hpp"
 #include "io/number.hpp"
 
@@ -72,6 +73,14 @@ std::unique_ptr<Restart> find_restart(const RunArguments& arguments, const fs::p
   auto asked = std::make_unique<Restart>(manifests_for(arguments.restart), loaded, report);
   if (asked->next()) return asked;
   throw MachineError("'" + arguments.restart + "' holds no checkpoint that is good");
+}
+
+void say_restart(const Restart& restart, const fs::path& folder, bool quiet, spdlog::logger& log) {
+  const auto& point = restart.point();
+  log.info("goes on from {}, t = {} s", point.manifest.string(), point.header.time);
+  if (quiet) return;
+  std::fprintf(stderr, "goes on from %s, t = %s; writes to %s\n", point.manifest.c_str(),
+               deck::time_text(point.header.time).c_str(), folder.c_str());
 }
 
 int verify_command(const std::string& file) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <spdlog/logger.h>
+
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -15,6 +17,10 @@ namespace brunt {
 std::unique_ptr<Restart> find_restart(const RunArguments& arguments,
                                       const std::filesystem::path& folder, const LoadedDeck& loaded,
                                       const Restart::Report& report);
+
+/// Where a run goes on and where it writes, on the log and, unless quiet, on stderr.
+void say_restart(const Restart& restart, const std::filesystem::path& folder, bool quiet,
+                 spdlog::logger& log);
 
 /// `brunt verify FILE`: reads checkpoints whole and says what they hold or what is wrong. 0: all of
 /// them are good, and there is one.

@@ -20,6 +20,29 @@ fs::file_type type_of(const fs::path& path) {
   if (type != fs::file_type::none) return type;
   throw MachineError("cannot use '" + path.string() + "': " + error.message());
 }
+
+/// True where a checkpoint, or a folder of them, is of this folder.
+bool lies_in(const fs::path& checkpoint, const fs::path& folder) {
+  std::error_code error;
+  const bool whole = fs::is_directory(checkpoint, error);
+  const fs::path parent = checkpoint.has_parent_path() ? checkpoint.parent_path() : ".";
+  return fs::equivalent(whole ? checkpoint : parent, folder, error);
+}
+
+/// What stands in the way of a run, and what would take it out of there.
+std::string exists_text(const fs::path& folder, const std::string& restart) {
+  if (restart.empty()) {
+    return "the output folder exists; --force replaces it, --resume goes on with its run or skips "
+           "it where it is done, --out DIR names another";
+  }
+  if (lies_in(restart, folder)) {
+    return "the output folder holds the run that --restart goes on from; --out DIR leaves it as it "
+           "is and writes the whole run to another, --force goes on in it and replaces what was "
+           "written after the checkpoint";
+  }
+  return "the output folder exists, and --restart writes the whole run there; --out DIR names "
+         "another, --force replaces what this one holds";
+}
 }  // namespace
 
 fs::path output_path(const RunArguments& arguments) {
@@ -42,12 +65,10 @@ OutputFolder::OutputFolder(fs::path folder, const RunArguments& arguments)
     : folder_(std::move(folder)) {
   const auto type = type_of(folder_);
   if (type == fs::file_type::not_found) return;
-  if (!arguments.force && !arguments.resume) {
-    refuse(folder_,
-           "the output folder exists; --force replaces it, --resume goes on with its run or skips "
-           "it where it is done, --out DIR names another");
-  }
   if (type != fs::file_type::directory) refuse(folder_, "is a file, not an output folder");
+  if (!arguments.force && !arguments.resume) {
+    refuse(folder_, exists_text(folder_, arguments.restart));
+  }
   take();
 }
 

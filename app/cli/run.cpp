@@ -10,6 +10,7 @@
 
 #include "app/cli/costs.hpp"
 #include "app/cli/find_restart.hpp"
+#include "app/cli/load_run.hpp"
 #include "app/cli/memory.hpp"
 #include "app/cli/output_folder.hpp"
 #include "app/cli/pictures.hpp"
@@ -33,24 +34,6 @@ namespace fs = std::filesystem;
 namespace {
 void choose_threads(int asked) {
   if (asked > 0) omp_set_num_threads(asked);
-}
-
-/// A deck with the command line's --until in place.
-LoadedDeck load(const RunArguments& arguments, bool print_warnings) {
-  auto overrides = arguments.overrides;
-  if (!arguments.until) return load_or_tell_all(arguments.deck, overrides, print_warnings);
-  overrides.push_back("time.until=" + *arguments.until);
-  try {
-    return load_or_tell_all(arguments.deck, overrides, print_warnings);
-  } catch (const DeckError& error) {
-    auto problems = error.problems();
-    for (auto& problem : problems) {
-      if (problem.place.file == "--set #" + std::to_string(overrides.size())) {
-        problem.place.file = "--until";
-      }
-    }
-    throw DeckError(problems);
-  }
 }
 
 /// The log of the root; other ranks keep none.
@@ -283,11 +266,6 @@ void log_start(const RunArguments& arguments, const Scene<Dim>& scene, const Com
   for (const auto& probe : scene.probes) log.info("{}", place_text(probe));
 }
 
-void log_restart(const Restart& restart, spdlog::logger& log) {
-  log.info("goes on from {}, t = {} s", restart.point().manifest.string(),
-           restart.point().header.time);
-}
-
 /// Checkpoints that the run could not go on from.
 void log_refused(const std::vector<std::string>& reasons, RunSummary& summary,
                  spdlog::logger& log) {
@@ -373,7 +351,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const auto frames = make_frame_sink(folder, ranks);
   Monitor<Dim> monitor(deck, history ? &*history : nullptr, frames.get(), arguments.quiet || !root,
                        [&](const RunWarning& warning) { warn(warning, root, *log); });
-  if (restart) log_restart(*restart, *log);
+  if (restart) say_restart(*restart, folder, arguments.quiet || !root, *log);
   Checkpointing<Dim> checkpointing(loaded, folder, monitor, restart.get(), take_requests);
   const Ended ended = step_to_end(*scene, clock, monitor, checkpointing, balance);
   log_refused(refused, summary, *log);
@@ -391,9 +369,13 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
 int run_command(const RunArguments& arguments, const Communicator& ranks) {
   listen_to_signals();
   choose_threads(arguments.threads);
-  const LoadedDeck loaded = load(arguments, ranks.is_root());
-  return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)
-                                                   : run_scene<2>(loaded, arguments, ranks);
+  try {
+    const LoadedDeck loaded = load_run(arguments, ranks.is_root());
+    return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)
+                                                     : run_scene<2>(loaded, arguments, ranks);
+  } catch (const DeckError& error) {
+    throw as_called(error, arguments);
+  }
 }
 
 }  // namespace brunt

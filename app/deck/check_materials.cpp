@@ -26,6 +26,25 @@ void check_melting(const Deck& deck, const Named<Material>& material, Findings& 
   }
 }
 
+/// Metals soften over hundreds of kelvins; over a few, a rounding of the temperature decides.
+void check_softening(const Named<Material>& material, Findings& findings) {
+  constexpr Real kNarrow = 50;  // [K]
+  const auto look = [&](const std::string& key, Real reference, Real melting) {
+    const std::string path = "materials." + material.name + key;
+    if (!findings.sound(path) || !(melting - reference < kNarrow)) return;
+    findings.warn(path + ".T_melt",
+                  "heat acts in full within the " + kelvin(melting - reference) +
+                      " from T_ref = " + kelvin(reference) + " to T_melt = " + kelvin(melting) +
+                      "; in metals that takes hundreds of kelvins: check both, and their units");
+  };
+  if (const auto* law = std::get_if<JohnsonCook>(&material.value.strength); law && law->T_melt) {
+    look(".strength.johnson-cook", law->T_ref, *law->T_melt);
+  }
+  if (const auto* law = std::get_if<JohnsonCookDamage>(&material.value.damage)) {
+    if (law->D5 != 0) look(".damage.johnson-cook", law->T_ref, law->T_melt);
+  }
+}
+
 void check_heat(const Deck& deck, const Named<Material>& material, Findings& findings) {
   const auto* law = std::get_if<JohnsonCook>(&material.value.strength);
   const bool softens = law && law->T_melt;
@@ -187,6 +206,7 @@ void check_materials(const Deck& deck, Findings& findings) {
   for (const auto& material : deck.materials) {
     if (!findings.sound("materials." + material.name)) continue;
     check_melting(deck, material, findings);
+    check_softening(material, findings);
     check_heat(deck, material, findings);
     check_equation_of_state(material, findings);
     check_expansion(deck, material, findings);

@@ -31,13 +31,17 @@ std::string columns_like(const std::string& column, const Names& columns) {
   return list.empty() ? "; brunt plan lists the columns" : "; there are " + list;
 }
 
+template <int Dim>
+Label label_of(const Scene<Dim>& scene, const std::string& body) {
+  const auto found = std::find(scene.body_names.begin(), scene.body_names.end(), body);
+  return static_cast<Label>(found - scene.body_names.begin());
+}
+
 /// The fields that a body has: those of one of its elements or particles, for all are of one
 /// material.
 template <int Dim>
 Names fields_of(const Scene<Dim>& scene, const std::string& body) {
-  const auto found = std::find(scene.body_names.begin(), scene.body_names.end(), body);
-  const auto label = static_cast<Label>(found - scene.body_names.begin());
-  const BodyView view = scene.view(label, WantedFields{.names = {}, .most = 1});
+  const BodyView view = scene.view(label_of(scene, body), WantedFields{.names = {}, .most = 1});
   Names names;
   for (const auto* fields : {&view.point_fields, &view.cell_fields}) {
     for (const auto& field : *fields) {
@@ -51,6 +55,54 @@ std::string joined(const Names& names) {
   std::string list;
   for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
   return list;
+}
+
+/// Bodies without mass have no speed of their own, and no means over points, which masses weigh.
+template <int Dim>
+bool has_mass(const LoadedDeck& loaded, const Scene<Dim>& scene, const std::string& name) {
+  const auto& bodies = loaded.deck.bodies;
+  const auto body = std::find_if(bodies.begin(), bodies.end(),
+                                 [&](const auto& named) { return named.name == name; });
+  if (body == bodies.end() || !body->value.rigid || follows_forces(body->value)) return true;
+  const auto view = scene.view(label_of(scene, name), kNoFields);
+  return std::any_of(view.point_mass.begin(), view.point_mass.end(),
+                     [](Real mass) { return mass > 0; });
+}
+
+/// True where a body is at rest at time 0, and no boundary could move it from then on.
+template <int Dim>
+bool rests_at_start(const LoadedDeck& loaded, const Scene<Dim>& scene, const std::string& name) {
+  for (const auto& boundary : loaded.deck.boundaries) {
+    if (boundary.value.body == name) return false;
+  }
+  const auto view = scene.view(label_of(scene, name), WantedFields{{{"velocity"}}});
+  return deck::SpeedMeasure::speed_of(view) == 0;
+}
+
+/// What is wrong with a measure of a body whose masses it weighs by; "": nothing.
+template <class Kind, int Dim>
+std::string weights_problem(const LoadedDeck& loaded, const Scene<Dim>& scene, const Kind& kind,
+                            bool wrong_elsewhere) {
+  constexpr bool rebound = std::is_same_v<Kind, deck::RestitutionMeasure>;
+  constexpr bool mean = std::is_same_v<Kind, deck::MeanMeasure>;
+  constexpr bool speed = std::is_same_v<Kind, deck::SpeedMeasure>;
+  if constexpr (rebound || mean || speed) {
+    if (!contains(scene.body_names, kind.body)) return "";
+    const std::string who = "'" + kind.body + "' ";
+    if (!has_mass(loaded, scene, kind.body)) {
+      const std::string why = who + "has no mass, for it is rigid and follows no forces; ";
+      if (mean) return why + "write min, max or point instead";
+      return why + "the velocity of its centre is {history: {column: body." + kind.body +
+             ".velocity.x, reduce: last}}";
+    }
+    if (rebound && !wrong_elsewhere && rests_at_start(loaded, scene, kind.body)) {
+      return who +
+             "is at rest at time 0, and this is its speed over that of then; write speed: "
+             "{body: " +
+             kind.body + "} instead";
+    }
+  }
+  return "";
 }
 
 /// True where the rest of a wrong deck, once right, may bring the column: it is of something that
@@ -151,6 +203,8 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
           const std::string path =
               "measures." + named.name + "." + std::remove_cvref_t<decltype(kind)>::deck_name;
           if constexpr (requires { kind.field; }) check_field(path, kind);
+          const auto problem = weights_problem(loaded, scene, kind, wrong_elsewhere);
+          if (!problem.empty()) problems.push_back(loaded.places.problem(path + ".body", problem));
           if constexpr (requires { kind.column; }) {
             if (contains(columns, kind.column)) return;
             if (wrong_elsewhere && may_come(kind.column, columns, loaded)) return;

@@ -182,16 +182,21 @@ std::vector<Variant> make_variants(const std::string& deck,
     variant.choices = choices;
     variant.label = label_of_choices(varies, choices);
     variant.overrides = overrides;
+    std::map<std::string, std::string> called;  // as the user gave it, by its place as an override
     for (std::size_t k = 0; k < varies.size(); ++k) {
       if (choices[k] < 0) continue;
       for (const auto& key : varies[k].keys) {
         variant.overrides.push_back(key + "=" + varies[k].values[slot_of(choices[k])]);
+        called["--set #" + std::to_string(variant.overrides.size())] =
+            "--vary #" + std::to_string(k + 1);
       }
     }
     std::vector<DeckProblem> found;
     variant.loaded = read_deck(deck, variant.overrides, found);
     for (auto& problem : found) {
       problem.message += " (" + variant.label + ")";
+      const auto place = called.find(problem.place.file);
+      if (place != called.end()) problem.place.file = place->second;
       problems.push_back(std::move(problem));
     }
     if (!found.empty() || !hashes.insert(variant.loaded.hash).second) continue;

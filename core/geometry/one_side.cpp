@@ -1,5 +1,6 @@
 #include "core/geometry/one_side.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -29,30 +30,60 @@ struct Shell {
   Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
 };
 
-std::vector<Shell> shells_of(const std::vector<Face>& faces) {
-  std::vector<std::size_t> parent(faces.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
+/// Sets of faces that are joined one by one (union-find).
+class FaceSets {
+ public:
+  explicit FaceSets(std::size_t n) : parent_(n) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t of(std::size_t f) {
+    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
     return f;
-  };
-  struct Use {
-    std::size_t first = 0, times = 0;
-  };
-  std::map<std::pair<int, int>, Use> edges;
+  }
+  void join(std::size_t f, std::size_t g) { parent_[of(f)] = of(g); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+using Edge = std::pair<int, int>;
+
+std::map<Edge, std::vector<std::size_t>> faces_at_edges(const std::vector<Face>& faces) {
+  std::map<Edge, std::vector<std::size_t>> edges;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const int n = corners_of(faces[f]);
     for (int c = 0; c < n; ++c) {
       const int a = faces[f][slot_of(c)], b = faces[f][slot_of((c + 1) % n)];
-      Use& use = edges.try_emplace(std::minmax(a, b), Use{f, 0}).first->second;
-      ++use.times;
-      parent[root(f)] = root(use.first);
+      edges[std::minmax(a, b)].push_back(f);
     }
   }
+  return edges;
+}
+
+/// True where each set has an even number of the faces at an edge.
+bool are_pairs(FaceSets& sets, const std::vector<std::size_t>& at_edge) {
+  std::map<std::size_t, int> times;
+  for (const std::size_t f : at_edge) ++times[sets.of(f)];
+  return std::all_of(times.begin(), times.end(),
+                     [](const auto& set) { return set.second % 2 == 0; });
+}
+
+/// Where more than two faces meet at an edge, bodies touch there: what hangs together elsewhere is
+/// a shell by itself, unless it would be open at that edge.
+std::vector<Shell> shells_of(const std::vector<Face>& faces) {
+  const auto edges = faces_at_edges(faces);
+  FaceSets sets(faces.size());
+  for (const auto& [edge, at] : edges) {
+    if (at.size() == 2) sets.join(at[0], at[1]);
+  }
+  for (const auto& [edge, at] : edges) {
+    if (are_pairs(sets, at)) continue;
+    for (const std::size_t f : at) sets.join(f, at.front());
+  }
   std::map<std::size_t, Shell> shells;
-  for (std::size_t f = 0; f < faces.size(); ++f) shells[root(f)].faces.push_back(f);
-  for (const auto& [edge, use] : edges) {
-    if (use.times % 2 == 1) shells[root(use.first)].closed = false;
+  for (std::size_t f = 0; f < faces.size(); ++f) shells[sets.of(f)].faces.push_back(f);
+  for (const auto& [edge, at] : edges) {
+    if (at.size() % 2 == 1) shells[sets.of(at.front())].closed = false;
   }
   std::vector<Shell> list;
   list.reserve(shells.size());
@@ -90,7 +121,15 @@ bool goes_round(const std::vector<Vec3>& nodes, const std::vector<Face>& faces, 
   return std::fabs(angle) > 2 * kPi;
 }
 
+Vec3 center_of(const std::vector<Vec3>& nodes, const Face& face) {
+  Vec3 sum = Vec3::Zero();
+  const int n = corners_of(face);
+  for (int c = 0; c < n; ++c) sum += nodes[slot_of(face[slot_of(c)])];
+  return sum / n;
+}
+
 /// True where a shell is inside another, all of it: of its faces some, spread over it, are asked.
+/// Their corners would not do: they may lie on the other where the two touch.
 bool is_inside(const std::vector<Vec3>& nodes, const std::vector<Face>& faces, const Shell& shell,
                const Shell& other) {
   constexpr std::size_t kAsked = 64;
@@ -99,7 +138,7 @@ bool is_inside(const std::vector<Vec3>& nodes, const std::vector<Face>& faces, c
   }
   const std::size_t n = shell.faces.size(), step = n / kAsked + 1;
   for (std::size_t k = 0; k < n; k += step) {
-    const Vec3& x = nodes[slot_of(faces[shell.faces[k]][0])];
+    const Vec3 x = center_of(nodes, faces[shell.faces[k]]);
     if (!goes_round(nodes, faces, other, x)) return false;
   }
   return true;

@@ -224,7 +224,7 @@ class SchemaWriter {
       case Type::named: {
         const Json entry = map_schema(key.children);
         Json schema{{"type", "object"},
-                    {"propertyNames", {{"pattern", "^[A-Za-z0-9_][A-Za-z0-9_-]*$"}}},
+                    {"propertyNames", {{"pattern", "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$"}}},
                     {"additionalProperties", entry}};
         if (!key.list_allowed) return any_of({schema, parameter});
         return any_of({schema, Json{{"type", "array"}, {"items", entry}}, parameter});

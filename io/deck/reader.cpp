@@ -11,12 +11,28 @@ namespace brunt {
 
 namespace {
 
-bool is_entry_name(const std::string& name) {
+constexpr std::size_t kLongestName = 100;  // of bodies, files are called; those have up to 255
+
+/// What is wrong with the name of an entry; "": nothing.
+std::string name_problem(const std::string& name) {
   const auto allowed = [](char c) {
     return c == '_' || c == '-' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
            (c >= 'A' && c <= 'Z');
   };
-  return !name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), allowed);
+  const std::string rule = "letters, digits, _ and - make names";
+  if (!std::all_of(name.begin(), name.end(), allowed) || name.empty()) {
+    return "'" + name + "' is not a name: " + rule;
+  }
+  if (name.front() == '-') return "'" + name + "' is not a name: " + rule + ", and no - begins one";
+  if (name.size() <= kLongestName) return "";
+  return "'" + name.substr(0, 20) + "...' has " + std::to_string(name.size()) +
+         " characters; a name has at most " + std::to_string(kLongestName);
+}
+
+/// What may be wrong where --set gives keys of something that the deck does not have.
+std::string made_anew(const Node& node, const std::string& path) {
+  if (!node.place.file.starts_with("--set")) return "";
+  return "; this is " + path + " as --set alone gives it: is its name right?";
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -105,10 +121,11 @@ void Reader::tell_unknown_and_missing(const Scope& closed) {
   for (; next != missing.end(); ++next) {
     const std::string name = (*next)->name;
     problem_at(closed.node->place, closed.path.empty() ? name : closed.path + "." + name,
-               "is missing: " + std::string((*next)->help));
+               "is missing: " + std::string((*next)->help) + made_anew(*closed.node, closed.path));
   }
   if (unknown.empty() && !closed.choice_missing.empty()) {
-    problem(*closed.node, closed.path, closed.choice_missing);
+    problem(*closed.node, closed.path,
+            closed.choice_missing + made_anew(*closed.node, closed.path));
   }
 }
 
@@ -202,9 +219,8 @@ void Reader::visit_named(const Key& key, bool list_allowed, std::function<std::s
     }
   } else if (node->is_map()) {
     for (const Entry& entry : node->entries) {
-      if (!is_entry_name(entry.key)) {
-        problem_at(entry.place, path,
-                   "'" + entry.key + "' is not a name: letters, digits, _ and - make names");
+      if (const auto wrong = name_problem(entry.key); !wrong.empty()) {
+        problem_at(entry.place, path, wrong);
       } else if (entry.value.is_null()) {
         problem_at(entry.place, path + "." + entry.key, "has no keys");
       } else {

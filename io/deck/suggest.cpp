@@ -23,6 +23,15 @@ int edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+namespace {
+/// True where they differ in capital letters alone.
+bool same_letters(std::string_view a, std::string_view b) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return small(x) == small(y); });
+}
+}  // namespace
+
 std::string nearest_word(std::string_view word, std::span<const std::string> known) {
   constexpr std::size_t kLongest = 64;
   if (word.size() > kLongest) return "";
@@ -30,6 +39,10 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
   std::string plural =
       word.ends_with('y') ? std::string(word.substr(0, word.size() - 1)) + "ies" : "";
   if (std::find(known.begin(), known.end(), plural) != known.end()) return plural;
+  // "Us" is no typing error for "ms".
+  const auto letters = std::find_if(known.begin(), known.end(),
+                                    [&](const auto& one) { return same_letters(one, word); });
+  if (letters != known.end()) return *letters;
   std::string nearest;
   int least = std::max(1, static_cast<int>(word.size()) / 3) + 1;
   for (const std::string& candidate : known) {

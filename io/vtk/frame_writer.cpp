@@ -97,6 +97,11 @@ FrameWriter::FrameWriter(std::filesystem::path folder, const std::string& index,
   remove_run_files(folder_, kUnder, kept);
 }
 
+FrameWriter::~FrameWriter() {
+  std::error_code not_empty;
+  std::filesystem::remove(folder_ / kSubfolder, not_empty);
+}
+
 void FrameWriter::add(FrameEntry frame) {
   frames_.push_back(std::move(frame));
   ++next_;

@@ -25,6 +25,12 @@ class FrameWriter {
   FrameWriter(std::filesystem::path folder, const std::string& index,
               const std::filesystem::path& from);
 
+  /// Takes the folder of frames away again where it is empty, as after a first one that was
+  /// refused.
+  ~FrameWriter();
+  FrameWriter(const FrameWriter&) = delete;
+  FrameWriter& operator=(const FrameWriter&) = delete;
+
   /// The present text of frames.pvd.
   std::string index() const { return frame_index_text(frames_); }
 

@@ -54,7 +54,27 @@ expect 2 "$brunt" run "$deck" "${short[@]}" --restart shorter --set "time.end=1 
 says 'time after that of the checkpoint'
 expect 2 "$brunt" run "$deck" "${short[@]}" --restart shorter --set time.safety=0.5 --out wrong
 says 'time.safety: .* in the checkpoint, 0.5 in the deck'
+expect 2 "$brunt" run "$deck" "${short[@]}" --restart shorter --until "1 us" --out wrong
+says '^--until: time.until: expects a time after'
 [ ! -e wrong ] || fail "a refused restart made a folder"
+
+# Without --out, into the deck's own folder: refused where it exists, with a word on what would be lost.
+cp -r shorter bars.out && files_of() { (cd "$1" && find . -type f -exec sha256sum {} + | sort); }
+files_of bars.out >before.txt
+expect 2 "$brunt" run "$deck" "${short[@]}" --restart bars.out
+says '^bars.out: the output folder holds the run that --restart goes on from'
+expect 2 "$brunt" run "$deck" "${short[@]}" --restart "$(latest bars.out)"
+says 'replaces what was written after the checkpoint'
+expect 2 "$brunt" run "$deck" "${short[@]}" --restart shorter
+says '^bars.out: the output folder exists, and --restart writes the whole run there'
+files_of bars.out | cmp - before.txt || fail "a refused --restart changed the folder"
+expect 0 "$brunt" run "$deck" "${short[@]:1}" --restart bars.out --force
+says '^goes on from bars.out/checkpoint-[0-9]*.manifest, t = .*s; writes to bars.out$'
+same_run whole bars.out
+rm -r bars.out
+expect 0 "$brunt" run "$deck" "${short[@]:1}" --restart shorter
+says '^goes on from shorter/checkpoint-[0-9]*.manifest, t = .*s; writes to bars.out$'
+same_run whole bars.out
 
 # Signals: one goes on, the others stop; what is left goes on to the same end.
 long=(--quiet --set "time.end=60 us" --set "output.every=20 us" --set "output.history=1 us" --set output.state_hash=true
@@ -153,4 +173,19 @@ done
 expect 0 "$brunt" run "$deck" "${full[@]}" --resume --out disk
 cmp whole/history.csv disk/history.csv || fail "history after a full disk"
 echo "$tried of $count writes to a full disk: status 4, file named, checkpoint good"
+
+# Writes that are interrupted (EINTR) or take a part only change no byte of history, frames and checkpoints.
+plain=("${short[@]}" --set output.checkpoint_steps=20)
+for how in plain short; do
+  unset BRUNT_SHORT
+  [ $how = plain ] || export BRUNT_SHORT=1
+  expect 0 env LD_PRELOAD="$shim" BRUNT_COUNT="$work/count_$how" "$brunt" run "$deck" "${plain[@]}" --out "$how"
+done
+unset BRUNT_SHORT
+[ "$(cat count_short)" -gt $(($(cat count_plain) * 3 / 2)) ] || fail "only $(cat count_short) writes were seen"
+[ -n "$(find plain -name '*.h5')" ] || fail "no checkpoint of plain writes"
+diff -rq --exclude=log.txt --exclude=summary.json plain short || fail "short writes change bytes"
+diff <(result plain) <(result short) || fail "summary of short writes"
+expect 0 "$brunt" verify short
+echo "$(cat count_short) short writes for $(cat count_plain)"
 echo "all good"

@@ -73,6 +73,28 @@ expect 0 "$brunt" explain materials.strength.johnson-cook.C
 expect 0 "$brunt" schema
 grep -q '"taylor_quinney"' out.txt || fail "schema"
 
+# What a script leaves where a variable has no value, and options that do nothing, are not passed over in silence.
+said() { grep -q -- "$1" err.txt out.txt || { cat err.txt out.txt; fail "does not say '$1'"; }; }
+for option in --out --restart; do
+  expect 2 "$brunt" run "$deck" "${short[@]}" $option ''
+  said "$option: is empty"
+  expect 2 "$brunt" run "$deck" $option= "${short[@]}"
+  said "$option: has no value but the option '--"
+done
+[ ! -e ./--set ] || fail "a run into an option"
+expect 2 "$brunt" run "$deck" "${short[@]}" --refine-key parameters.cells --out wrong
+said '--refine'
+expect 0 "$brunt" run "$deck" "${short[@]}" --until 5 --out late
+said '^warning: --until: time.until: 5 s is after the end of the run, .* (time.end): it stops nothing'
+grep -q 'it stops nothing' late/summary.json || fail "no warning in the summary"
+expect 2 "$brunt" run "$deck" "${short[@]}" --out wrong --set 'bodies.strikr.velocity=[0, 0, 0]'
+said '^--set #[0-9]*: bodies.strikr.shape: is missing: .*; this is bodies.strikr as --set alone gives it: is its name right'
+echo 1 >file
+for how in --quiet --force --resume; do
+  expect 2 "$brunt" run "$deck" "${short[@]}" $how --out file
+  said '^file: is a file, not an output folder'
+done
+
 # Points that erosion has left on the axis of an axisymmetric scene, where they stand for no area,
 # touch: frames are written.
 cat >axis.yaml <<'END'

@@ -17,6 +17,20 @@ says() { grep -q -- "$1" err.txt || { cat err.txt; fail "does not say '$1'"; }; 
 expect 3 "$brunt" run "$deck" "${short[@]}" --out fast --set 'bodies.striker.velocity=[1e160 m/s, 0, 0]'
 says 'is no finite number'
 
+# ... and one whose first frame is none, in single precision: no folder of no frames.
+expect 3 "$brunt" run "$deck" "${short[@]}" --out far --set 'bodies.striker.velocity=["= 1e42 * x", 0, 0]'
+says 'a frame: velocity'
+[ -e far/frames.pvd ] && [ ! -e far/frames ] || fail "frames/ of no frames"
+
+# A limit on the size of files is like a full disk: what cannot be written is named, nothing is left of it.
+for kilobytes in 1 3 6 12; do
+  status=0
+  (ulimit -f "$kilobytes" && exec "$brunt" run "$deck" "${short[@]}" --force --out small) >out.txt 2>err.txt || status=$?
+  [ $status = 4 ] || { cat err.txt; fail "status $status with files of $kilobytes kB"; }
+  says 'File too large'
+  [ -z "$(find small -name '*.tmp-*')" ] || fail "a temporary is left of files of $kilobytes kB"
+done
+
 # Hardly any memory. Where libraries do not fit the loader ends the program, or they do themselves;
 # once it is there, it says what is wrong.
 there=false

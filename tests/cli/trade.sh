@@ -91,6 +91,9 @@ expect 2 "$brunt" trade bar.yaml --vary "parameters.cels=4,8" --vary "time.safet
 grep -q "cels" err.txt && grep -q "safety" err.txt || { cat err.txt; fail "not all that is wrong is said"; }
 [ ! -e wrong ] || fail "a wrong call made a folder"
 expect 2 "$brunt" trade bar.yaml
+expect 2 "$brunt" trade bar.yaml --set time.safety=0.5 "${vary[@]}" --vary "times.end=1" --out wrong
+grep -q "^--vary #2: unknown key 'times'" err.txt || { cat err.txt; fail "the option that is wrong is not named"; }
+expect 2 "$brunt" trade bar.yaml "${vary[@]}" --out ''
 expect 2 "$brunt" trade bar.yaml "${vary[@]}" --grid --one-at-a-time
 
 # `table` shows columns of history.csv and what runs cost.

@@ -24,7 +24,7 @@ NOT_SEEN = {
         step-longest-below-shortest table-falls tube-inside-out
         boundary-does-nothing grading-of-a-wall grading-of-particles particles-of-three-spacings pair-precision-of-far-spacings
         element-options-on-particles particle-options-on-elements plane-that-deforms process-speed-of-impacts
-        measure-temperature-of-a-cold-body measures-wrong only-rigid bonded-elements
+        measure-temperature-of-a-cold-body measure-weighed-by-no-mass measures-wrong only-rigid bonded-elements
         fluid-with-strength fluid-hourglass-stiffness material-without-elastic
         mesh-beside-size damage two-closures erode-concrete-by-damage
         stress-above-yield stress-of-a-fluid stress-of-a-gas stress-of-bodies-without""",

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace brunt {
 namespace {
 
@@ -29,6 +32,16 @@ struct Boxes {
         faces.push_back(face);
       } else {
         faces.insert(faces.end(), {{a, b, c, -1}, {a, c, d, -1}});
+      }
+    }
+  }
+  /// Nodes at the same place become one.
+  void merge() {
+    for (auto& face : faces) {
+      for (int& node : face) {
+        if (node < 0) continue;
+        node = static_cast<int>(std::find(nodes.begin(), nodes.end(), nodes[slot_of(node)]) -
+                                nodes.begin());
       }
     }
   }
@@ -74,6 +87,63 @@ TEST(TurnOutward, ShellsThatOverlapAreNoHollows) {
   boxes.add({1, 0.5, 0.5}, {2, 1, 1}, false);
   EXPECT_EQ(turn_outward(boxes.nodes, boxes.faces).turned, 1U);
   EXPECT_NEAR(boxes.volume(), 8 + 2, 1e-12);
+}
+
+TEST(TurnOutward, BoxesThatTouchAlongAnEdgeAreTwo) {
+  for (const bool quads : {true, false}) {
+    for (const bool large_outward : {true, false}) {
+      for (const bool small_outward : {true, false}) {
+        Boxes boxes;
+        boxes.add({0, 0, 0}, {2, 2, 1}, large_outward, quads);
+        boxes.add({2, 2, 0}, {1, 1, 1}, small_outward, quads);
+        boxes.merge();
+        const auto result = turn_outward(boxes.nodes, boxes.faces);
+        EXPECT_EQ(result.closed, 2U);
+        EXPECT_EQ(result.turned, (large_outward ? 0U : 1U) + (small_outward ? 0U : 1U));
+        EXPECT_NEAR(boxes.volume(), 4 + 1, 1e-12);
+      }
+    }
+  }
+}
+
+// An edge of the hollow on one of the wall, with nodes of its own elsewhere: a wedge in the corner.
+TEST(TurnOutward, HollowsThatTouchTheWallAlongAnEdge) {
+  for (const bool outward : {true, false}) {
+    Boxes boxes;
+    boxes.add({0, 0, 0}, {4, 4, 1}, outward);
+    const int first = static_cast<int>(boxes.nodes.size());
+    for (const Real z : {0.0, 1.0}) {  // touches the edge x = y = 0 alone
+      for (const auto& [x, y] : {std::pair{1.0, 0.5}, {1.0, 1.0}, {0.5, 1.0}}) {
+        boxes.nodes.emplace_back(x, y, 0.25 + 0.5 * z);
+      }
+    }
+    const int low = 0, high = 4;  // nodes of the wall at x = y = 0
+    Faces hollow{{low, first, first + 1, first + 2},
+                 {high, first + 5, first + 4, first + 3},
+                 {low, high, first + 3, first},
+                 {first, first + 3, first + 4, first + 1},
+                 {first + 1, first + 4, first + 5, first + 2},
+                 {first + 2, first + 5, high, low}};
+    if (!outward) {
+      for (auto& face : hollow) std::swap(face[0], face[2]);
+    }
+    boxes.faces.insert(boxes.faces.end(), hollow.begin(), hollow.end());
+    const Real before = boxes.volume();
+    const auto result = turn_outward(boxes.nodes, boxes.faces);
+    EXPECT_EQ(result.closed, 2U);
+    EXPECT_EQ(result.turned, outward ? 0U : 2U);
+    EXPECT_NEAR(boxes.volume(), std::fabs(before), 1e-12);
+    EXPECT_LT(boxes.volume(), 16);
+  }
+}
+
+TEST(TurnOutward, BoxesThatShareAFaceStay) {
+  Boxes boxes;
+  boxes.add({0, 0, 0}, {1, 1, 1}, true);
+  boxes.add({1, 0, 0}, {1, 1, 1}, true);
+  boxes.merge();
+  EXPECT_EQ(turn_outward(boxes.nodes, boxes.faces).turned, 0U);
+  EXPECT_NEAR(boxes.volume(), 2, 1e-12);
 }
 
 TEST(TurnOutward, OpenShellsAndSheetsStay) {

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <fstream>
 #include <random>
+#include <thread>
 
 #include "io/file.hpp"
 #include "io/hash.hpp"
@@ -68,6 +70,15 @@ TEST_F(CheckpointFiles, ReadBackToTheBit) {
     EXPECT_EQ(std::memcmp(table.value.data(), wanted.value.data(), 8 * wanted.value.size()), 0);
   }
   EXPECT_EQ(read.content.texts, content(0).texts);
+}
+
+TEST_F(CheckpointFiles, TheSameStateIsTheSameBytesAtAnotherTime) {
+  const auto part = folder_ / "checkpoint-000000000042.0.h5";
+  write(42);
+  const std::string before = read_file(part);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 has times in seconds
+  write(42);
+  EXPECT_TRUE(read_file(part) == before);
 }
 
 TEST_F(CheckpointFiles, TablesWithoutRowsAreLeftOut) {

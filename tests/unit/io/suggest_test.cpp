@@ -20,6 +20,10 @@ TEST(Suggest, NamesWhatWasMeantAndNothingElse) {
   EXPECT_EQ(nearest_word("densiti", known), "density");
   EXPECT_EQ(nearest_word("velocity", known), "");
   EXPECT_EQ(nearest_word("q", known), "");  // any letter is one change away from k
+  const std::vector<std::string> units{"m", "s", "ms", "us", "Pa", "MPa", "GPa"};
+  EXPECT_EQ(nearest_word("Us", units), "us");  // nearer than ms, which is as far by letters
+  EXPECT_EQ(nearest_word("gpa", units), "GPa");
+  EXPECT_EQ(nearest_word("DENSITY", known), "density");
   EXPECT_EQ(suggestion("elastc", known), "; did you mean 'elastic'?");
   EXPECT_EQ(suggestion("zzzzzz", known), "; known are density, elastic, cp, k");
 }

@@ -236,6 +236,13 @@ TEST_F(VtkTest, FieldsOfAnyLengthAreClampedToSingles) {
   }
 }
 
+TEST_F(VtkTest, LeavesNoFolderOfNoFrames) {
+  { const FrameWriter writer(folder_); }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "frames"));
+  FrameWriter(folder_).write(0, {particles()}, nullptr);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "frames"));
+}
+
 // Values that wait are seen but once, when they are written: nothing of that frame is left.
 TEST_F(VtkTest, RefusesFieldsThatWaitAndAreNoNumbers) {
   FrameWriter writer(folder_);
