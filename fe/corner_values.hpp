@@ -72,22 +72,23 @@ BRUNT_INLINE Wide load_two_rows(const Real* low, const Real* high) {
   const __m512d first = _mm512_maskz_loadu_pd(0x07, low);
   return _mm512_mask_loadu_pd(first, 0x70, high - kLanes);
 }
-/// `gather` of eight elements: rows of two of them at once.
+/// `gather` of eight elements: rows of two of them at once, such that what is interleaved comes out
+/// in the order of elements.
 template <int N>
 BRUNT_INLINE void gather_rows(const LocalIndex* corner, const Vec<3>* field, Wide (&node)[N][3]) {
   for (int I = 0; I < N; ++I) {
-    Wide two[kLanes];
-    for (int lane = 0; lane < kLanes; ++lane) {
-      two[lane] = load_two_rows(field[corner[lane * N + I]].data(),
-                                field[corner[(kLanes + lane) * N + I]].data());
+    Wide two[kLanes];  // elements 0 and 2, 1 and 3, 4 and 6, 5 and 7
+    for (int k = 0; k < kLanes; ++k) {
+      const int low = k < 2 ? k : k + 2, high = low + 2;
+      two[k] = load_two_rows(field[corner[low * N + I]].data(), field[corner[high * N + I]].data());
     }
-    const Wide xz01 = __builtin_shufflevector(two[0], two[1], 0, 8, 2, 10, 4, 12, 6, 14);
-    const Wide xz23 = __builtin_shufflevector(two[2], two[3], 0, 8, 2, 10, 4, 12, 6, 14);
-    const Wide y01 = __builtin_shufflevector(two[0], two[1], 1, 9, 3, 11, 5, 13, 7, 15);
-    const Wide y23 = __builtin_shufflevector(two[2], two[3], 1, 9, 3, 11, 5, 13, 7, 15);
-    node[I][0] = __builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13);
-    node[I][1] = __builtin_shufflevector(y01, y23, 0, 1, 8, 9, 4, 5, 12, 13);
-    node[I][2] = __builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15);
+    const Wide xz_low = __builtin_shufflevector(two[0], two[1], 0, 8, 2, 10, 4, 12, 6, 14);
+    const Wide xz_high = __builtin_shufflevector(two[2], two[3], 0, 8, 2, 10, 4, 12, 6, 14);
+    const Wide y_low = __builtin_shufflevector(two[0], two[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    const Wide y_high = __builtin_shufflevector(two[2], two[3], 1, 9, 3, 11, 5, 13, 7, 15);
+    node[I][0] = __builtin_shufflevector(xz_low, xz_high, 0, 1, 4, 5, 8, 9, 12, 13);
+    node[I][1] = __builtin_shufflevector(y_low, y_high, 0, 1, 4, 5, 8, 9, 12, 13);
+    node[I][2] = __builtin_shufflevector(xz_low, xz_high, 2, 3, 6, 7, 10, 11, 14, 15);
   }
 }
 #endif
