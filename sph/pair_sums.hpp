@@ -67,10 +67,12 @@ BRUNT_INLINE Real in_metres(Real inverse_length, Real sum) {
   return kIsSingle<P> ? inverse_length * sum : sum;
 }
 
-/// One by one: a whole array at once becomes a call that costs more than the sums of a neighbour.
+/// One by one, written out: a whole array at once, or a loop over it, becomes a call or a slow
+/// instruction that costs more than the sums of a neighbour.
 template <class Pack, std::size_t n>
 BRUNT_INLINE void clear(Pack (&sums)[n]) {
-  for (std::size_t k = 0; k < n; ++k) sums[k] = broadcast<Pack>(0.0);
+  [&]<std::size_t... k>(std::index_sequence<k...>) { ((sums[k] = broadcast<Pack>(0.0)), ...); }
+  (std::make_index_sequence<n>{});
 }
 
 /// sum m_j/rho_ij (v_j - v_i) W, rho_ij the mean density: the XSPH velocity [m/s] of i.

@@ -137,7 +137,9 @@ class RadialReturn final : public Strength {
     for (int i = 0; i < tile.count; i += kStep) trial(tile, i, candidates);
     if (candidates.count == 0) return;
     Returned returned;
-    solve(candidates, step, returned);
+    const bool all = candidates.count == (tile.count + kStep - 1) / kStep * kStep;
+    if (!all) returned.begin();
+    solve(candidates, all, step, returned);
     for (int i = 0; i < tile.count; i += kStep) finish(tile, i, step.inverse_dt, returned);
   }
   bool yields() const override { return true; }
@@ -160,12 +162,14 @@ class RadialReturn final : public Strength {
     alignas(32) Real q_trial[kTile], q_old[kTile], eps_p[kTile], temperature[kTile], heating[kTile];
     alignas(32) Real rate[kTile];  ///< [1/s] of the step before
   };
-  /// What the return leaves at each point of a tile; the identity where it does not yield.
+  /// What the return leaves at each point of a tile.
   struct Returned {
     alignas(32) Real scale[kTile];      ///< [1] factor of the trial deviator
     alignas(32) Real increment[kTile];  ///< [1] of eps_p
     alignas(32) Real work[kTile];       ///< [Pa] plastic work per current volume
-    Returned() {
+    Returned() {}  // NOLINT(modernize-use-equals-default): candidates fill it, if all are
+    /// The identity, for points that do not yield.
+    void begin() {
       std::fill_n(scale, kTile, 1.0);
       std::fill_n(increment, kTile, 0.0);
       std::fill_n(work, kTile, 0.0);
@@ -175,8 +179,10 @@ class RadialReturn final : public Strength {
   using ReturnPoints = std::array<ReturnPoint<V>, kTile / kStep>;
 
   void trial(MaterialTile& tile, int i, Candidates& candidates) const;
-  void solve(Candidates& candidates, const ReturnStep& step, Returned& returned) const;
-  void hand_out(const Candidates& candidates, const ReturnPoints& points, Returned& returned) const;
+  /// all  every point that was tried is a candidate, in order
+  void solve(Candidates& candidates, bool all, const ReturnStep& step, Returned& returned) const;
+  void hand_out(const Candidates& candidates, bool all, const ReturnPoints& points,
+                Returned& returned) const;
   void finish(MaterialTile& tile, int i, Real inverse_dt, const Returned& returned) const;
 
   Law law_;
@@ -236,7 +242,8 @@ void RadialReturn<Law, V>::trial(MaterialTile& tile, int i, Candidates& candidat
 
 /// Finds the increments of all candidates. Packs take turns, so that their chains overlap.
 template <FlowLaw Law, class V>
-void RadialReturn<Law, V>::solve(Candidates& c, const ReturnStep& step, Returned& returned) const {
+void RadialReturn<Law, V>::solve(Candidates& c, bool all, const ReturnStep& step,
+                                 Returned& returned) const {
   const Real shear = step.shear;
   int n = c.count;
   for (; n % kStep != 0; ++n) {  // fills the last pack up with copies of its last point
@@ -276,27 +283,29 @@ void RadialReturn<Law, V>::solve(Candidates& c, const ReturnStep& step, Returned
       busy = busy || any(p.active);
     }
   }
-  hand_out(c, points, returned);
+  hand_out(c, all, points, returned);
 }
 
-/// What the increments of the candidates make of their points.
+/// What the increments of the candidates make of their points. Where all of a tile are candidates
+/// they stand as their points do.
 template <FlowLaw Law, class V>
-void RadialReturn<Law, V>::hand_out(const Candidates& c, const ReturnPoints& points,
+void RadialReturn<Law, V>::hand_out(const Candidates& c, bool all, const ReturnPoints& points,
                                     Returned& returned) const {
-  alignas(32) Real scale[kTile], increment[kTile], work[kTile];
+  Returned side_by_side;
+  Returned& out = all ? returned : side_by_side;
   for (int i = 0; i < c.count; i += kStep) {
     const ReturnPoint<V>& p = points[slot_of(i / kStep)];
     const V q = vmax(p.q_trial - (3.0 * inputs_.shear) * p.increment, broadcast<V>(0.0));
     const auto yields = broadcast<V>(0.0) < p.increment;
-    store(scale + i, select(yields, q / p.q_trial, broadcast<V>(1.0)));
-    store(increment + i, p.increment);
-    store(work + i, (0.5 * (p.q_old + q)) * p.increment);
+    store(out.scale + i, select(yields, q / p.q_trial, broadcast<V>(1.0)));
+    store(out.increment + i, p.increment);
+    store(out.work + i, (0.5 * (p.q_old + q)) * p.increment);
   }
-  for (int i = 0; i < c.count; ++i) {
+  for (int i = 0; !all && i < c.count; ++i) {
     const int point = c.point[i];
-    returned.scale[point] = scale[i];
-    returned.increment[point] = increment[i];
-    returned.work[point] = work[i];
+    returned.scale[point] = out.scale[i];
+    returned.increment[point] = out.increment[i];
+    returned.work[point] = out.work[i];
   }
 }
 
