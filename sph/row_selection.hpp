@@ -86,15 +86,15 @@ template <int Dim, class P>
 struct GroupLanes {
   using Pack = typename P::Pack;
   static constexpr int kPacks = kByte / P::kLanes;
-  Pack x[kPacks][Dim], inverse[kPacks];
+  Pack x[kPacks][Dim], half_inverse[kPacks];
 
   BRUNT_INLINE GroupLanes(const MotionRecord<Dim, typename P::Stored>* records,
                           const ParticleGroup& group) {
-    for (int m = 0; m < kByte; ++m) {
-      const auto* own = records[group[slot_of(m)]].data;
-      const int pack = m / P::kLanes, lane = m % P::kLanes;
-      for (int d = 0; d < Dim; ++d) x[pack][d][lane] = own[d];
-      inverse[pack][lane] = own[MotionRecord<Dim>::kInverse];
+    for (int pack = 0; pack < kPacks; ++pack) {
+      Pack part[4];
+      load_four<P>(records, group.data() + pack * P::kLanes, 0, part);
+      for (int d = 0; d < Dim; ++d) x[pack][d] = part[d];
+      half_inverse[pack] = number_of<Pack>(0.5) * part[MotionRecord<Dim>::kInverse];
     }
   }
   /// Which of the group interact with j, a bit each, by the arithmetic of set_arms.
@@ -105,7 +105,8 @@ struct GroupLanes {
       for (int d = 0; d < Dim; ++d) arm[d] = difference(j[d], x[pack][d]);
       Pack r2 = arm[0] * arm[0];
       for (int d = 1; d < Dim; ++d) r2 = vfma(arm[d], arm[d], r2);
-      const Pack inverse_h = 0.5 * (j[MotionRecord<Dim>::kInverse] + inverse[pack]);
+      const Pack other = broadcast<Pack>(j[MotionRecord<Dim>::kInverse]);
+      const Pack inverse_h = vfma(other, broadcast<Pack>(0.5), half_inverse[pack]);
       const Pack q2 = r2 * (inverse_h * inverse_h);
       bits |= bits_below(q2, number_of<Pack>(P::kSupport)) << (pack * P::kLanes);
     }
