@@ -57,7 +57,8 @@ struct SpreadSums {
 };
 
 /// Sums over the row in its order, each number of its own: lanes are components here, and those
-/// that have none sum up what nobody reads.
+/// that have none sum up what nobody reads. What fills the row up is i itself and no neighbour,
+/// though most kernels have a weight there.
 template <int Dim, class Kernel>
 SpreadSums<Dim> spread_sums(const MotionRecord<Dim>* motion, LocalIndex i,
                             std::span<const LocalIndex> row) {
@@ -71,7 +72,9 @@ SpreadSums<Dim> spread_sums(const MotionRecord<Dim>* motion, LocalIndex i,
     set_arms(motion, own, row.data() + k, pairs);
     pairs.weight = kernel_weight<Dim, Kernel>(pairs);
     for (unsigned left = mask_bits(pairs.weight != 0.0); left != 0; left &= left - 1) {
-      const Real* other = motion[row[k + slot_of(std::countr_zero(left))]].data;
+      const LocalIndex j = row[k + slot_of(std::countr_zero(left))];
+      if (j == i) continue;
+      const Real* other = motion[j].data;
       const Pack arm = load(other) - place, weighed = other[volume] * arm;
       total += other[volume];
       first += weighed;
@@ -120,4 +123,4 @@ InverseSpread inverse_spread(const MotionRecord<Dim>* motion, LocalIndex i,
 }
 
 }  // namespace brunt
-// Tested by tests/unit/sph/step_bound_test.cpp.
+// Tested by tests/unit/sph/spread_test.cpp.
