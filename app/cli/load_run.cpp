@@ -2,6 +2,7 @@
 #include "app/cli/load_run.hpp"
 
 #include <cstdio>
+#include <utility>
 
 #include "app/deck/findings.hpp"
 #include "app/setup/sound_part.hpp"
@@ -13,13 +14,13 @@ LoadedDeck load_run(const RunArguments& arguments, bool print) {
   if (arguments.until) overrides.push_back("time.until=" + *arguments.until);
   LoadedDeck loaded = load_or_tell_all(arguments.deck, overrides, print);
   const auto& time = loaded.deck.time;
-  if (!arguments.until || *time.until <= time.end) return loaded;
+  if (!time.until || *time.until <= time.end) return loaded;
   // Of a run in parts the last part may be shorter; else a unit was left out.
-  loaded.warnings.push_back(
-      {{"--until", 0, 0},
-       "time.until",
-       deck::time_text(time.real(*time.until)) + " is after the end of the run, " +
-           deck::time_text(time.real(time.end)) + " (time.end): it stops nothing"});
+  DeckProblem late = loaded.places.problem(
+      "time.until", deck::time_text(time.real(*time.until)) + " is after the end of the run, " +
+                        deck::time_text(time.real(time.end)) + " (time.end): it stops nothing");
+  if (arguments.until) late.place = {"--until", 0, 0};
+  loaded.warnings.push_back(std::move(late));
   if (print) std::fprintf(stderr, "warning: %s\n", loaded.warnings.back().text().c_str());
   return loaded;
 }

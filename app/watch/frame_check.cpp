@@ -8,10 +8,12 @@
 namespace brunt {
 
 void refuse_frame(const std::string& body, const std::string& field) {
-  throw PhysicsError({0, body, "a frame", field.empty() ? "a field" : field,
-                      std::numeric_limits<Real>::quiet_NaN(),
-                      "the frame is not written; try a smaller time.safety, and look at the last "
-                      "rows of history.csv for what grows"});
+  throw PhysicsError(
+      {0, body, "a frame", field.empty() ? "a field" : field,
+       std::numeric_limits<Real>::quiet_NaN(),
+       "or beyond the 3.4e38 of a frame's single precision: the frame is not written; "
+       "try a smaller time.safety, and look at the last rows of history.csv for what "
+       "grows"});
 }
 
 void refuse_no_numbers(const std::vector<BodyView>& views, const ContactView& contact,

@@ -87,6 +87,8 @@ said '--refine'
 expect 0 "$brunt" run "$deck" "${short[@]}" --until 5 --out late
 said '^warning: --until: time.until: 5 s is after the end of the run, .* (time.end): it stops nothing'
 grep -q 'it stops nothing' late/summary.json || fail "no warning in the summary"
+expect 0 "$brunt" run "$deck" "${short[@]}" --set time.until=5 --out late --force
+said '^warning: --set #[0-9]*: time.until: 5 s is after the end of the run, .* (time.end): it stops nothing'
 expect 2 "$brunt" run "$deck" "${short[@]}" --out wrong --set 'bodies.strikr.velocity=[0, 0, 0]'
 said '^--set #[0-9]*: bodies.strikr.shape: is missing: .*; this is bodies.strikr as --set alone gives it: is its name right'
 echo 1 >file
