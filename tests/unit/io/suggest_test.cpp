@@ -24,6 +24,9 @@ TEST(Suggest, NamesWhatWasMeantAndNothingElse) {
   EXPECT_EQ(nearest_word("Us", units), "us");  // nearer than ms, which is as far by letters
   EXPECT_EQ(nearest_word("gpa", units), "GPa");
   EXPECT_EQ(nearest_word("DENSITY", known), "density");
+  const std::vector<std::string> sections{"title", "bodies", "body_forces"};
+  EXPECT_EQ(nearest_word("body", sections), "bodies");
+  EXPECT_EQ(nearest_word("bodys", sections), "bodies");
   EXPECT_EQ(suggestion("elastc", known), "; did you mean 'elastic'?");
   EXPECT_EQ(suggestion("zzzzzz", known), "; known are density, elastic, cp, k");
 }
