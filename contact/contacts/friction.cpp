@@ -30,10 +30,17 @@ Real share(const SideCorners<Dim>& side, const ContactSide& which, const Vec<Dim
     for (std::size_t c = 0; c < Dim; ++c) on_corner[c] += moved[c];
     power += product(couple, side.face.moment);
   }
-  for (int k = 0; k < side.n; ++k) {
-    for (std::size_t c = 0; c < Dim; ++c) {
-      friction.force[slot_of(which.first + k)][c] = on_corner[c][k];
+  Vec<Dim>* const shares = &friction.force[slot_of(which.first)];
+  const auto hand_over = [&](int n) {
+    for (int k = 0; k < n; ++k) {
+      for (std::size_t c = 0; c < Dim; ++c) shares[k][c] = on_corner[c][k];
     }
+  };
+  // Lanes that are known by number are moved; others are read back from memory.
+  if (side.n == 2 * (Dim - 1)) {
+    hand_over(2 * (Dim - 1));
+  } else {
+    hand_over(side.n);
   }
   return power;
 }
@@ -49,7 +56,7 @@ void find_spin(const SideCorners<3>& lower, const SideCorners<3>& upper, const V
 void find_spin(const SideCorners<2>&, const SideCorners<2>&, const Vec<2>&, Real, PlaneTurn<2>&) {}
 
 template <int Dim>
-Vec<Dim> in_plane(const Vec<Dim>& v, const Vec<Dim>& normal) {
+BRUNT_INLINE Vec<Dim> in_plane(const Vec<Dim>& v, const Vec<Dim>& normal) {
   return v - normal.dot(v) * normal;
 }
 
@@ -203,14 +210,14 @@ Carried<Dim> carry(const FrictionStep<Dim>& step, const SideCorners<Dim>& lower,
   carried.traction.setZero();
   PlaneTurn<Dim> turn(with_bodies(before->normal), normal);
   if (!(turn.cosine() > 0)) return carried;  // it is another contact between the same faces
-  if (!step.turn) {
-    find_spin(lower, upper, normal, step.dt, turn);
-    carried.slip = distance - turn(distance - moved);
-  }
-  const Vec<Dim> turned = in_plane<Dim>(turn(with_bodies(before->traction)), normal);
+  if (!step.turn) find_spin(lower, upper, normal, step.dt, turn);
+  const auto [arm, traction, drag] = turn(std::array<Vec<Dim>, 3>{
+      distance - moved, with_bodies(before->traction), with_bodies(before->drag)});
+  if (!step.turn) carried.slip = distance - arm;
+  const Vec<Dim> turned = in_plane<Dim>(traction, normal);
   carried.traction = step.kept * turned;
   carried.slider = before->area * turned;
-  carried.drag = before->area * turn(with_bodies(before->drag));
+  carried.drag = before->area * drag;
   return carried;
 }
 

@@ -37,8 +37,12 @@ struct SideCorners {
   SideCorners(const FaceSide<Dim>& of_face, const std::array<Real, Friction<Dim>::kNodes>& weights,
               const ContactSide& side)
       : face(of_face), n(side.last - side.first) {
-    for (int k = 0; k < kLanes; ++k) {
-      weight[k] = k < n ? weights[slot_of(side.first + std::min(k, n - 1))] : 0.0;
+    // Lane by lane it would go through memory, and wait for its own stores.
+    const Real* const of = &weights[slot_of(side.first)];
+    if (n == kLanes) {
+      weight = load(of);
+    } else {
+      weight = Pack{of[0], n > 1 ? of[1] : 0.0, n > 2 ? of[2] : 0.0, 0.0};
     }
     const Pack zero = broadcast<Pack>(0.0);
     const auto at_point = [&](const CornerVectors<Dim>& of_corner, const Vec<Dim>& mean,

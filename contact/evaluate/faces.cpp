@@ -14,15 +14,17 @@ namespace brunt {
 namespace {
 /// Names the corners that share the force and returns their mean velocity [m/s].
 template <int Dim>
-Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& face,
-                     const std::array<Real, Facet<Dim>::kNodes>& weight, Real sign,
-                     ContactRecord<Dim>& record) {
-  Vec<Dim> velocity = Vec<Dim>::Zero();
-  for (int c = 0; c < face.n_nodes; ++c) {
-    const auto k = slot_of(c);
-    record.add(face.node[k], sign * weight[k]);
-    velocity += weight[k] * nodes.v[slot_of(face.node[k])];
+BRUNT_INLINE Vec<Dim> add_corners(const ContactNodes<Dim>& nodes, const ContactFace<Dim>& face,
+                                  const std::array<Real, Facet<Dim>::kNodes>& weight, Real sign,
+                                  ContactRecord<Dim>& record) {
+  const auto n = slot_of(face.n_nodes), first = slot_of(record.n_nodes);
+  for (std::size_t k = 0; k < n; ++k) {
+    record.node[first + k] = face.node[k];
+    record.weight[first + k] = sign * weight[k];
   }
+  record.n_nodes += face.n_nodes;
+  Vec<Dim> velocity = Vec<Dim>::Zero();
+  for (std::size_t k = 0; k < n; ++k) velocity += weight[k] * nodes.v[slot_of(face.node[k])];
   return velocity;
 }
 
@@ -97,13 +99,15 @@ bool comes_from_behind(const Entities<Dim>& entities, const FaceCandidate& candi
   return false;
 }
 
+/// Appends the record of a plane, filled where it stands.
 template <int Dim>
-ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                             const CommonPlane<Dim>& plane, const FirstTouch& touch,
-                             const EvaluationStep& step, typename Records<Dim>::Part& part) {
+void add_record(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                const CommonPlane<Dim>& plane, const FirstTouch& touch, const EvaluationStep& step,
+                typename Records<Dim>::Part& part) {
   const auto& lower = entities.faces[slot_of(candidate.lower)];
   const auto& upper = entities.faces[slot_of(candidate.upper)];
-  ContactRecord<Dim> record;
+  ContactRecord<Dim>& record = part.face_on_face.emplace_back();
+  record.ordinal = plane.ordinal;
   record.first = lower.id, record.second = upper.id;
   record.first_place = candidate.lower, record.second_place = candidate.upper;
   record.lower_body = lower.body, record.upper_body = upper.body;
@@ -123,7 +127,6 @@ ContactRecord<Dim> record_of(const Entities<Dim>& entities, const FaceCandidate&
   record.opening = -touch.overlap;
   record.bonded = touch.bonded;
   if (!touch.bonded) record.damping = std::max(record.damping, -record.spring);
-  return record;
 }
 
 /// Keeps what the last record of the part gets beside its push along the normal.
@@ -185,9 +188,10 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   step.lower = {0, n_lower, torques && !entities.faces[l].rigid()};
   step.upper = {n_lower, record.n_nodes, torques && !entities.faces[u].rigid()};
   step.lower_face = entities.side_of(l), step.upper_face = entities.side_of(u);
-  std::copy_n(plane.lower_at_middle.begin(), n_lower, step.weight.begin());
-  std::copy_n(plane.upper_at_middle.begin(), record.n_nodes - n_lower,
-              step.weight.begin() + n_lower);
+  // All there is room for: what is copied by number is moved in one go.
+  std::copy(plane.lower_at_middle.begin(), plane.lower_at_middle.end(), step.weight.begin());
+  std::copy(plane.upper_at_middle.begin(), plane.upper_at_middle.end(),
+            step.weight.begin() + n_lower);
   step.area = plane.ramp * plane.area;
   step.pressed = plane.area;
   step.bonded = touch.bonded;
@@ -337,8 +341,7 @@ void evaluate_faces(const Entities<Dim>& entities, const FacePairs<Dim>& pairs,
           note_let_go(entities, candidate, plane, way, held, part);
         continue;
       }
-      part.face_on_face.push_back(record_of(entities, candidate, plane, touch, step, part));
-      part.face_on_face.back().ordinal = plane.ordinal;
+      add_record(entities, candidate, plane, touch, step, part);
       note_deep_faces(entities, candidate, plane, touch, part);
       const Real stiffness = spring_of(entities, candidate, plane, step, broken, part);
       if (plane.share > 0) add_push(stiffness, plane, entities.faces[l].n_nodes, part);

@@ -1,6 +1,6 @@
 #include "contact/geometry/bilinear_weights.hpp"
 
-#include "core/simd.hpp"
+#include "core/transpose.hpp"
 
 namespace brunt {
 
@@ -28,12 +28,13 @@ BRUNT_INLINE V cross(const InPlane<V>& a, const InPlane<V>& b) {
 }
 template <class V>
 BRUNT_INLINE V within_one(V s) {
-  const V one = broadcast<V>(1.0);
-  return select(s < -one, -one, select(one < s, one, s));
+  return vmin(broadcast<V>(1.0), vmax(broadcast<V>(-1.0), s));  // what is no number stays so
 }
 
 /// Where p lies in the square [-1, 1]^2, by Newton's steps. A lane that has got there stays: after
-/// a step of 1e-8 the error is of its square.
+/// a step of 1e-8 the error is of its square. Whether all have is asked after two steps, which a
+/// parallelogram takes, and from the fourth on: others take four or five, and a guess that
+/// fails costs more than a step.
 template <class V>
 BRUNT_INLINE InPlane<V> inverse(const InPlane<V> (&corner)[4], const InPlane<V>& middle,
                                 const InPlane<V>& p) {
@@ -44,7 +45,8 @@ BRUNT_INLINE InPlane<V> inverse(const InPlane<V> (&corner)[4], const InPlane<V>&
   const V zero = broadcast<V>(0.0);
   V xi = zero, eta = zero;
   auto active = zero < broadcast<V>(1.0);  // all
-  for (int iteration = 0; iteration < 12 && any(active); ++iteration) {
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    if ((iteration == 2 || iteration > 3) && !any(active)) break;
     const auto rest = p - middle - xi * along_1 - eta * along_2 - (xi * eta) * twist;
     const auto d_xi = along_1 + eta * twist, d_eta = along_2 + xi * twist;
     const V inverse_det = 1.0 / cross(d_xi, d_eta);
@@ -90,23 +92,29 @@ std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const 
   return {weight[0], weight[1], weight[2], weight[3]};
 }
 
-std::array<std::array<Real, 4>, 4> bilinear_weights(const std::array<const Polygon*, 4>& face,
-                                                    const std::array<Vec<2>, 4>& p) {
-  InPlane<Pack> place[4], point{};
-  for (int k = 0; k < kLanes; ++k) {
-    const auto lane = slot_of(k);
-    for (int a = 0; a < 4; ++a) {
-      place[a].x[k] = (*face[lane])[a][0], place[a].y[k] = (*face[lane])[a][1];
-    }
-    point.x[k] = p[lane][0], point.y[k] = p[lane][1];
-  }
+namespace {
+/// A corner of the lower face in the first and third lane, of the upper one in the others.
+BRUNT_INLINE InPlane<Pack> in_turn(const Vec<2>& below, const Vec<2>& above) {
+  return {Pack{below[0], above[0], below[0], above[0]},
+          Pack{below[1], above[1], below[1], above[1]}};
+}
+}  // namespace
+
+std::array<std::array<Real, 4>, 4> bilinear_weights(const Polygon& below, const Polygon& above,
+                                                    const Vec<2>& p, const Vec<2>& middle) {
+  const InPlane<Pack> corner[4] = {in_turn(below[0], above[0]), in_turn(below[1], above[1]),
+                                   in_turn(below[2], above[2]), in_turn(below[3], above[3])};
+  const InPlane<Pack> point = {Pack{p[0], p[0], middle[0], middle[0]},
+                               Pack{p[1], p[1], middle[1], middle[1]}};
   Pack weight[4];
-  find_weights(place, point, weight);
-  std::array<std::array<Real, 4>, 4> lanes{};
-  for (int k = 0; k < kLanes; ++k) {
-    for (std::size_t a = 0; a < 4; ++a) lanes[slot_of(k)][a] = weight[a][k];
-  }
-  return lanes;
+  find_weights(corner, point, weight);
+  Pack forward[4], back[4];
+  transpose(weight[0], weight[1], weight[2], weight[3], forward);
+  transpose(weight[3], weight[2], weight[1], weight[0], back);
+  std::array<std::array<Real, 4>, 4> weights;
+  store(weights[0].data(), forward[0]), store(weights[1].data(), back[1]);
+  store(weights[2].data(), forward[2]), store(weights[3].data(), back[3]);
+  return weights;
 }
 
 }  // namespace brunt

@@ -9,10 +9,10 @@ namespace brunt {
 /// corrected in the least squares of their changes so that both sums are exact to round-off.
 std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const Vec<2>& p);
 
-/// The same of four points in quads of their own side by side, with the bits of each alone.
-/// face  corners of each quad
-/// p     point of each
-std::array<std::array<Real, 4>, 4> bilinear_weights(const std::array<const Polygon*, 4>& face,
-                                                    const std::array<Vec<2>, 4>& p);
+/// The same of two quads at two points side by side, with the bits of each alone: of the lower and
+/// the upper face at p, then at `middle`. Corners of the upper face run back in its polygon, and
+/// not in its weights.
+std::array<std::array<Real, 4>, 4> bilinear_weights(const Polygon& below, const Polygon& above,
+                                                    const Vec<2>& p, const Vec<2>& middle);
 
 }  // namespace brunt

@@ -102,8 +102,7 @@ void set_weights(const Polygon& below, const Polygon& above, const Vec<2>& p, co
     plane.upper_at_middle = weights(above, true, middle);
     return;
   }
-  auto found = bilinear_weights({&below, &above, &below, &above}, {p, p, middle, middle});
-  for (const std::size_t k : {1, 3}) std::reverse(found[k].begin(), found[k].end());
+  const auto found = bilinear_weights(below, above, p, middle);
   plane.lower_weight = found[0], plane.upper_weight = found[1];
   plane.lower_at_middle = found[2], plane.upper_at_middle = found[3];
 }

@@ -92,7 +92,7 @@ class AreaGradient {
       move_border(room.upper, room.lower, room, gradient_.upper);
     }
   }
-  const OverlapGradient<3>& gradient() const { return gradient_; }
+  OverlapGradient<3>& gradient() { return gradient_; }
 
  private:
   Vec3 in_space(const Vec<2>& p) const { return p[0] * plane_.axis_1 + p[1] * plane_.axis_2; }
@@ -240,7 +240,7 @@ BorderFade<3> fade_of(const FacePlane<3>& lower, const FacePlane<3>& upper,
 
 void add_potential(const FacePlane<3>& lower, const FacePlane<3>& upper, const OverlapArea& overlap,
                    const BorderFade<3>& fade, const PotentialShare& share, CommonPlane<3>& plane) {
-  const AreaGradient area(overlap, fade, share.layer, plane);
+  AreaGradient area(overlap, fade, share.layer, plane);
   finish(lower, upper, overlap.opening, share.value, area.gradient(), plane);
 }
 

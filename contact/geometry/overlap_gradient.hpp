@@ -41,10 +41,11 @@ struct Density {
   }
 };
 
-/// Sets the pushes of the plane.
+/// Sets the pushes of the plane. gradient  is used up: a copy would wait for what has just been
+/// written
 template <int Dim>
 void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening, Real share,
-            const OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane);
+            OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane);
 
 }  // namespace brunt
 // Tested by tests/unit/contact/overlap_push_test.cpp.

@@ -43,7 +43,7 @@ class LineGradient {
     }
     if (overlap.section.geometry == Geometry::axisymmetric) add_rings();
   }
-  const OverlapGradient<2>& gradient() const { return gradient_; }
+  OverlapGradient<2>& gradient() { return gradient_; }
 
  private:
   void push(Real by_depth, Real moment) {
@@ -160,7 +160,7 @@ BorderFade<2> fade_of(const FacePlane<2>& lower, const FacePlane<2>& upper,
 
 void add_potential(const FacePlane<2>& lower, const FacePlane<2>& upper, const OverlapLine& overlap,
                    const BorderFade<2>& fade, const PotentialShare& share, CommonPlane<2>& plane) {
-  const LineGradient line(overlap, fade, share.layer, plane);
+  LineGradient line(overlap, fade, share.layer, plane);
   finish(lower, upper, overlap.opening, share.value, line.gradient(), plane);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/geometry/overlap_gradient.hpp"
+#include "core/simd.hpp"
 
 namespace brunt {
 
@@ -60,7 +61,7 @@ Real share_between(Real steep, Real filled) {
 }
 
 /// Adds the gradient by a face's normal, d = (dU/dn) / k, at its corners: n = D/|D|.
-void add_turn(const FacePlane<3>& face, const Vec3& d, std::array<Vec3, 4>& gradient) {
+BRUNT_INLINE void add_turn(const FacePlane<3>& face, const Vec3& d, std::array<Vec3, 4>& gradient) {
   const auto& x = face.corner;
   const Vec3 w = (d - face.normal.dot(d) * face.normal) / (2 * face.area);
   if (face.n_corners == 3) {  // D = (x1 - x0) x (x2 - x0)
@@ -85,8 +86,9 @@ void add_turn(const FacePlane<2>& face, const Vec<2>& d, std::array<Vec<2>, 2>& 
 
 /// What the outline does where the plane turns: a corner at height h moves by -h dn in it.
 template <int Dim>
-Vec<Dim> turn_of_outline(const FacePlane<Dim>& face, const CommonPlane<Dim>& plane,
-                         const std::array<Vec<Dim>, CommonPlane<Dim>::kCorners>& by_place) {
+BRUNT_INLINE Vec<Dim> turn_of_outline(
+    const FacePlane<Dim>& face, const CommonPlane<Dim>& plane,
+    const std::array<Vec<Dim>, CommonPlane<Dim>::kCorners>& by_place) {
   Vec<Dim> sum = Vec<Dim>::Zero();
   for (int i = 0; i < face.n_corners; ++i) {
     const auto k = slot_of(i);
@@ -125,7 +127,7 @@ void BorderFade<Dim>::add(int lower, int upper, Real facing, const Room& room) {
 
 template <int Dim>
 void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real opening, Real share,
-            const OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane) {
+            OverlapGradient<Dim>& gradient, CommonPlane<Dim>& plane) {
   const Real c = plane.half_cosine();
   const Vec<Dim> outlines = gradient.by_normal + turn_of_outline(lower, plane, gradient.lower) +
                             turn_of_outline(upper, plane, gradient.upper);
@@ -136,7 +138,7 @@ void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real openi
   const Vec<Dim> by_upper = gradient.push * (upper.center - plane.origin) - gradient.push_moment -
                             by_plane - plane.energy_by_facing * lower.normal;
 
-  auto of_lower = gradient.lower, of_upper = gradient.upper;
+  auto &of_lower = gradient.lower, &of_upper = gradient.upper;
   add_turn(lower, by_lower, of_lower);
   add_turn(upper, by_upper, of_upper);
   const Vec<Dim> place = 0.5 * gradient.by_place * plane.normal;
@@ -158,9 +160,9 @@ void finish(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, Real openi
 
 template struct BorderFade<2>;
 template struct BorderFade<3>;
-template void finish<2>(const FacePlane<2>&, const FacePlane<2>&, Real, Real,
-                        const OverlapGradient<2>&, CommonPlane<2>&);
-template void finish<3>(const FacePlane<3>&, const FacePlane<3>&, Real, Real,
-                        const OverlapGradient<3>&, CommonPlane<3>&);
+template void finish<2>(const FacePlane<2>&, const FacePlane<2>&, Real, Real, OverlapGradient<2>&,
+                        CommonPlane<2>&);
+template void finish<3>(const FacePlane<3>&, const FacePlane<3>&, Real, Real, OverlapGradient<3>&,
+                        CommonPlane<3>&);
 
 }  // namespace brunt

@@ -66,21 +66,23 @@ Real area(const Polygon& polygon) {
 }
 
 FieldIntegrals integrate(const Polygon& polygon, const LinearField& g) {
-  FieldIntegrals sum;
-  if (polygon.size < 3) return sum;
-  const Vec<2>& p = polygon[0];
+  if (polygon.size < 3) return {};
+  // On their own: sums that stand where they are returned to would wait for their own stores.
+  Real area = 0, total = 0;
+  Vec<2> moment = Vec<2>::Zero(), first = Vec<2>::Zero();
+  const Vec<2> p = polygon[0];
   const Real at_p = g.at(p);
   for (int i = 1; i + 1 < polygon.size; ++i) {
     const Vec<2>& q = polygon[i];
     const Vec<2>& r = polygon[i + 1];
     const Real triangle = 0.5 * plane_cross(q - p, r - p);
     const Real at_q = g.at(q), at_r = g.at(r), at_all = at_p + at_q + at_r;
-    sum.area += triangle;
-    sum.total += triangle * at_all / 3;
-    sum.first += triangle / 3 * (p + q + r);
-    sum.moment += triangle / 12 * (at_all * (p + q + r) + at_p * p + at_q * q + at_r * r);
+    area += triangle;
+    total += triangle * at_all / 3;
+    first += triangle / 3 * (p + q + r);
+    moment += triangle / 12 * (at_all * (p + q + r) + at_p * p + at_q * q + at_r * r);
   }
-  return sum;
+  return {area, total, moment, first};
 }
 
 }  // namespace brunt

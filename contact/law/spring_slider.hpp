@@ -59,6 +59,10 @@ class PlaneTurn<2> {
     return Vec<2>(cosine_ * v[0] - sine_ * v[1], sine_ * v[0] + cosine_ * v[1]);
   }
   Vec<2> operator()(const Vec<2>& v) const { return tilted(v); }
+  /// Three of them.
+  std::array<Vec<2>, 3> operator()(const std::array<Vec<2>, 3>& v) const {
+    return {tilted(v[0]), tilted(v[1]), tilted(v[2])};
+  }
 
  private:
   Real cosine_, sine_;
@@ -76,12 +80,8 @@ class PlaneTurn<3> {
     return v + once + part_ * axis_.cross(once);
   }
   /// The same of four vectors, by component.
-  std::array<Pack, 3> tilted(const std::array<Pack, 3>& v) const {
-    const Vec3& a = axis_;
-    const auto turned = [&a](const std::array<Pack, 3>& w) -> std::array<Pack, 3> {
-      return {a[1] * w[2] - a[2] * w[1], a[2] * w[0] - a[0] * w[2], a[0] * w[1] - a[1] * w[0]};
-    };
-    const auto once = turned(v), twice = turned(once);
+  BRUNT_INLINE std::array<Pack, 3> tilted(const std::array<Pack, 3>& v) const {
+    const auto once = crossed(axis_, v), twice = crossed(axis_, once);
     return {v[0] + once[0] + part_ * twice[0], v[1] + once[1] + part_ * twice[1],
             v[2] + once[2] + part_ * twice[2]};
   }
@@ -96,8 +96,29 @@ class PlaneTurn<3> {
     const Vec3 along = normal_.dot(t) * normal_;
     return along + spin_cosine_ * (t - along) + spin_sine_ * normal_.cross(t);
   }
+  /// The same of three vectors side by side, with the bits of each alone.
+  BRUNT_INLINE std::array<Vec3, 3> operator()(const std::array<Vec3, 3>& v) const {
+    std::array<Pack, 3> t;
+    for (int c = 0; c < 3; ++c) t[slot_of(c)] = Pack{v[0][c], v[1][c], v[2][c], 0};
+    t = tilted(t);
+    const auto beside = crossed(normal_, t);
+    const Pack height = normal_[0] * t[0] + normal_[1] * t[1] + normal_[2] * t[2];
+    std::array<Vec3, 3> turned;
+    for (int c = 0; c < 3; ++c) {
+      const auto k = slot_of(c);
+      const Pack along = height * normal_[c];
+      const Pack now = along + spin_cosine_ * (t[k] - along) + spin_sine_ * beside[k];
+      turned[0][c] = now[0], turned[1][c] = now[1], turned[2][c] = now[2];
+    }
+    return turned;
+  }
 
  private:
+  /// a x w of four vectors, by component.
+  BRUNT_INLINE static std::array<Pack, 3> crossed(const Vec3& a, const std::array<Pack, 3>& w) {
+    return {a[1] * w[2] - a[2] * w[1], a[2] * w[0] - a[0] * w[2], a[0] * w[1] - a[1] * w[0]};
+  }
+
   Vec3 normal_, axis_;
   Real cosine_, part_, spin_cosine_ = 1, spin_sine_ = 0;
 };

@@ -54,7 +54,10 @@ struct ContactFace {
 struct UnlistedQuad {
   std::array<LocalIndex, 4> node{};  ///< in ContactNodes
   LocalIndex face = 0;
+  // Numbers in a row, which are read together.
   Real warp = 0;             ///< [m] when the lists were built
+  Real wide_square = 0;      ///< [m^4] of twice an area up to which it allows `least`
+  Real least = 0;            ///< [s] no longer than what it allows at this area or a smaller one
   Real area_start = 1;       ///< [m^2] at time 0
   Real footprint = 0;        ///< [m^2] as of its ContactFace
   Real phi = 0, zeta = 0;    ///< stiffness that bounds the step always, and damping

@@ -187,33 +187,64 @@ void Entities<Dim>::look_at_four(const LocalIndex* f, Seen& seen) const {
   }
 }
 
+namespace {
+using FourUnlisted = std::array<const UnlistedQuad*, kLanes>;
+
+template <class Of>
+BRUNT_INLINE Pack four(const FourUnlisted& quad, const Of& of) {
+  return Pack{of(*quad[0]), of(*quad[1]), of(*quad[2]), of(*quad[3])};
+}
+
+BRUNT_INLINE std::array<Place<Pack>, 4> corners_of(const FourUnlisted& quad, const Vec3* x) {
+  std::array<Place<Pack>, 4> corner;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto along = [&](int i) {
+      return four(quad, [&](const UnlistedQuad& one) { return x[slot_of(one.node[c])][i]; });
+    };
+    corner[c] = {along(0), along(1), along(2)};
+  }
+  return corner;
+}
+
+/// True only if none of four quads has warped more than `warped` [m] since the lists were built,
+/// nor allows a step as short as `step` [s]; next to always, without a root or a division. A warp
+/// is |a . n|/4 with a = x0 - x1 + x2 - x3 and n = m/|m|, m twice the area along the normal.
+BRUNT_INLINE bool say_nothing(const FourUnlisted& quad, const std::array<Place<Pack>, 4>& x,
+                              Real warped, Real step) {
+  const auto row = [&](std::size_t i) { return load(&quad[i]->warp); };
+  Pack of[4];
+  transpose(row(0), row(1), row(2), row(3), of);
+  const Place<Pack> twice = cross(x[2] - x[0], x[3] - x[1]);
+  const Place<Pack> bent = (x[0] - x[1]) + (x[2] - x[3]);
+  const Pack square = dot(twice, twice), out = dot(bent, twice), allowed = 4.0 * (of[0] + warped);
+  // Rounding changes a warp by some 1e-16 of |a| and of itself: by less than what these leave.
+  constexpr Real kLess = 1 - 1e-6, kRounds = 1e14, kNoArea = 1e-200;
+  const Pack limit = allowed * allowed;
+  return mask_bits((square > kNoArea) & (square <= of[1]) & (of[2] > step) &
+                   (out * out <= kLess * limit * square) & (dot(bent, bent) <= kRounds * limit)) ==
+         0b1111U;
+}
+}  // namespace
+
 /// Four at a time, with the bits that look_at gives of each.
 template <int Dim>
 void Entities<Dim>::look_at_unlisted(std::size_t first, std::size_t last, Seen& seen) const {
   if constexpr (Dim == 3) {
     for (std::size_t k = first; k < last; k += kLanes) {
       // The last ones are looked at as often as it takes.
-      std::array<const UnlistedQuad*, kLanes> quad;
+      FourUnlisted quad;
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         quad[lane] = &unlisted[std::min(k + lane, last - 1)];
       }
-      const auto four = [&](const auto& of) {
-        return Pack{of(*quad[0]), of(*quad[1]), of(*quad[2]), of(*quad[3])};
-      };
-      std::array<Place<Pack>, 4> corner;
-      for (std::size_t c = 0; c < 4; ++c) {
-        const auto along = [&](int i) {
-          return four([&](const UnlistedQuad& one) { return nodes.x[slot_of(one.node[c])][i]; });
-        };
-        corner[c] = {along(0), along(1), along(2)};
-      }
+      const auto corner = corners_of(quad, nodes.x.data());
+      if (say_nothing(quad, corner, seen.warped, seen.step_limit.step)) continue;
       const FourMeans means(corner);
-      const Pack grown = means.warp - four([](auto& one) { return one.warp; });
-      const Pack area = vmax(means.area, four([](auto& one) { return one.footprint; }));
-      const Pack phi = four([](auto& one) { return one.phi; }) * area /
-                       four([](auto& one) { return one.area_start; });
-      const Pack limit = four([](auto& one) { return one.longest; }) *
-                         surface_step_ratio(phi, four([](auto& one) { return one.zeta; }));
+      const Pack grown = means.warp - four(quad, [](auto& one) { return one.warp; });
+      const Pack area = vmax(means.area, four(quad, [](auto& one) { return one.footprint; }));
+      const Pack phi = four(quad, [](auto& one) { return one.phi; }) * area /
+                       four(quad, [](auto& one) { return one.area_start; });
+      const Pack limit = four(quad, [](auto& one) { return one.longest; }) *
+                         surface_step_ratio(phi, four(quad, [](auto& one) { return one.zeta; }));
       for (int lane = 0; lane < kLanes; ++lane) {
         seen.warped = std::max(seen.warped, grown[lane]);
         if (limit[lane] > seen.step_limit.step) continue;
@@ -261,6 +292,12 @@ void Entities<Dim>::refresh_unlisted_planes() {
   refresh_some_planes(some);
 }
 
+namespace {
+/// How much a face that is in no list may grow before what it allows is found anew, and how much
+/// less than that is surely less, whatever rounds.
+constexpr Real kWider = 1.05, kSurelyLess = 1 - 1e-9;
+}  // namespace
+
 template <int Dim>
 void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
   shapes.clear();
@@ -279,11 +316,16 @@ void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
     UnlistedQuad& quad = unlisted.emplace_back();
     std::copy_n(face.node.begin(), Facet<Dim>::kNodes, quad.node.begin());
     quad.face = f, quad.warp = planes[slot_of(f)].warp;
+    const Real area = std::max(kWider * planes[slot_of(f)].area, face.footprint);
+    quad.wide_square = quad.least = kInfinity;
     if (!bounds_step(face)) continue;
+    quad.wide_square = 4 * area * area;
     quad.area_start = face.area_start, quad.footprint = face.footprint;
     quad.phi = face.phi_always * recoil_factor(face.recoil);
     quad.zeta = recoil_damping(face.zeta, face.recoil);
     quad.longest = face.element_step;
+    const Real ratio = surface_step_ratio(quad.phi * area / face.area_start, quad.zeta);
+    quad.least = kSurelyLess * quad.longest * ratio;
   }
 }
 

@@ -75,6 +75,20 @@ TEST(PlaneTurn, FollowsARigidRotation) {
   }
 }
 
+// Three vectors side by side: the bits of each alone.
+TEST(PlaneTurn, TurnsThreeAsEach) {
+  std::mt19937_64 random(6);
+  std::normal_distribution<Real> normal(0, 1);
+  const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  for (int i = 0; i < 1000; ++i) {
+    PlaneTurn<3> turn(vector().normalized(), vector().normalized());
+    if (i % 3 > 0) turn.spin(normal(random), normal(random));
+    const std::array<Vec3, 3> v = {vector(), vector(), i % 5 == 0 ? Vec3::Zero() : vector()};
+    const auto together = turn(v);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(together[k], turn(v[k]));
+  }
+}
+
 TEST(PlaneTurn, TurnsInTwoDimensions) {
   const Vec<2> from(1, 0), to(std::cos(0.4), std::sin(0.4));
   const PlaneTurn<2> turn(from, to);
