@@ -104,7 +104,7 @@ bool SphParticles<Dim>::tile_is_left_out(const ParticleBlock& block, std::size_t
   return std::all_of(begin, begin + n, [&](LocalIndex i) { return is_left_out(block, i); });
 }
 
-/// Of the bound of thin bodies: shear beside it, rows that are no boxes and disorder take up to 7 %.
+/// Of the bound of thin bodies: shear beside it, rows that are no boxes and disorder take up to 7%.
 constexpr Real kThinFactor = 0.93;
 
 template <int Dim>
