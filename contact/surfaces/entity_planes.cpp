@@ -1,6 +1,7 @@
 /// Planes and boxes of the faces at each step, and what they say as a whole.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "contact/geometry/four_planes.hpp"
 #include "contact/law/springs.hpp"
@@ -211,6 +212,10 @@ BRUNT_INLINE std::array<Place<Pack>, 4> corners_of(const FourUnlisted& quad, con
 /// is |a . n|/4 with a = x0 - x1 + x2 - x3 and n = m/|m|, m twice the area along the normal.
 BRUNT_INLINE bool say_nothing(const FourUnlisted& quad, const std::array<Place<Pack>, 4>& x,
                               Real warped, Real step) {
+  constexpr std::size_t first = offsetof(UnlistedQuad, warp), next = sizeof(Real);
+  static_assert(offsetof(UnlistedQuad, wide_square) == first + next &&
+                offsetof(UnlistedQuad, least) == first + 2 * next &&
+                offsetof(UnlistedQuad, area_start) == first + 3 * next);  // the last is not used
   const auto row = [&](std::size_t i) { return load(&quad[i]->warp); };
   Pack of[4];
   transpose(row(0), row(1), row(2), row(3), of);
