@@ -37,9 +37,10 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
   if (word.size() > kLongest) return "";
   // One of many: "body" or "bodys" for "bodies" is further away than a typing error.
   const std::string_view one = word.ends_with("ys") ? word.substr(0, word.size() - 1) : word;
-  const std::string plural =
-      one.ends_with('y') ? std::string(one.substr(0, one.size() - 1)) + "ies" : "";
-  if (std::find(known.begin(), known.end(), plural) != known.end()) return plural;
+  if (one.ends_with('y')) {
+    std::string plural = std::string(one.substr(0, one.size() - 1)) + "ies";
+    if (std::find(known.begin(), known.end(), plural) != known.end()) return plural;
+  }
   // "Us" is no typing error for "ms".
   const auto letters = std::find_if(known.begin(), known.end(),
                                     [&](const auto& one) { return same_letters(one, word); });
