@@ -260,24 +260,26 @@ TEST(Curve, NeighboursOnTheCurveAreNeighboursInSpace) {
   EXPECT_EQ(curve_keys<2>(moved), keys);
 }
 
-/// Bit b of coordinate c is bit Dim b + c of the key, of 31 in the plane and 20 in space; the last
-/// point has the highest key.
+/// Bit b of coordinate c is bit Dim b + c of the key, of 31 in the plane and 20 in space. Of points
+/// as far apart as there are cells, but for a part of 1e-9, each is in the cell of its whole part.
 template <int Dim>
 void expect_interleaved(int bits) {
+  const Real extent = std::exp2(bits) * (1 - 1e-9);
   std::mt19937 random(7);
-  std::uniform_int_distribution<std::uint64_t> cell(0, (std::uint64_t{1} << bits) - 1);
-  const Real whole = std::exp2(bits) / (1 - 1e-9);
-  std::vector<Vec<Dim>> x{Vec<Dim>::Zero(), Vec<Dim>::Constant(whole)};
-  std::vector<std::uint64_t> expected{0, (std::uint64_t{1} << (Dim * bits)) - 1};
+  std::uniform_int_distribution<std::uint64_t> cell(0, (std::uint64_t{1} << bits) - 4);
+  std::vector<Vec<Dim>> x{Vec<Dim>::Zero(), Vec<Dim>::Constant(extent)};
   for (int i = 0; i < 200; ++i) {
-    Vec<Dim> at;
+    auto& at = x.emplace_back();
+    for (int c = 0; c < Dim; ++c) at[c] = static_cast<Real>(cell(random)) + 0.5;  // its middle
+  }
+  std::vector<std::uint64_t> expected;
+  for (const auto& at : x) {
     std::uint64_t key = 0;
     for (int c = 0; c < Dim; ++c) {
-      const std::uint64_t n = cell(random);
-      at[c] = static_cast<Real>(n) + 0.5;  // the middle of the cell: no rounding leaves it
+      const auto n = static_cast<std::uint64_t>(at[c]);
       for (int b = 0; b < bits; ++b) key |= (n >> b & 1) << (Dim * b + c);
     }
-    x.push_back(at), expected.push_back(key);
+    expected.push_back(key);
   }
   EXPECT_EQ(curve_keys<Dim>(x), expected);
 }
