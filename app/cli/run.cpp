@@ -295,6 +295,7 @@ void take_costs(const Scene<Dim>& scene, const Clock& clock, std::int64_t first_
   }
   fill_step_bounds(scene, clock, summary);
   fill_costs(scene, clock.step() - first_step, summary);
+  fill_pairs(scene, ranks, summary);
   fill_traffic(ranks, clock.step() - first_step, summary);
 }
 
