@@ -310,7 +310,6 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const auto wall_start = std::chrono::steady_clock::now();
   ask_for_pictures(loaded);
   const Real program = resident_memory();
-  keep_freed_blocks(true);
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings = loaded.warnings;
   warn_of_scene(loaded, *scene, ranks.is_root(), warnings);
@@ -374,6 +373,7 @@ int run_command(const RunArguments& arguments, const Communicator& ranks) {
   choose_threads(arguments.threads);
   try {
     const LoadedDeck loaded = load_run(arguments, ranks.is_root());
+    keep_freed_blocks(true);  // until the first step
     return loaded.deck.geometry == Geometry::three_d ? run_scene<3>(loaded, arguments, ranks)
                                                      : run_scene<2>(loaded, arguments, ranks);
   } catch (const DeckError& error) {

@@ -46,9 +46,9 @@ Phase phase_of(const Solid<Dim>& solid) {
   return solid.n_particles() > 0 ? Phase::particles : Phase::elements;
 }
 
-/// What stands before the first step: boundaries of time 0, lists, contacts.
+/// What stands before the first step: boundaries of time 0, lists, contacts, first row and frame.
 template <int Dim>
-void start(Scene<Dim>& scene) {
+void start(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer) {
   scene.rigid_motions.start();
   scene.boundaries.start();
   if (scene.rigid) scene.rigid->start();
@@ -56,6 +56,8 @@ void start(Scene<Dim>& scene) {
   for (auto& solid : scene.solids) solid->begin_lists();
   if (scene.contact) scene.contact->rearrange(), scene.contact->start();
   gather_heap();
+  observer.begin(scene, clock);
+  keep_freed_blocks(false);
 }
 
 /// Points to x(n+1), with v(n+1/2).
@@ -75,9 +77,7 @@ template <int Dim>
 void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
                    Balance<Dim>* balance) {
   Phases& phases = scene.phases;
-  start(scene);
-  observer.begin(scene, clock);
-  keep_freed_blocks(false);
+  start(scene, clock, observer);
   const WallTimer loop(scene.loop, *phases.ranks);
   while (!clock.finished()) {
     if (balance != nullptr) {
