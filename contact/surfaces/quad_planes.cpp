@@ -63,13 +63,21 @@ BRUNT_INLINE Pack four(const FourUnlisted& quad, const Of& of) {
 }
 
 BRUNT_INLINE std::array<Place<Pack>, 4> corners_of(FourSigns quad, const Vec3* x) {
+  using Two = Real __attribute__((vector_size(16)));
   std::array<Place<Pack>, 4> corner;
   for (std::size_t c = 0; c < 4; ++c) {
-    const auto along = [&](int i) {
-      const auto of = [&](int lane) { return x[slot_of(quad[lane].node[c])][i]; };
-      return Pack{of(0), of(1), of(2), of(3)};
+    const auto at = [&](int lane) -> const Real* { return x[slot_of(quad[lane].node[c])].data(); };
+    const Real* const from[] = {at(0), at(1), at(2), at(3)};
+    const auto two = [&](std::size_t lane) {
+      Two xy;
+      std::memcpy(&xy, from[lane], sizeof xy);
+      return xy;
     };
-    corner[c] = {along(0), along(1), along(2)};
+    const Pack even = __builtin_shufflevector(two(0), two(2), 0, 1, 2, 3);
+    const Pack odd = __builtin_shufflevector(two(1), two(3), 0, 1, 2, 3);
+    corner[c] = {__builtin_shufflevector(even, odd, 0, 4, 2, 6),
+                 __builtin_shufflevector(even, odd, 1, 5, 3, 7),
+                 Pack{from[0][2], from[1][2], from[2][2], from[3][2]}};
   }
   return corner;
 }
