@@ -79,12 +79,14 @@ struct UnlistedSigns {
 struct ListedQuad {
   std::array<LocalIndex, 4> node{};  ///< in ContactNodes
   LocalIndex face = 0;
-  // Numbers in two rows of four, each of which is read together.
-  Real area_start = 0;           ///< [m^2] at time 0
-  Real wide = kInfinity;         ///< [m^2] an area up to which it allows `least`
-  Real least = kInfinity;        ///< [s] no longer than what it allows at such an area
-  Real warp = 0;                 ///< [m] when the lists were built
-  std::array<Real, 4> normal{};  ///< the same; the last is not used
+  // Numbers in three rows of four, each of which is read together.
+  Real area_start = 1;             ///< [m^2] at time 0
+  Real footprint = 0;              ///< [m^2] as of its ContactFace
+  Real phi = 0, zeta = 0;          ///< stiffness that bounds the step always, and damping
+  Real longest = kInfinity;        ///< [s] h/c of what is behind; infinite: it bounds no step
+  Real warp = 0;                   ///< [m] when the lists were built
+  Real by_normal = 0, by_gap = 0;  ///< [m] how far its reach is wider than its box, beside its warp
+  std::array<Real, 4> normal{};    ///< when the lists were built; the last is not used
 };
 
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.
@@ -241,7 +243,7 @@ struct Entities {
   const FaceSide<Dim>* side_of(std::size_t face) const {
     return side_at[face] < 0 ? nullptr : &sides[slot_of(side_at[face])];
   }
-  /// `reaches` of listed faces, once their planes are there.
+  /// `reaches` of listed faces, once their planes are there; listed quads have theirs with these.
   void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
@@ -277,9 +279,9 @@ struct Entities {
   void compare_with_lists(std::size_t face, Seen& seen) const;
   void look_at(std::size_t face, Seen& seen) const;
   void look_at_four(const LocalIndex* face, Seen& seen) const;
-  void bound_by_four(const LocalIndex* face, Seen& seen) const;
   void refresh_listed_quads(std::size_t first, std::size_t last, Seen& seen);
-  void compare_four_with_lists(const ListedQuad* four, const FourPlanes& now, Seen& seen) const;
+  void look_at_listed(const ListedQuad* four, const FourPlanes& now, Seen& seen);
+  SearchBox<Dim> reach_of(std::size_t face) const;
   void look_at_unlisted(std::size_t first, std::size_t last, Seen& seen) const;
   void clear_lists();
   ListedQuad listed_quad(LocalIndex face) const;

@@ -125,19 +125,14 @@ void Entities<Dim>::look_at(std::size_t f, Seen& seen) const {
   seen.step_limit.take({face.element_step * ratio, "contact stiffness", face.body, face.id});
 }
 
+/// The same of four: roots and divisions side by side.
 template <int Dim>
 void Entities<Dim>::look_at_four(const LocalIndex* f, Seen& seen) const {
-  for (int lane = 0; lane < kLanes; ++lane) compare_with_lists(slot_of(f[lane]), seen);
-  bound_by_four(f, seen);
-}
-
-/// What the springs of four faces say of the step: roots and divisions side by side.
-template <int Dim>
-void Entities<Dim>::bound_by_four(const LocalIndex* f, Seen& seen) const {
   const std::array<const ContactFace<Dim>*, 4> face = {
       &faces[slot_of(f[0])], &faces[slot_of(f[1])], &faces[slot_of(f[2])], &faces[slot_of(f[3])]};
   bool any = false;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    compare_with_lists(slot_of(f[lane]), seen);
     any |= face[lane]->bounds_step();
   }
   if (!any) return;
@@ -213,19 +208,24 @@ void Entities<Dim>::refresh_sides() {
 }
 
 template <int Dim>
+SearchBox<Dim> Entities<Dim>::reach_of(std::size_t f) const {
+  const auto& face = faces[f];
+  return grown(planes[f], face.rigid() ? deepest : face.depth, gap(face.body), boxes[f]);
+}
+
+template <int Dim>
 void Entities<Dim>::refresh_reaches() {
-  for_each(listed_faces.size(), kWorthThreads, [&](std::size_t k) {
-    const auto f = slot_of(listed_faces[k]);
-    const auto& face = faces[f];
-    const Real depth = face.rigid() ? deepest : face.depth;
-    reaches[f] = grown(planes[f], depth, gap(face.body), boxes[f]);
+  const auto& others = listed_quads.empty() ? listed_faces : listed_others;
+  for_each(others.size(), kWorthThreads, [&](std::size_t k) {
+    const auto f = slot_of(others[k]);
+    reaches[f] = reach_of(f);
   });
 }
 
 template void Entities<2>::refresh_planes();
 template void Entities<3>::refresh_planes();
-template void Entities<2>::bound_by_four(const LocalIndex*, Seen&) const;
-template void Entities<3>::bound_by_four(const LocalIndex*, Seen&) const;
+template SearchBox<2> Entities<2>::reach_of(std::size_t) const;
+template SearchBox<3> Entities<3>::reach_of(std::size_t) const;
 template void Entities<2>::refresh_some_planes(std::span<const LocalIndex>);
 template void Entities<3>::refresh_some_planes(std::span<const LocalIndex>);
 template void Entities<2>::refresh_sides();

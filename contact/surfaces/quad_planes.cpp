@@ -9,29 +9,79 @@
 
 namespace brunt {
 
+namespace {
+/// Numbers of four quads, each of them side by side.
+struct FourListed {
+  Pack limits[4], places[4], normal[4];
+  explicit FourListed(const ListedQuad* quad) {
+    constexpr std::size_t first = offsetof(ListedQuad, area_start), next = sizeof(Real);
+    static_assert(offsetof(ListedQuad, longest) == first + 4 * next &&
+                  offsetof(ListedQuad, normal) == first + 8 * next);
+    const auto row = [&](int lane, int of) {
+      Pack numbers;
+      std::memcpy(&numbers, reinterpret_cast<const char*>(&quad[lane]) + first + of * sizeof(Pack),
+                  sizeof numbers);
+      return numbers;
+    };
+    int of = 0;
+    for (auto* rows : {limits, places, normal}) {
+      transpose(row(0, of), row(1, of), row(2, of), row(3, of), rows);
+      ++of;
+    }
+  }
+  Pack area_start() const { return limits[0]; }
+  Pack footprint() const { return limits[1]; }
+  Pack phi() const { return limits[2]; }
+  Pack zeta() const { return limits[3]; }
+  Pack longest() const { return places[0]; }
+  Pack warp() const { return places[1]; }
+  Pack by_normal() const { return places[2]; }
+  Pack by_gap() const { return places[3]; }
+};
+
+/// Boxes wide enough for any contact, as of reach_of, of four quads.
+void give_reaches(const FourListed& quad, const FourPlanes& now, SearchBox<3>* const (&reach)[4]) {
+  const auto by = [&](Pack n) {
+    return quad.by_normal() * vabs(n) + kReachPerWarp * now.warp + quad.by_gap();
+  };
+  const Place<Pack> wider = {by(now.normal.x), by(now.normal.y), by(now.normal.z)};
+  const Place<Pack> lo = now.lo - wider, hi = now.hi + wider;
+  Pack low[4], high[4];
+  transpose(lo.x, lo.y, lo.z, hi.x, low);
+  transpose(hi.y, hi.z, hi.y, hi.z, high);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    static_assert(sizeof(SearchBox<3>) == 6 * sizeof(Real));
+    char* const sides = reinterpret_cast<char*>(reach[lane]);
+    std::memcpy(sides, &low[lane], sizeof(Pack));
+    std::memcpy(sides + sizeof(Pack), &high[lane], 2 * sizeof(Real));
+  }
+}
+}  // namespace
+
+/// What look_at says of each of four, and their reaches.
 template <int Dim>
-void Entities<Dim>::compare_four_with_lists(const ListedQuad* quad, const FourPlanes& now,
-                                            Seen& seen) const {
-  constexpr std::size_t first = offsetof(ListedQuad, area_start), next = sizeof(Real);
-  static_assert(offsetof(ListedQuad, wide) == first + next &&
-                offsetof(ListedQuad, least) == first + 2 * next &&
-                offsetof(ListedQuad, warp) == first + 3 * next);
-  const auto limits = [&](int lane) { return load(&quad[lane].area_start); };
-  const auto normals = [&](int lane) { return load(quad[lane].normal.data()); };
-  Pack of[4], normal[4];
-  transpose(limits(0), limits(1), limits(2), limits(3), of);
-  transpose(normals(0), normals(1), normals(2), normals(3), normal);
-  const Place<Pack> turn = now.normal - Place<Pack>{normal[0], normal[1], normal[2]};
-  const Pack grown = now.warp - of[3], turn_square = dot(turn, turn);
+void Entities<Dim>::look_at_listed(const ListedQuad* quad, const FourPlanes& now, Seen& seen) {
+  const FourListed of(quad);
+  const Place<Pack> turn = now.normal - Place<Pack>{of.normal[0], of.normal[1], of.normal[2]};
+  const Pack grown = now.warp - of.warp(), turn_square = dot(turn, turn);
   if (any((grown > seen.warped) | (turn_square > seen.turned_square))) {
     for (int lane = 0; lane < kLanes; ++lane) {
       seen.warped = std::max(seen.warped, grown[lane]);
       seen.turned_square = std::max(seen.turned_square, turn_square[lane]);
     }
   }
-  if (mask_bits((now.area <= of[1]) & (of[2] > seen.step_limit.step)) == 0b1111U) return;
-  const LocalIndex f[] = {quad[0].face, quad[1].face, quad[2].face, quad[3].face};
-  bound_by_four(f, seen);
+  if constexpr (Dim == 3) {
+    const auto reach = [&](int lane) { return &reaches[slot_of(quad[lane].face)]; };
+    give_reaches(of, now, {reach(0), reach(1), reach(2), reach(3)});
+  }
+  const Pack phi = of.phi() * vmax(now.area, of.footprint()) / of.area_start();
+  const Pack limit = of.longest() * surface_step_ratio(phi, of.zeta());
+  if (!any(limit <= seen.step_limit.step)) return;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (!(limit[lane] <= seen.step_limit.step) || quad[lane].longest == kInfinity) continue;
+    const auto& face = faces[slot_of(quad[lane].face)];
+    seen.step_limit.take({limit[lane], "contact stiffness", face.body, face.id});
+  }
 }
 
 template <int Dim>
@@ -48,7 +98,7 @@ void Entities<Dim>::refresh_listed_quads(std::size_t first, std::size_t last, Se
           side_by_side(rows(0), rows(1), rows(2), rows(3)),
           Pack{quad[0].area_start, quad[1].area_start, quad[2].area_start, quad[3].area_start});
       now.give({plane(0), plane(1), plane(2), plane(3)}, {box(0), box(1), box(2), box(3)});
-      compare_four_with_lists(quad, now, seen);
+      look_at_listed(quad, now, seen);
     }
   }
 }
@@ -152,15 +202,15 @@ constexpr Real kWider = 1.05, kSurelyLess = 1 - 1e-9;
 template <int Dim>
 ListedQuad Entities<Dim>::listed_quad(LocalIndex f) const {
   ListedQuad quad;
-  const UnlistedQuad least = unlisted_quad(f);
-  const auto& plane = planes[slot_of(f)];
-  quad.node = least.node, quad.face = f;
-  quad.area_start = faces[slot_of(f)].area_start;
-  // The root may be rounded up, and more of the area be allowed than `least` has.
-  quad.wide = kSurelyLess * 0.5 * std::sqrt(least.wide_square);
-  quad.least = least.least;
-  quad.warp = plane.warp;
-  std::copy_n(plane.normal.data(), Dim, quad.normal.begin());
+  const UnlistedQuad of = unlisted_quad(f);
+  const auto& face = faces[slot_of(f)];
+  quad.node = of.node, quad.face = f;
+  quad.area_start = face.area_start, quad.footprint = of.footprint;
+  quad.phi = of.phi, quad.zeta = of.zeta, quad.longest = of.longest;
+  quad.warp = of.warp;
+  quad.by_normal = kReachPerDepth * (face.rigid() ? deepest : face.depth);
+  quad.by_gap = 0.5 * gap(face.body);
+  std::copy_n(planes[slot_of(f)].normal.data(), Dim, quad.normal.begin());
   return quad;
 }
 
@@ -226,6 +276,7 @@ void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
     }
   }
   fill_up(listed_quads), fill_up(unlisted_signs);
+  for (const auto& quad : listed_quads) reaches[slot_of(quad.face)] = reach_of(slot_of(quad.face));
 }
 
 template void Entities<3>::look_at_unlisted(std::size_t, std::size_t, Seen&) const;
