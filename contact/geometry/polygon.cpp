@@ -50,7 +50,7 @@ int sides_that_keep(const Polygon& a, const Polygon& b) {
   const Pack x = of(0), y = of(1);
   const Pack slope_x = -(next(y) - y), slope_y = next(x) - x;
   const Pack value = -(slope_x * x + slope_y * y);
-  PackMask keeps = slope_x == slope_x;
+  PackMask keeps = broadcast<Pack>(0.0) < broadcast<Pack>(1.0);  // all
   for (int i = 0; i < 4; ++i) {
     const Pack at = value + slope_x * a[i][0] + slope_y * a[i][1];
     keeps = keeps & (at >= 0.0);

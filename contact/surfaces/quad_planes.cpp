@@ -60,8 +60,8 @@ void give_reaches(const FourListed& quad, const FourPlanes& now, SearchBox<3>* c
 
 /// What look_at says of each of four, and their reaches.
 template <int Dim>
-void Entities<Dim>::look_at_listed(const ListedQuad* quad, const FourPlanes& now, Seen& seen) {
-  const FourListed of(quad);
+void Entities<Dim>::look_at_listed(const ListedQuad* four, const FourPlanes& now, Seen& seen) {
+  const FourListed of(four);
   const Place<Pack> turn = now.normal - Place<Pack>{of.normal[0], of.normal[1], of.normal[2]};
   const Pack grown = now.warp - of.warp(), turn_square = dot(turn, turn);
   if (any((grown > seen.warped) | (turn_square > seen.turned_square))) {
@@ -71,15 +71,15 @@ void Entities<Dim>::look_at_listed(const ListedQuad* quad, const FourPlanes& now
     }
   }
   if constexpr (Dim == 3) {
-    const auto reach = [&](int lane) { return &reaches[slot_of(quad[lane].face)]; };
+    const auto reach = [&](int lane) { return &reaches[slot_of(four[lane].face)]; };
     give_reaches(of, now, {reach(0), reach(1), reach(2), reach(3)});
   }
   const Pack phi = of.phi() * vmax(now.area, of.footprint()) / of.area_start();
   const Pack limit = of.longest() * surface_step_ratio(phi, of.zeta());
   if (!any(limit <= seen.step_limit.step)) return;
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (!(limit[lane] <= seen.step_limit.step) || quad[lane].longest == kInfinity) continue;
-    const auto& face = faces[slot_of(quad[lane].face)];
+    if (!(limit[lane] <= seen.step_limit.step) || four[lane].longest == kInfinity) continue;
+    const auto& face = faces[slot_of(four[lane].face)];
     seen.step_limit.take({limit[lane], "contact stiffness", face.body, face.id});
   }
 }
