@@ -41,7 +41,7 @@ TEST(Polygon, NearlyCoincidentSquares) {
 TEST(Polygon, OverlapsAreCutSideBySide) {
   int whole = 0, cut = 0;
   for (int k = 0; k < 500; ++k) {
-    const Vec<2> center(0.7 * std::sin(3.0 * k), 0.7 * std::cos(5.0 * k));
+    const Vec<2> center(0.45 * std::sin(3.0 * k), 0.45 * std::cos(5.0 * k));
     const Polygon a = square(0.1 * k, 0.2 + 0.002 * k, center), b = square(0.3 * k, 1.3);
     Polygon left = a;
     for (int i = 0; i < b.size && left.size > 2; ++i) {
