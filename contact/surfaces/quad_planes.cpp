@@ -264,6 +264,11 @@ void Entities<Dim>::mark_planes(const std::vector<char>& in_lists) {
   if (Dim == 2 || nodes.holds) return;
   listed_faces.clear();
   clear_lists();
+  const auto n_listed =
+      slot_of(std::count_if(near_faces.begin(), near_faces.end(),
+                            [&](LocalIndex f) { return in_lists[slot_of(f)] != 0; }));
+  listed_quads.reserve(n_listed + kLanes);
+  unlisted_signs.reserve(near_faces.size() - n_listed + kLanes);
   for (const LocalIndex f : near_faces) {
     const bool is_listed = in_lists[slot_of(f)] != 0, is_quad = faces[slot_of(f)].n_nodes == 4;
     if (is_listed || !is_quad) listed_faces.push_back(f);
