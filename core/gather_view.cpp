@@ -40,7 +40,7 @@ BodyView unpack(const Bytes& bytes) {
 
 }  // namespace
 
-BodyView gather_view(const BodyView& mine, const Communicator& ranks) {
+BodyView gather_view(BodyView mine, const Communicator& ranks) {
   if (ranks.alone()) return mine;
   std::vector<BodyView> parts;
   for (const Bytes& bytes : ranks.gather(pack(mine))) parts.push_back(unpack(bytes));

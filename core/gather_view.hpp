@@ -6,6 +6,6 @@ namespace brunt {
 
 /// One view of a body out of those of all ranks, by ids: the same bits as a lone rank shows. On the
 /// root; elsewhere it comes back empty. Collective.
-BodyView gather_view(const BodyView& mine, const Communicator& ranks);
+BodyView gather_view(BodyView mine, const Communicator& ranks);
 
 }  // namespace brunt

@@ -5,7 +5,7 @@
 ///   of each fell into the same eight places of the first cache.
 /// - Large ones stand in large pages: a processor follows a stream to the end of a page only, and
 ///   looks up where the next one stands. Those that the others are cut from are gathered into large
-///   ones once all are there.
+///   ones once all are there. Some that are given back are kept (large_heap.hpp).
 #include "core/large_blocks.hpp"
 
 #include <sys/mman.h>
@@ -20,35 +20,48 @@
 #include <new>
 #include <string>
 
+#include "core/large_heap.hpp"
+
 // The address sanitizer brings its own.
 #ifndef __SANITIZE_ADDRESS__
 // What new is made of:
 // NOLINTBEGIN(cppcoreguidelines-no-malloc, cppcoreguidelines-owning-memory)
 namespace {
-constexpr std::size_t kLine = 64, kPage = 4096, kLargePage = std::size_t{1} << 21;
-/// What is smaller may be rounded up by too much, and fits the caches.
-constexpr std::size_t kLarge = 2 * kLargePage;
+constexpr std::size_t kLine = 64, kPage = brunt::LargeHeap::kPage;
+/// What is smaller malloc keeps itself.
+constexpr std::size_t kLarge = std::size_t{1} << 17;
+/// Of which sixteen pages more do not matter to, either.
+constexpr std::size_t kWide = std::size_t{1} << 22;
 /// What two more pages do not matter to. Smaller ones stand anywhere in a page as it is.
 constexpr std::size_t kStaggered = 16 * kPage;
-/// What malloc aligns to; before each block stands the address that malloc gave.
+/// What stands before each block: what it is part of, and how large that is if it is a large one.
+struct Head {
+  void* given;
+  std::size_t bytes;  // 0: of malloc
+};
+/// What malloc aligns to.
 constexpr std::size_t kHead = 16;
-static_assert(kHead >= sizeof(void*) && kHead >= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+static_assert(kHead == sizeof(Head) && kHead >= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+
+/// Never destroyed: blocks are given back until the program has ended.
+constinit union Large {
+  brunt::LargeHeap heap;
+  constexpr Large() : heap() {}
+  ~Large() {}
+} large;
 
 /// Lines from the begin of a page to that of a block: others for each in turn, over the lines of a
 /// page, of large blocks over sixteen pages. Strides are odd: all come before one comes again.
 std::size_t stagger(std::size_t bytes) {
   static std::atomic<std::size_t> turns{0};
   const std::size_t turn = turns.fetch_add(1, std::memory_order_relaxed);
-  return bytes < kLarge ? turn * 7 % 64 : turn * 37 % 1024;
+  return bytes < kWide ? turn * 7 % 64 : turn * 37 % 1024;
 }
 
-void* allocate(std::size_t bytes) {
-  if (bytes < kLarge) return std::malloc(bytes);
-  void* const at =
-      std::aligned_alloc(kLargePage, (bytes + kLargePage - 1) / kLargePage * kLargePage);
-  // Where the system has none, ordinary pages do.
-  if (at != nullptr) static_cast<void>(madvise(at, bytes, MADV_HUGEPAGE));
-  return at;
+Head allocate(std::size_t bytes) {
+  std::size_t given = bytes;
+  void* const at = bytes < kLarge ? nullptr : large.heap.take(given);
+  return at != nullptr ? Head{at, given} : Head{std::malloc(bytes), 0};
 }
 
 /// align  [byte] a power of 2
@@ -58,17 +71,25 @@ void* block(std::size_t bytes, std::size_t align) {
   if (bytes >= kPage) align = from = std::max(align, kLine);
   if (bytes >= kStaggered) from = std::max(align, kPage), lines = stagger(bytes);
   const std::size_t before = lines * kLine / align * align, extra = kHead + from + before;
-  if (bytes > SIZE_MAX - kLargePage - extra) return nullptr;
-  char* const given = static_cast<char*>(allocate(bytes + extra));
-  if (given == nullptr) return nullptr;
+  constexpr std::size_t kMost = SIZE_MAX / 4;
+  if (extra > kMost || bytes > kMost - extra) return nullptr;
+  const Head head = allocate(bytes + extra);
+  if (head.given == nullptr) return nullptr;
+  char* const given = static_cast<char*>(head.given);
   const auto free = reinterpret_cast<std::uintptr_t>(given) + kHead;
   char* const at = given + kHead + (from - free % from) % from + before;
-  reinterpret_cast<void**>(at)[-1] = given;
+  reinterpret_cast<Head*>(at)[-1] = head;
   return at;
 }
 
 void give_back(void* at) noexcept {
-  if (at != nullptr) std::free(static_cast<void**>(at)[-1]);
+  if (at == nullptr) return;
+  const Head head = static_cast<Head*>(at)[-1];
+  if (head.bytes == 0) {
+    std::free(head.given);
+  } else {
+    large.heap.give_back(head.given, head.bytes);
+  }
 }
 
 void* block_or_throw(std::size_t bytes, std::size_t align) {
@@ -97,9 +118,15 @@ void* block_or_throw(std::size_t bytes, std::size_t align) {
 
 namespace brunt {
 
+void keep_freed_blocks([[maybe_unused]] bool keeps) {
+#ifndef __SANITIZE_ADDRESS__
+  large.heap.keep(keeps);
+#endif
+}
+
 void gather_heap() {
   constexpr int kCollapse = 25;  // MADV_COLLAPSE, which not all headers have
-  constexpr std::size_t kLargePage = std::size_t{1} << 21;
+  constexpr std::size_t kLargePage = LargeHeap::kLargePage;
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
     void *begin = nullptr, *end = nullptr;

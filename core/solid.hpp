@@ -6,6 +6,7 @@
 #include "core/ledger.hpp"
 #include "core/parallel/ghosts.hpp"
 #include "core/parallel/partition.hpp"
+#include "core/search/pair_count.hpp"
 #include "core/state.hpp"
 #include "core/step_limit.hpp"
 #include "core/surface.hpp"
@@ -75,6 +76,8 @@ class Solid {
   /// Elements and particles that this rank counts.
   virtual std::size_t n_elements() const = 0;
   virtual std::size_t n_particles() const = 0;
+  /// Pairs of the present neighbour lists that this rank counts.
+  virtual PairCount pair_count() const { return {}; }
   /// Cost of each owned point, in a unit of the group's own; points() order.
   virtual std::vector<Real> point_work() const = 0;
   /// Adds tables of all that the group carries from step to step, owned points and all elements.

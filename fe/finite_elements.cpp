@@ -72,14 +72,14 @@ std::uint64_t element_hash(const ElementBlock<Dim>& block, LocalIndex e) {
 }  // namespace
 
 template <int Dim>
-FiniteElements<Dim>::FiniteElements(Points<Dim> points, const std::vector<ElementSet<Dim>>& sets,
+FiniteElements<Dim>::FiniteElements(Points<Dim> points, std::vector<ElementSet<Dim>> sets,
                                     Geometry geometry, Real depth)
     : points_(std::move(points)), thickness_(thickness_of(geometry, depth)) {
-  make_blocks(sets);
-  set_masses(blocks_, thickness_, n_corners_, points_);
-  points_.x_start = points_.x;
   held_ =
       !sets.empty() && std::all_of(sets.begin(), sets.end(), [](const auto& s) { return s.held; });
+  make_blocks(std::move(sets));
+  set_masses(blocks_, thickness_, n_corners_, points_);
+  points_.x_start = points_.x;
   surface_.axis = axis_nodes(points_, thickness_);
   surface_.points = &points_;
   surface_.held = held_;
@@ -98,10 +98,11 @@ template <int Dim>
 FiniteElements<Dim>::~FiniteElements() = default;
 
 template <int Dim>
-void FiniteElements<Dim>::make_blocks(const std::vector<ElementSet<Dim>>& sets) {
+void FiniteElements<Dim>::make_blocks(std::vector<ElementSet<Dim>> sets) {
   std::size_t corners = 0;
-  for (const ElementSet<Dim>& set : sets) {
-    if (set.id.empty()) continue;
+  for (ElementSet<Dim>& of_set : sets) {
+    if (of_set.id.empty()) continue;
+    const ElementSet<Dim> set = std::move(of_set);
     blocks_.push_back(make_block(set, points_, thickness_));
     blocks_.back().first_corner = corners;
     corners += blocks_.back().corner.size();

@@ -21,7 +21,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   ///         and x_start are set here
   /// depth   [m] of a plane-strain scene; without meaning elsewhere
   /// Throws PhysicsError where an element has no positive volume.
-  FiniteElements(Points<Dim> points, const std::vector<ElementSet<Dim>>& sets, Geometry geometry,
+  FiniteElements(Points<Dim> points, std::vector<ElementSet<Dim>> sets, Geometry geometry,
                  Real depth);
   /// The part of a whole, at time 0, that this rank computes: every element that touches a point
   /// it owns, with copies of the points of other ranks. Collective.
@@ -87,7 +87,7 @@ class FiniteElements final : public Solid<Dim>, public ParticleCarrier<Dim> {
   void keep_ratios(const VolumesBefore& before, const std::vector<Vec<Dim>>& x);
   void save_volumes(std::vector<StateTable>& tables) const;
   void load_volumes(const StateTables& tables);
-  void make_blocks(const std::vector<ElementSet<Dim>>& sets);
+  void make_blocks(std::vector<ElementSet<Dim>> sets);
   void refresh_steps();
   void set_capacities();
   void make_rigid();

@@ -216,7 +216,7 @@ void FiniteElements<Dim>::rebuild(bool with_state) {
   const auto old = std::move(blocks_);
   blocks_.clear();
   points_.x.swap(points_.x_start);
-  make_blocks(sets);
+  make_blocks(std::move(sets));
   points_.x.swap(points_.x_start);
   if (!corner_heat_.empty()) corner_heat_.assign(n_corners_ * 2, 0.0);
   element_of_facet_.clear();

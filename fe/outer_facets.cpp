@@ -31,6 +31,14 @@ std::array<LocalIndex, Facet<Dim>::kNodes> nodes_of_face(const ElementType& type
   return nodes;
 }
 
+/// Without the call that an array's own comparison is.
+template <std::size_t n>
+bool same_nodes(const std::array<LocalIndex, n>& a, const std::array<LocalIndex, n>& b) {
+  LocalIndex differing = 0;
+  for (std::size_t i = 0; i < n; ++i) differing |= a[i] ^ b[i];
+  return differing == 0;
+}
+
 void sort_nodes(std::array<LocalIndex, 2>& node) {
   if (node[1] < node[0]) std::swap(node[0], node[1]);
 }
@@ -42,16 +50,59 @@ void sort_nodes(std::array<LocalIndex, 4>& node) {
   order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
 }
 
-/// The faces that one element alone has: each is sought among those with the same last node, of
-/// which there are few.
+/// Faces of the elements so far, by their last nodes: there are few to each.
+template <int Dim>
+class OpenFaces {
+ public:
+  explicit OpenFaces(std::size_t n_points) : last_of_(n_points, -1) {}
+
+  void add(const Face<Dim>& face) {
+    LocalIndex& last = last_of_[face.sorted.back()];
+    LocalIndex same = last;
+    while (same >= 0 && !same_nodes(faces_[same].sorted, face.sorted)) same = faces_[same].next;
+    if (same >= 0) {
+      faces_[same].is_alone = false;
+      return;
+    }
+    const LocalIndex at = place();
+    faces_[at] = face;
+    faces_[at].next = std::exchange(last, at);
+  }
+  /// No more elements have this node: appends the faces that one element alone has.
+  void close(LocalIndex node, std::vector<Face<Dim>>& alone) {
+    for (LocalIndex at = std::exchange(last_of_[node], -1); at >= 0;) {
+      if (faces_[at].is_alone) alone.push_back(faces_[at]);
+      const LocalIndex next = faces_[at].next;
+      faces_[at].next = std::exchange(unused_, at);
+      at = next;
+    }
+  }
+
+ private:
+  LocalIndex place() {
+    if (unused_ >= 0) return std::exchange(unused_, faces_[unused_].next);
+    faces_.emplace_back();
+    return static_cast<LocalIndex>(faces_.size() - 1);
+  }
+
+  std::vector<Face<Dim>> faces_;
+  std::vector<LocalIndex> last_of_;  // the last face of each node
+  LocalIndex unused_ = -1;
+};
+
+/// The faces that one element alone has. Elements lie along a curve, and so do nodes: those whose
+/// elements are not all seen yet are few, and so are their faces.
 template <int Dim>
 std::vector<Face<Dim>> free_faces(const std::vector<ElementBlock<Dim>>& blocks,
                                   std::size_t n_points) {
-  std::size_t n = 0;
-  for (const auto& block : blocks) n += slot_of(block.n) * slot_of(block.formulation->type().faces);
-  std::vector<Face<Dim>> faces;
-  faces.reserve(n / 2 + n / 16);
-  std::vector<LocalIndex> last_of(n_points, -1);  // the last face of each node
+  std::vector<LocalIndex> to_come(n_points, 0);  // elements of each node
+  for (const auto& block : blocks) {
+    for (LocalIndex e = 0; e < block.n; ++e) {
+      for (const LocalIndex node : block.corners_of(e)) ++to_come[node];
+    }
+  }
+  OpenFaces<Dim> open(n_points);
+  std::vector<Face<Dim>> alone;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const ElementType& type = blocks[b].formulation->type();
     for (LocalIndex e = 0; e < blocks[b].n; ++e) {
@@ -59,21 +110,15 @@ std::vector<Face<Dim>> free_faces(const std::vector<ElementBlock<Dim>>& blocks,
       for (int k = 0; k < type.faces; ++k) {
         Face<Dim> face{nodes_of_face<Dim>(type, k, corner), static_cast<LocalIndex>(b), e};
         sort_nodes(face.sorted);
-        LocalIndex& last = last_of[face.sorted.back()];
-        LocalIndex same = last;
-        while (same >= 0 && faces[same].sorted != face.sorted) same = faces[same].next;
-        if (same >= 0) {
-          faces[same].is_alone = false;
-          continue;
-        }
-        face.next = std::exchange(last, static_cast<LocalIndex>(faces.size()));
         face.number = static_cast<std::uint8_t>(k);
-        faces.push_back(face);
+        open.add(face);
+      }
+      for (const LocalIndex node : corner) {
+        if (--to_come[node] == 0) open.close(node, alone);
       }
     }
   }
-  std::erase_if(faces, [](const Face<Dim>& face) { return !face.is_alone; });
-  return faces;
+  return alone;
 }
 
 /// Area [m^2] of a quad by its diagonals, or of a triangle; length [m] of an edge.

@@ -102,7 +102,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   surface_.points = &points_;
   surface_.held = held_;
   averages_volumes_ = whole.averages_volumes_;
-  make_blocks(sets);
+  make_blocks(std::move(sets));
   if (whole.erosion_) {
     surface_.may_free = whole.surface_.may_free;
     erosion_ = std::make_unique<ErosionState<Dim>>(*whole.erosion_);

@@ -103,6 +103,12 @@ EnergyShares energy_from(const Json& json) {
   return energy;
 }
 
+Json pairs_json(const PairCount& pairs) {
+  return {{"in_support", pairs.in_support},
+          {"compared", pairs.compared},
+          {"hit_rate", pairs.hit_rate()}};
+}
+
 Json process_json(const RunSummary& s) {
   Json shares = Json::object();
   for (const auto& [body, end, mean] : s.inertia) shares[body] = {{"end", end}, {"mean", mean}};
@@ -147,6 +153,9 @@ RunSummary from_json(const Json& json) {
   s.loop_seconds = real_at(json, "loop_seconds", s.loop_seconds);
   s.ns_element_step = real_at(json, "ns_element_step", s.ns_element_step);
   s.ns_particle_step = real_at(json, "ns_particle_step", s.ns_particle_step);
+  const Json pairs = object_at(json, "pairs");
+  s.pairs = {pairs.value("in_support", s.pairs.in_support),
+             pairs.value("compared", s.pairs.compared)};
   s.peak_memory = real_at(json, "peak_memory", s.peak_memory);
   s.drift = real_at(json, "drift", s.drift);
   s.state_hash = json.value("state_hash", s.state_hash);
@@ -214,6 +223,7 @@ std::string to_json(const RunSummary& s) {
   json["loop_seconds"] = s.loop_seconds;
   json["ns_element_step"] = s.ns_element_step;
   json["ns_particle_step"] = s.ns_particle_step;
+  if (s.particles > 0) json["pairs"] = pairs_json(s.pairs);
   json["peak_memory"] = s.peak_memory;
   json["drift"] = s.drift;
   if (!s.state_hash.empty()) json["state_hash"] = s.state_hash;

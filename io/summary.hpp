@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/search/pair_count.hpp"
 #include "core/types.hpp"
 
 namespace brunt {
@@ -77,6 +78,7 @@ struct RunSummary {
   /// [ns] an element and step, a particle and step, of all that the steps took: together with the
   /// counts they make up loop_seconds.
   Real ns_element_step = 0, ns_particle_step = 0;
+  PairCount pairs;         ///< of particles at the end, all ranks together
   Real peak_memory = 0;    ///< [byte]
   Real drift = 0;          ///< energy.drift at the end
   std::string state_hash;  ///< of the end; "": the run broke

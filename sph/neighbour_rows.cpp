@@ -131,6 +131,17 @@ int NeighbourRows<Dim>::count(LocalIndex i) const {
   return all;
 }
 
+template <int Dim>
+PairCount NeighbourRows<Dim>::count_all() const {
+  PairCount all;
+  for (std::size_t group = 0; group < n_groups(); ++group) {
+    const auto some = members(group);
+    all.compared += static_cast<std::int64_t>(some.size() * shared_.neighbours_of(group).size());
+    for (const LocalIndex i : some) all.in_support += count(i);
+  }
+  return all;
+}
+
 #define BRUNT_ROWS(Dim, P)                                                                    \
   template void NeighbourRows<Dim>::find<P>(const MotionRecord<Dim, P::Stored>*, std::size_t, \
                                             unsigned);                                        \

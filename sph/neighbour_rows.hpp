@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/search/pair_count.hpp"
 #include "core/search/search.hpp"
 #include "sph/records.hpp"
 
@@ -43,6 +44,8 @@ class NeighbourRows {
   Real* weights(LocalIndex i) { return weight_.empty() ? nullptr : weight_.data() + first_[i]; }
   /// True neighbours of i, as they were found last.
   int count(LocalIndex i) const;
+  /// Of all particles, as they were found last.
+  PairCount count_all() const;
 
  private:
   static constexpr bool kKeepsRows = Dim == 2;

@@ -130,6 +130,7 @@ class SphParticles final : public Solid<Dim> {
   BodyView view(Label body, const WantedFields& wanted) const override;
   std::size_t n_elements() const override { return 0; }
   std::size_t n_particles() const override { return n_owned(); }
+  PairCount pair_count() const override { return rows_.count_all(); }
   const GhostPlan& ghosts() const override { return ghosts_; }
   /// A particle and each of its neighbours count one.
   std::vector<Real> point_work() const override;

@@ -75,6 +75,19 @@ std::string step_bounds_line(const std::vector<std::pair<std::string, Real>>& bo
   return line;
 }
 
+template <int Dim>
+void fill_pairs(const Scene<Dim>& scene, const Communicator& ranks, RunSummary& summary) {
+  PairCount mine;
+  for (const auto& solid : scene.solids) {
+    const PairCount count = solid->pair_count();
+    mine.in_support += count.in_support, mine.compared += count.compared;
+  }
+  const auto sum = [&](std::int64_t n) {
+    return static_cast<std::int64_t>(ranks.sum(static_cast<std::uint64_t>(n)));
+  };
+  summary.pairs = {sum(mine.in_support), sum(mine.compared)};
+}
+
 void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& summary) {
   summary.ranks = ranks.size();
   constexpr double kMicro = 1e-6;
@@ -92,6 +105,8 @@ void fill_traffic(const Communicator& ranks, std::int64_t steps, RunSummary& sum
 
 template void fill_step_bounds(const Scene<2>&, const Clock&, RunSummary&);
 template void fill_step_bounds(const Scene<3>&, const Clock&, RunSummary&);
+template void fill_pairs(const Scene<2>&, const Communicator&, RunSummary&);
+template void fill_pairs(const Scene<3>&, const Communicator&, RunSummary&);
 template void fill_costs(const Scene<2>&, std::int64_t, RunSummary&);
 template void fill_costs(const Scene<3>&, std::int64_t, RunSummary&);
 

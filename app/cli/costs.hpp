@@ -12,6 +12,10 @@ double peak_memory();
 template <int Dim>
 void fill_costs(const Scene<Dim>& scene, std::int64_t steps, RunSummary& summary);
 
+/// Pairs of particles in the present lists of all ranks. Collective.
+template <int Dim>
+void fill_pairs(const Scene<Dim>& scene, const Communicator& ranks, RunSummary& summary);
+
 /// Parts of the steps of this process, by what bounded them.
 template <int Dim>
 void fill_step_bounds(const Scene<Dim>& scene, const Clock& clock, RunSummary& summary);

@@ -24,6 +24,7 @@
 #include "app/watch/frames.hpp"
 #include "app/watch/monitor.hpp"
 #include "app/watch/progress.hpp"
+#include "core/large_blocks.hpp"
 #include "io/file.hpp"
 #include "io/summary.hpp"
 
@@ -294,6 +295,7 @@ void take_costs(const Scene<Dim>& scene, const Clock& clock, std::int64_t first_
   }
   fill_step_bounds(scene, clock, summary);
   fill_costs(scene, clock.step() - first_step, summary);
+  fill_pairs(scene, ranks, summary);
   fill_traffic(ranks, clock.step() - first_step, summary);
 }
 
@@ -308,6 +310,7 @@ int run_scene(const LoadedDeck& loaded, const RunArguments& arguments, const Com
   const auto wall_start = std::chrono::steady_clock::now();
   ask_for_pictures(loaded);
   const Real program = resident_memory();
+  keep_freed_blocks(true);
   auto scene = build_scene<Dim>(loaded);
   std::vector<DeckProblem> warnings = loaded.warnings;
   warn_of_scene(loaded, *scene, ranks.is_root(), warnings);

@@ -77,6 +77,7 @@ void run_time_loop(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer,
   Phases& phases = scene.phases;
   start(scene);
   observer.begin(scene, clock);
+  keep_freed_blocks(false);
   const WallTimer loop(scene.loop, *phases.ranks);
   while (!clock.finished()) {
     if (balance != nullptr) {

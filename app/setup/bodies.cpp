@@ -50,6 +50,9 @@ void take_elements(const Mesh<Dim>& mesh, const Formulation<Dim>& kind, BodyElem
     require(orientation<Dim>(x) > 0, box[0]);
     kind.cut_box(box, elements.corner);
     piece.resize(elements.size(), mesh.piece[e]);
+    if (e > 0) continue;
+    elements.corner.reserve(elements.corner.size() * mesh.elements.size());
+    piece.reserve(piece.size() * mesh.elements.size());
   }
   if (elements.size() == mesh.elements.size()) return;
   for (std::size_t e = 0; e < elements.size(); ++e) {
@@ -189,7 +192,8 @@ BodyGeometry<Dim> make_body(const LoadedDeck& loaded, const Named<deck::Body>& n
     piece = std::move(filling.piece);
   }
   require_one_side_of_axis(geometry, deck.geometry);
-  for (const Label local : piece) geometry.piece.push_back(next_piece + local);
+  for (Label& local : piece) local += next_piece;
+  geometry.piece = std::move(piece);
   next_piece += static_cast<Label>(geometry.piece_names.size());
   return geometry;
 }

@@ -41,6 +41,9 @@ struct BodyGeometry {
   Real shortest_edge = 0;          ///< [m] of elements from a file; elsewhere 0
   std::vector<NamedPoints> sets;   ///< of a mesh file
   std::vector<std::string> notes;  ///< for the log
+
+  /// Gives the room of points, elements and pieces back, once a group has its own.
+  void forget_mesh() { points = {}, elements.corner = {}, piece = {}; }
 };
 
 /// Meshes or fills every body of the deck; problems are collected, not thrown.

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/setup/bonds.hpp"
+#include "app/setup/gather.hpp"
 #include "app/setup/heat.hpp"
 #include "app/setup/materials.hpp"
-#include "core/boundaries/function.hpp"
 #include "core/geometry/curve.hpp"
 #include "core/open_surface.hpp"
 #include "fe/finite_elements.hpp"
@@ -15,81 +15,6 @@
 namespace brunt {
 
 namespace {
-template <int Dim>
-Vec<Dim> vector_of(const std::vector<Real>& values) {
-  Vec<Dim> v = Vec<Dim>::Zero();
-  for (std::size_t c = 0; c < values.size() && c < Dim; ++c) v[static_cast<int>(c)] = values[c];
-  return v;
-}
-
-/// Velocity at time 0 of a point of a body: its translation and its spin.
-template <int Dim>
-Vec<Dim> start_velocity(const deck::Body& body, const Vec<Dim>& absolute) {
-  Vec<Dim> v = vector_of<Dim>(body.velocity);
-  for (int c = 0; deck::has_velocity_field(body) && c < Dim; ++c) {
-    const Varying& given = *(*body.start_velocity)[slot_of(c)];
-    Vec3 place = Vec3::Zero();
-    place.template head<Dim>() = absolute;
-    v[c] = function_of(given)(0, place);
-  }
-  if (body.spin) {
-    Vec3 arm = Vec3::Zero();
-    arm.template head<Dim>() = absolute - vector_of<Dim>(body.spin->about);
-    const Vec3 axis = Dim == 2 ? Vec3::UnitZ() : vector_of<3>(body.spin->axis);
-    v += (body.spin->rate * axis.cross(arm)).template head<Dim>();
-  }
-  return v;
-}
-
-/// One point before it has its place: its body, and which point of it.
-struct Origin {
-  std::size_t body;
-  std::size_t index;
-};
-
-/// The points of chosen bodies along the curve; place_of[body][index] is the new local index.
-template <int Dim>
-struct Gathered {
-  Points<Dim> points;
-  std::vector<Origin> from;
-  std::vector<std::vector<LocalIndex>> place_of;
-};
-
-template <int Dim>
-Gathered<Dim> gather(const LoadedDeck& loaded, const Scene<Dim>& scene,
-                     const std::vector<BodyGeometry<Dim>>& bodies,
-                     const std::vector<std::size_t>& chosen, NextIds& next) {
-  Gathered<Dim> gathered;
-  gathered.place_of.resize(bodies.size());
-  std::vector<Origin> origins;
-  std::vector<Vec<Dim>> positions;
-  std::size_t n = 0;
-  for (const std::size_t b : chosen) n += bodies[b].points.size();
-  origins.reserve(n), positions.reserve(n), gathered.from.reserve(n);
-  for (const std::size_t b : chosen) {
-    gathered.place_of[b].resize(bodies[b].points.size());
-    for (std::size_t i = 0; i < bodies[b].points.size(); ++i) {
-      origins.push_back({b, i});
-      positions.push_back(bodies[b].points[i] - scene.origin);
-    }
-  }
-  const auto order = order_of(curve_keys<Dim>(positions));
-  auto& points = gathered.points;
-  points.resize(static_cast<LocalIndex>(order.size()));
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const Origin from = origins[order[k]];
-    const Label label = bodies[from.body].label;
-    gathered.from.push_back(from);
-    gathered.place_of[from.body][from.index] = static_cast<LocalIndex>(k);
-    points.id[k] = next.point++;
-    points.body[k] = label;
-    points.x[k] = points.x_start[k] = positions[order[k]];
-    const auto& body = loaded.deck.bodies[label].value;
-    points.v[k] = start_velocity<Dim>(body, bodies[from.body].points[from.index]);
-  }
-  return gathered;
-}
-
 /// Ids of the points in the named sets of a body.
 template <int Dim>
 void add_sets(const BodyGeometry<Dim>& body, const std::vector<LocalIndex>& place_of,
@@ -188,7 +113,7 @@ class SetsOfBodies {
     if (number_[body] == kNone) begin(body);
     return sets_[number_[body]];
   }
-  const std::vector<ElementSet<Dim>>& all() const { return sets_; }
+  std::vector<ElementSet<Dim>> take() { return std::move(sets_); }
 
  private:
   void begin(std::size_t body) {
@@ -208,21 +133,15 @@ class SetsOfBodies {
   std::vector<ElementSet<Dim>> of_body_, sets_;  // the first without elements
   std::vector<std::size_t> number_;              // of the set of each body
 };
-}  // namespace
 
+/// Elements of chosen bodies along the curve through their centres, by set.
 template <int Dim>
-std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
-                                          const std::vector<BodyGeometry<Dim>>& bodies,
-                                          GroupKind kind, NextIds& next) {
-  const auto chosen = choose(loaded, bodies, deck::Method::fe, kind);
-  if (chosen.empty()) return nullptr;
-  auto gathered = gather(loaded, scene, bodies, chosen, next);
+std::vector<ElementSet<Dim>> gather_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                             const std::vector<BodyGeometry<Dim>>& bodies,
+                                             const std::vector<std::size_t>& chosen, GroupKind kind,
+                                             Gathered<Dim>& gathered, NextIds& next) {
   std::size_t n = 0;
-  for (const std::size_t b : chosen) {
-    add_sets(bodies[b], gathered.place_of[b], gathered.points, next.sets);
-    n += bodies[b].elements.size();
-  }
-
+  for (const std::size_t b : chosen) n += bodies[b].elements.size();
   std::vector<Origin> elements;
   std::vector<Vec<Dim>> centers;
   elements.reserve(n), centers.reserve(n);
@@ -232,7 +151,7 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
       for (const int node : bodies[b].elements[e]) {
         center += bodies[b].points[node] - scene.origin;
       }
-      elements.push_back({b, e});
+      elements.push_back({static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e)});
       centers.push_back(center / static_cast<Real>(bodies[b].elements.type->corners));
     }
   }
@@ -257,9 +176,26 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
     set.body.push_back(geometry.label);
     set.piece.push_back(geometry.piece[e]);
   }
-  auto group = std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), sets.all(),
-                                                     scene.geometry, scene.depth);
-  return group;
+  return sets.take();
+}
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                          std::vector<BodyGeometry<Dim>>& bodies, GroupKind kind,
+                                          NextIds& next) {
+  const auto chosen = choose(loaded, bodies, deck::Method::fe, kind);
+  if (chosen.empty()) return nullptr;
+  auto gathered = gather(loaded, scene, bodies, chosen, next);
+  for (const std::size_t b : chosen) {
+    add_sets(bodies[b], gathered.place_of[b], gathered.points, next.sets);
+  }
+  gathered.from = {};
+  auto sets = gather_elements(loaded, scene, bodies, chosen, kind, gathered, next);
+  for (const std::size_t b : chosen) bodies[b].forget_mesh();
+  gathered.place_of = {};
+  return std::make_unique<FiniteElements<Dim>>(std::move(gathered.points), std::move(sets),
+                                               scene.geometry, scene.depth);
 }
 
 namespace {
@@ -279,12 +215,13 @@ Real mean_spacing(const BodyGeometry<Dim>& body) {
 
 template <int Dim>
 std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene<Dim>& scene,
-                                           const std::vector<BodyGeometry<Dim>>& bodies,
-                                           GroupKind kind, NextIds& next) {
+                                           std::vector<BodyGeometry<Dim>>& bodies, GroupKind kind,
+                                           NextIds& next) {
   const auto chosen = choose(loaded, bodies, deck::Method::sph, kind);
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
-  std::vector<Real> spacing(gathered.from.size());
+  std::vector<Real> spacing(gathered.from.size()), spacing_of(bodies.size());
+  for (const std::size_t b : chosen) spacing_of[b] = mean_spacing(bodies[b]);
   std::vector<ParticleSet> sets;
   for (std::size_t k = 0; k < gathered.from.size(); ++k) {
     const auto& geometry = bodies[gathered.from[k].body];
@@ -308,8 +245,10 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
     gathered.points.mass[k] =
         material->density * volume / static_cast<Real>(geometry.points.size());
     gathered.points.piece[k] = geometry.piece[gathered.from[k].index];
-    spacing[k] = mean_spacing(geometry);
+    spacing[k] = spacing_of[gathered.from[k].body];
   }
+  for (const std::size_t b : chosen) bodies[b].forget_mesh();
+  gathered.from = {}, gathered.place_of = {};
   auto particles = std::make_unique<SphParticles<Dim>>(std::move(gathered.points), spacing,
                                                        std::move(sets), Dim == 2 ? scene.depth : 1,
                                                        sums_of_pieces(loaded.deck, bodies));
@@ -374,16 +313,16 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
 }
 
 template std::unique_ptr<Solid<2>> make_elements<2>(const LoadedDeck&, const Scene<2>&,
-                                                    const std::vector<BodyGeometry<2>>&, GroupKind,
+                                                    std::vector<BodyGeometry<2>>&, GroupKind,
                                                     NextIds&);
 template std::unique_ptr<Solid<3>> make_elements<3>(const LoadedDeck&, const Scene<3>&,
-                                                    const std::vector<BodyGeometry<3>>&, GroupKind,
+                                                    std::vector<BodyGeometry<3>>&, GroupKind,
                                                     NextIds&);
 template std::unique_ptr<Solid<2>> make_particles<2>(const LoadedDeck&, const Scene<2>&,
-                                                     const std::vector<BodyGeometry<2>>&, GroupKind,
+                                                     std::vector<BodyGeometry<2>>&, GroupKind,
                                                      NextIds&);
 template std::unique_ptr<Solid<3>> make_particles<3>(const LoadedDeck&, const Scene<3>&,
-                                                     const std::vector<BodyGeometry<3>>&, GroupKind,
+                                                     std::vector<BodyGeometry<3>>&, GroupKind,
                                                      NextIds&);
 template std::unique_ptr<RigidSurfaces<2>> make_rigid<2>(const LoadedDeck&, const Scene<2>&,
                                                          const std::vector<BodyGeometry<2>>&, bool,

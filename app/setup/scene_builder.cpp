@@ -64,7 +64,7 @@ struct Followers {
 
 /// All that deforms: elements, then particles.
 template <int Dim>
-void add_deforming(const LoadedDeck& loaded, const std::vector<BodyGeometry<Dim>>& bodies,
+void add_deforming(const LoadedDeck& loaded, std::vector<BodyGeometry<Dim>>& bodies,
                    Scene<Dim>& scene, NextIds& next) {
   const auto add = [&](std::unique_ptr<Solid<Dim>> group) {
     if (group) scene.solids.push_back(std::move(group));
@@ -79,7 +79,7 @@ void add_deforming(const LoadedDeck& loaded, const std::vector<BodyGeometry<Dim>
 
 /// Rigid bodies that conduct: first those that follow their forces, whose faces press all others.
 template <int Dim>
-void add_rigid_conductors(const LoadedDeck& loaded, const std::vector<BodyGeometry<Dim>>& bodies,
+void add_rigid_conductors(const LoadedDeck& loaded, std::vector<BodyGeometry<Dim>>& bodies,
                           Scene<Dim>& scene, NextIds& next, Followers<Dim>& followers,
                           std::vector<DeckProblem>& problems) {
   if (auto free = make_elements(loaded, scene, bodies, kFreeConductors, next)) {
@@ -173,7 +173,7 @@ template <int Dim>
 std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   const Deck& deck = loaded.deck;
   std::vector<DeckProblem> problems;
-  const auto bodies = make_bodies<Dim>(loaded, problems);
+  auto bodies = make_bodies<Dim>(loaded, problems);
   if (!problems.empty()) {
     add_build_problems(loaded, problems);
     throw DeckError(problems);

@@ -12,7 +12,7 @@ namespace brunt {
 template <int Dim>
 std::vector<std::uint64_t> curve_keys(const std::vector<Vec<Dim>>& x);
 
-/// Places of the keys in ascending order, equal ones as they stand.
-std::vector<std::size_t> order_of(const std::vector<std::uint64_t>& keys);
+/// Places of the keys, fewer than 2^32, in ascending order, equal ones as they stand.
+std::vector<std::uint32_t> order_of(std::vector<std::uint64_t> keys);
 
 }  // namespace brunt

@@ -13,6 +13,8 @@ Mesh<Dim> box_grid(const Vec<Dim>& min, const Vec<Dim>& max,
   for (std::size_t c = 0; c < Dim; ++c) n[c] = layers[c].n;
   const int nz = Dim == 3 ? n[Dim - 1] : 0;
   const auto index = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
+  mesh.nodes.reserve(slot_of(n[0] + 1) * slot_of(n[1] + 1) * slot_of(nz + 1));
+  mesh.elements.reserve(slot_of(n[0]) * slot_of(n[1]) * slot_of(std::max(nz, 1)));
   for (int k = 0; k <= nz; ++k) {
     for (int j = 0; j <= n[1]; ++j) {
       for (int i = 0; i <= n[0]; ++i) {

@@ -19,7 +19,7 @@ short=(--quiet --set "time.end=12 us" --set "output.every=3 us" --set "output.hi
 
 says() { grep -q "$1" err.txt || { cat err.txt; fail "does not say '$1'"; }; }
 # All that a run says about the physics: wall times and memory aside.
-result() { sed '/"step_bounds"/,/}/d' "$1/summary.json" | grep -vE '(wall|start|loop|cpu)_seconds|peak_memory|"memory"|first_step|contact_lists|ns_|^    "(step_bound|search|points|elements|particles|contact|ledger|output|balance)"'; }
+result() { sed '/"step_bounds"/,/}/d' "$1/summary.json" | grep -vE '(wall|start|loop|cpu)_seconds|peak_memory|"memory"|first_step|contact_lists|ns_|"compared"|"hit_rate"|^    "(step_bound|search|points|elements|particles|contact|ledger|output|balance)"'; }
 same_run() {  # same_run A B
   cmp "$1/history.csv" "$2/history.csv" || fail "history of $2"
   cmp "$1/frames.pvd" "$2/frames.pvd" || fail "frames.pvd of $2"

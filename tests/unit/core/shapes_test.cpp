@@ -2,8 +2,11 @@
 // chords loses volume of second order in the cell: 2 (1 - sin(a)/a) with a the angle of a chord.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <random>
 #include <set>
 
 #include "core/geometry/curve.hpp"
@@ -255,6 +258,50 @@ TEST(Curve, NeighboursOnTheCurveAreNeighboursInSpace) {
   auto moved = x;
   for (auto& p : moved) p = 4.0 * p + Vec<2>(16, 32);  // exact in binary: the same keys
   EXPECT_EQ(curve_keys<2>(moved), keys);
+}
+
+/// Bit b of coordinate c is bit Dim b + c of the key, of 31 in the plane and 20 in space. Of points
+/// as far apart as there are cells, but for a part of 1e-9, each is in the cell of its whole part.
+template <int Dim>
+void expect_interleaved(int bits) {
+  const Real extent = std::exp2(bits) * (1 - 1e-9);
+  std::mt19937 random(7);
+  std::uniform_int_distribution<std::uint64_t> cell(0, (std::uint64_t{1} << bits) - 4);
+  std::vector<Vec<Dim>> x{Vec<Dim>::Zero(), Vec<Dim>::Constant(extent)};
+  for (int i = 0; i < 200; ++i) {
+    auto& at = x.emplace_back();
+    for (int c = 0; c < Dim; ++c) at[c] = static_cast<Real>(cell(random)) + 0.5;  // its middle
+  }
+  std::vector<std::uint64_t> expected;
+  for (const auto& at : x) {
+    std::uint64_t key = 0;
+    for (int c = 0; c < Dim; ++c) {
+      const auto n = static_cast<std::uint64_t>(at[c]);
+      for (int b = 0; b < bits; ++b) key |= (n >> b & 1) << (Dim * b + c);
+    }
+    expected.push_back(key);
+  }
+  EXPECT_EQ(curve_keys<Dim>(x), expected);
+}
+
+TEST(Curve, KeysHaveTheBitsOfCoordinatesInTurn) {
+  expect_interleaved<2>(31);
+  expect_interleaved<3>(20);
+}
+
+TEST(Curve, OrderIsThatOfAStableSort) {
+  std::mt19937_64 random(11);
+  for (const int shift : {0, 30, 52, 63, 64}) {  // few different keys, or none
+    for (const std::size_t n : {0, 1, 2, 1000}) {
+      std::vector<std::uint64_t> keys(n);
+      for (auto& key : keys) key = shift == 64 ? 5 : random() >> shift;
+      std::vector<std::uint32_t> expected(n);
+      std::iota(expected.begin(), expected.end(), 0U);
+      std::stable_sort(expected.begin(), expected.end(),
+                       [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+      EXPECT_EQ(order_of(keys), expected);
+    }
+  }
 }
 
 }  // namespace

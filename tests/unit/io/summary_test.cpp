@@ -48,6 +48,7 @@ RunSummary example() {
   s.measures[1].order = 1.75;
   s.measures[1].convergence = "order 1.8";
   s.warnings = {{"coarse-body", "body 'a': \"one\" element"}};
+  s.pairs = {600, 1500};
   s.contact_lists = 3;
   s.ranks = 4;
   s.threads = 2;
@@ -105,6 +106,9 @@ TEST(Summary, ReadsBackTheSame) {
   ASSERT_EQ(b.warnings.size(), 1u);
   EXPECT_EQ(b.warnings[0].id, a.warnings[0].id);
   EXPECT_EQ(b.warnings[0].text, a.warnings[0].text);
+  EXPECT_EQ(b.pairs.in_support, 600);
+  EXPECT_EQ(b.pairs.compared, 1500);
+  EXPECT_EQ(b.pairs.hit_rate(), 0.4);
   EXPECT_EQ(b.contact_lists, 3);
   EXPECT_EQ(b.ranks, 4);
   EXPECT_EQ(b.threads, 2);

@@ -52,5 +52,50 @@ TEST(SphParticlesLists, AreCheckedAfterTheMotion) {
   }
 }
 
+/// Pairs within the support, counted one by one.
+template <int Dim>
+std::int64_t pairs_of(const Points<Dim>& points, Real support) {
+  std::int64_t n = 0;
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    for (std::size_t j = 0; j < points.x.size(); ++j) {
+      n += i != j && (points.x[i] - points.x[j]).norm() < support ? 1 : 0;
+    }
+  }
+  return n;
+}
+
+/// The block turns a little, so that no distance is that of the support.
+template <int Dim>
+void expect_counted(std::array<int, Dim> cells) {
+  const auto material = test::elastic_material(kDensity, 200e9, 0.3);
+  SphOptions options = test::all_pair_sums();
+  options.adaptive_h = false;
+  auto points = test::lattice<Dim>(cells, kDp, kDensity * std::pow(kDp, Dim), 0.1);
+  auto solid = test::particles<Dim>(std::move(points), kDp, *material, options);
+  PairCount narrow;
+  for (const Real skin : {0.0, 0.5}) {
+    solid->set_skin(skin);
+    test::step<Dim>(*solid, 1e-12, [](Points<Dim>& p) {
+      for (auto& x : p.x) x[0] += 1e-3 * x[1];
+    });
+    const PairCount count = solid->pair_count();
+    EXPECT_EQ(count.in_support, pairs_of(solid->points(), 2 * options.smoothing * kDp));
+    EXPECT_GE(count.compared, count.in_support);
+    EXPECT_EQ(count.hit_rate(),
+              static_cast<Real>(count.in_support) / static_cast<Real>(count.compared));
+    if (skin == 0) {
+      narrow = count;
+    } else {
+      EXPECT_GT(count.compared, narrow.compared);  // a wider skin lets more in
+    }
+  }
+  EXPECT_GT(narrow.in_support, 0);
+}
+
+TEST(SphParticlesLists, CountTheirPairs) {
+  expect_counted<2>({13, 11});
+  expect_counted<3>({9, 8, 7});
+}
+
 }  // namespace
 }  // namespace brunt
