@@ -1,5 +1,7 @@
 #include "contact/contacts/record.hpp"
 
+#include <cstring>
+
 namespace brunt {
 
 namespace {
@@ -65,6 +67,15 @@ struct AppliedNodes {
     const Vec<Dim> half_way = half_step * v[i];
     spring_work[i] -= spring[i].dot(half_way);
     damping_energy[i] -= damping[i].dot(half_way);
+  }
+  /// The first pressed node of i .. last - 1, or last: most touch nothing, and are not even read.
+  std::size_t next_pressed(std::size_t i, std::size_t last) const {
+    for (std::uint64_t eight = 0; i + sizeof eight <= last; i += sizeof eight) {
+      std::memcpy(&eight, pressed + i, sizeof eight);
+      if (eight != 0) break;
+    }
+    while (i < last && pressed[i] == 0) ++i;
+    return i;
   }
   void clear(std::size_t i) const {
     spring[i].setZero();
@@ -216,15 +227,14 @@ void apply(const Records<Dim>& records, std::span<const Contribution<Dim>> elsew
     const auto k = slot_of(omp_get_thread_num());
     const std::size_t first = n * k / count, last = n * (k + 1) / count;
     const AppliedNodes<Dim> own(dt, forces, nodes);
-    for (std::size_t i = first; i < last; ++i) {
-      if (own.pressed[i] == 0) continue;  // most touch nothing, and are not even read
+    for (std::size_t i = first; (i = own.next_pressed(i, last)) < last; ++i) {
       if (own.owned[i] != 0) own.book_half(i);
       own.clear(i);
     }
     gather(records, elsewhere, static_cast<LocalIndex>(first), static_cast<LocalIndex>(last),
            nodes);
-    for (std::size_t i = first; i < last; ++i) {
-      if (own.pressed[i] == 0 || own.owned[i] == 0) continue;
+    for (std::size_t i = first; (i = own.next_pressed(i, last)) < last; ++i) {
+      if (own.owned[i] == 0) continue;
       own.book_half(i);
       own.add_to_point(i);
     }

@@ -12,6 +12,8 @@
 
 namespace brunt {
 
+struct FourPlanes;
+
 /// One outer face, by its nodes in ContactNodes.
 template <int Dim>
 struct ContactFace {
@@ -43,6 +45,8 @@ struct ContactFace {
   bool held = false;         ///< bounds no step
   bool rigid() const { return stiffness == 0; }  ///< held or in prescribed motion
   bool deforms() const { return stiffness > 0 && compliance == 0; }
+  /// Its springs bound the step.
+  bool bounds_step() const { return deforms() && !held && area_start > 0; }
   bool everywhere = false;         ///< it stands on every rank
   bool open = false;               ///< of a surface with a rim, which has two sides for particles
   std::uint8_t borders = 0;        ///< as of Facet
@@ -62,6 +66,27 @@ struct UnlistedQuad {
   Real footprint = 0;        ///< [m^2] as of its ContactFace
   Real phi = 0, zeta = 0;    ///< stiffness that bounds the step always, and damping
   Real longest = kInfinity;  ///< [s] h/c of what is behind; infinite: it bounds no step
+};
+
+/// What is asked of such a quad in each step, next to always for the last time: rounded so that
+/// what it says of the others surely holds.
+struct UnlistedSigns {
+  std::array<LocalIndex, 4> node{};
+  std::array<float, 4> limit{};  ///< `warp`, `wide_square` and `least`, rounded down; the last is 0
+};
+
+/// A quad in a list: what of it is read in each step and stays the same as long as the list does.
+struct ListedQuad {
+  std::array<LocalIndex, 4> node{};  ///< in ContactNodes
+  LocalIndex face = 0;
+  // Numbers in three rows of four, each of which is read together.
+  Real area_start = 1;             ///< [m^2] at time 0
+  Real footprint = 0;              ///< [m^2] as of its ContactFace
+  Real phi = 0, zeta = 0;          ///< stiffness that bounds the step always, and damping
+  Real longest = kInfinity;        ///< [s] h/c of what is behind; infinite: it bounds no step
+  Real warp = 0;                   ///< [m] when the lists were built
+  Real by_normal = 0, by_gap = 0;  ///< [m] how far its reach is wider than its box, beside its warp
+  std::array<Real, 4> normal{};    ///< when the lists were built; the last is not used
 };
 
 /// The friction that a face carried at the last evaluation, which a new contact beside inherits.
@@ -139,16 +164,20 @@ struct Entities {
   ContactNodes<Dim> nodes;
   std::vector<ContactFace<Dim>> faces;
   std::vector<ContactParticle> particles;
-  std::vector<char> near;                    ///< by body; empty: all are (search/near_bodies.hpp)
-  std::vector<LocalIndex> near_faces;        ///< faces of near bodies, ascending
-  std::vector<LocalIndex> listed_faces;      ///< those of them whose planes are read
-  std::vector<UnlistedQuad> unlisted;        ///< the others
-  std::vector<FacePlane<Dim>> planes;        ///< at nodes.x, of listed faces
-  std::vector<FaceShape<Dim>> shapes;        ///< of each face when its lists were built
-  Real warped = 0;                           ///< [m] largest growth of a warp since then
-  Real turned = 0;                           ///< largest change of a normal since then
-  std::vector<SearchBox<Dim>> boxes;         ///< of planes
-  std::vector<SearchBox<Dim>> reaches;       ///< boxes wide enough for any face-on-face contact
+  std::vector<char> near;                 ///< by body; empty: all are (search/near_bodies.hpp)
+  std::vector<LocalIndex> near_faces;     ///< faces of near bodies, ascending
+  std::vector<LocalIndex> listed_faces;   ///< those of them whose planes are read
+  std::vector<ListedQuad> listed_quads;   ///< the quads of these, once lists are built; in fours
+  std::vector<LocalIndex> listed_others;  ///< what is no quad
+  std::vector<UnlistedQuad> unlisted;     ///< the others
+  std::vector<UnlistedSigns>
+      unlisted_signs;                   ///< of each; in fours, the last one as often as it takes
+  std::vector<FacePlane<Dim>> planes;   ///< at nodes.x, of listed faces
+  std::vector<FaceShape<Dim>> shapes;   ///< of each face when its lists were built
+  Real warped = 0;                      ///< [m] largest growth of a warp since then
+  Real turned = 0;                      ///< largest change of a normal since then
+  std::vector<SearchBox<Dim>> boxes;    ///< of planes
+  std::vector<SearchBox<Dim>> reaches;  ///< boxes wide enough for any face-on-face contact
   std::vector<FaceTraction<Dim>> tractions;  ///< of each face; empty where nothing has friction
   std::vector<FaceSide<Dim>> sides;   ///< of listed faces that carried friction, as they are now
   std::vector<std::int32_t> side_at;  ///< where each face stands among them; -1: nowhere
@@ -214,7 +243,7 @@ struct Entities {
   const FaceSide<Dim>* side_of(std::size_t face) const {
     return side_at[face] < 0 ? nullptr : &sides[slot_of(side_at[face])];
   }
-  /// `reaches` of listed faces, once their planes are there.
+  /// `reaches` of listed faces, once their planes are there; listed quads have theirs with these.
   void refresh_reaches();
   /// Widest opening [m] through which heat passes to a body.
   Real gap(Label body) const { return body < gaps.size() ? gaps[body] : 0.0; }
@@ -250,7 +279,13 @@ struct Entities {
   void compare_with_lists(std::size_t face, Seen& seen) const;
   void look_at(std::size_t face, Seen& seen) const;
   void look_at_four(const LocalIndex* face, Seen& seen) const;
+  void refresh_listed_quads(std::size_t first, std::size_t last, Seen& seen);
+  void look_at_listed(const ListedQuad* four, const FourPlanes& now, Seen& seen);
+  SearchBox<Dim> reach_of(std::size_t face) const;
   void look_at_unlisted(std::size_t first, std::size_t last, Seen& seen) const;
+  void clear_lists();
+  ListedQuad listed_quad(LocalIndex face) const;
+  UnlistedQuad unlisted_quad(LocalIndex face) const;
 
   std::size_t own_nodes_ = 0;  // before those that other ranks showed
 };

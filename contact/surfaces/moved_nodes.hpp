@@ -1,17 +1,14 @@
 #pragma once
 /// Reads of nodes where they are and how fast, with the bounds of their motion. Nodes that follow
-/// each other in a group as they do in the tables of contact are read four at a time.
+/// each other in a group as they do in the tables of contact are read four at a time, others with
+/// all their components at once.
 #include <algorithm>
 
 #include "contact/geometry/motion_bounds.hpp"
+#include "contact/surfaces/node_run.hpp"
 #include "core/simd.hpp"
 
 namespace brunt {
-
-/// Nodes node .. node + n - 1, which are points point .. point + n - 1 of a surface.
-struct NodeRun {
-  LocalIndex node = 0, surface = 0, point = 0, n = 0;
-};
 
 template <int Dim>
 class MovedNodes {
@@ -25,6 +22,12 @@ class MovedNodes {
       all.u_max[c] = std::max(all.u_max[c], u_max_[pack][lane]);
       all.v_min[c] = std::min(all.v_min[c], v_min_[pack][lane]);
       all.v_max[c] = std::max(all.v_max[c], v_max_[pack][lane]);
+    }
+    for (int c = 0; c < Dim; ++c) {
+      all.u_min[c] = std::min(all.u_min[c], each_[0][c]);
+      all.u_max[c] = std::max(all.u_max[c], each_[1][c]);
+      all.v_min[c] = std::min(all.v_min[c], each_[2][c]);
+      all.v_max[c] = std::max(all.v_max[c], each_[3][c]);
     }
     return all;
   }
@@ -41,6 +44,32 @@ class MovedNodes {
       alone_.take(now - made[i], velocity);
     }
   }
+  /// The same in 3D of nodes first, first + 1, .. of runs of one node each, of the same surface, as
+  /// long as they go on and others stand behind both the node and its point. Returns where they
+  /// end.  n_points, n_nodes  how many there are in all;  made, to_x, to_v  of the first node of
+  /// all
+  const NodeRun* read_each(const NodeRun* first, const NodeRun* last, const Vec<Dim>* x,
+                           const Vec<Dim>* v, std::size_t n_points, std::size_t n_nodes,
+                           const Vec<Dim>* made, Vec<Dim>* to_x, Vec<Dim>* to_v) {
+    if constexpr (Dim == 2) return first;
+    const LocalIndex surface = first->surface;
+    // The last lane is of what stands behind, and of no use.
+    Pack u_min = each_[0], u_max = each_[1], v_min = each_[2], v_max = each_[3];
+    const auto goes_on = [&](const NodeRun& run) {
+      return run.n == 1 && run.surface == surface && slot_of(run.point) + 1 < n_points &&
+             slot_of(run.node) + 1 < n_nodes;
+    };
+    for (; first != last && goes_on(*first); ++first) {
+      const std::size_t from = Dim * slot_of(first->point), to = Dim * slot_of(first->node);
+      const Pack now = load(x->data() + from), velocity = load(v->data() + from);
+      const Pack u = now - load(made->data() + to);
+      store_node(now, to_x->data() + to), store_node(velocity, to_v->data() + to);
+      u_min = vmin(u, u_min), u_max = vmax(u, u_max);
+      v_min = vmin(velocity, v_min), v_max = vmax(velocity, v_max);
+    }
+    each_ = {u_min, u_max, v_min, v_max};
+    return first;
+  }
 
  private:
   /// Lane l of pack p is of component (4 p + l) % Dim: so four nodes lie in memory.
@@ -49,6 +78,12 @@ class MovedNodes {
     Lanes lanes;
     lanes.fill(broadcast<Pack>(s));
     return lanes;
+  }
+  static void store_node(Pack p, Real* to) {
+    using Two = Real __attribute__((vector_size(16)));
+    const Two two = __builtin_shufflevector(p, p, 0, 1);
+    std::memcpy(to, &two, sizeof two);
+    to[2] = p[2];
   }
   void read_fours(std::size_t n, const Real* x, const Real* v, const Real* made, Real* to_x,
                   Real* to_v) {
@@ -71,6 +106,9 @@ class MovedNodes {
   MotionBounds<Dim> alone_;
   Lanes u_min_ = all_lanes(kInfinity), u_max_ = all_lanes(-kInfinity);
   Lanes v_min_ = all_lanes(kInfinity), v_max_ = all_lanes(-kInfinity);
+  /// Least and largest displacement and velocity of nodes by themselves: lane c is of component c.
+  std::array<Pack, 4> each_ = {broadcast<Pack>(kInfinity), broadcast<Pack>(-kInfinity),
+                               broadcast<Pack>(kInfinity), broadcast<Pack>(-kInfinity)};
 };
 
 }  // namespace brunt

@@ -41,7 +41,7 @@ void Entities<Dim>::find_near() {
     }
   }
   listed_faces = near_faces;
-  unlisted.clear();
+  clear_lists();
   for (const auto& particle : particles) {
     if (is_near(particle.body)) of_node[slot_of(particle.node)] = 1;
   }

@@ -1,9 +1,12 @@
 #include "contact/surfaces/nodes.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
 
+#include "contact/surfaces/moved_nodes.hpp"
 #include "core/parallel/threads.hpp"
 
 namespace brunt {
@@ -92,23 +95,35 @@ template <int Dim>
 void ContactNodes<Dim>::read_motion(const std::vector<Surface<Dim>*>& surfaces) {
   struct Motion {
     const Vec<Dim>*x, *v;
+    std::size_t n;
   };
   std::vector<Motion> of;
   of.reserve(surfaces.size());
-  for (const auto* from : surfaces) of.push_back({from->points->x.data(), from->points->v.data()});
+  for (const auto* from : surfaces) {
+    of.push_back({from->points->x.data(), from->points->v.data(), from->points->x.size()});
+  }
   const LocalIndex *const place = point.data(), *const whose = surface.data();
   Vec<Dim>*const to_x = x.data(), *const to_v = v.data();
   const Vec<Dim>* const from_x = x_made.data();
   const NodeRun* const runs = near_runs.data();
+  const std::size_t n_nodes = x_made.size(), n_runs = near_runs.size();
   motion = {};
   on_threads(near.size() > kWorthThreads, [&] {
     MovedNodes<Dim> part;
-#pragma omp for schedule(static) nowait
-    for (std::size_t k = 0; k < near_runs.size(); ++k) {
-      const NodeRun& run = runs[k];
-      const Motion& from = of[slot_of(run.surface)];
-      part.read(slot_of(run.n), from.x + run.point, from.v + run.point, from_x + run.node,
-                to_x + run.node, to_v + run.node);
+    const auto count = slot_of(omp_get_num_threads()), mine = slot_of(omp_get_thread_num());
+    const NodeRun* run = runs + n_runs * mine / count;
+    const NodeRun* const last = runs + n_runs * (mine + 1) / count;
+    while (run != last) {
+      const Motion& from = of[slot_of(run->surface)];
+      const NodeRun* const next =
+          part.read_each(run, last, from.x, from.v, from.n, n_nodes, from_x, to_x, to_v);
+      if (next != run) {
+        run = next;
+        continue;
+      }
+      part.read(slot_of(run->n), from.x + run->point, from.v + run->point, from_x + run->node,
+                to_x + run->node, to_v + run->node);
+      ++run;
     }
 #pragma omp critical(brunt_contact_bounds)
     motion.take(part.bounds());

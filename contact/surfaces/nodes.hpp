@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "contact/surfaces/moved_nodes.hpp"
+#include "contact/geometry/motion_bounds.hpp"
+#include "contact/surfaces/node_run.hpp"
 #include "core/field_use.hpp"
 #include "core/parallel/threads.hpp"
 #include "core/surface.hpp"

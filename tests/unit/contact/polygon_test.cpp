@@ -36,6 +36,33 @@ TEST(Polygon, NearlyCoincidentSquares) {
   EXPECT_EQ(area(intersect(square(0), square(0))), 1.0);
 }
 
+// Sides that cut nothing off are passed by: what is left is, bit for bit, what cutting by one side
+// after the other leaves.
+TEST(Polygon, OverlapsAreCutSideBySide) {
+  int whole = 0, cut = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Vec<2> center(0.45 * std::sin(3.0 * k), 0.45 * std::cos(5.0 * k));
+    const Polygon a = square(0.1 * k, 0.2 + 0.002 * k, center), b = square(0.3 * k, 1.3);
+    Polygon left = a;
+    for (int i = 0; i < b.size && left.size > 2; ++i) {
+      const Vec<2> edge = b[i + 1 == b.size ? 0 : i + 1] - b[i];
+      LinearField inside;
+      inside.slope = Vec<2>(-edge[1], edge[0]);
+      inside.value = -inside.slope.dot(b[i]);
+      Polygon kept;
+      clip(left, inside, kept);
+      left = kept;
+    }
+    const Polygon found = intersect(a, b);
+    ASSERT_EQ(found.size, left.size < 3 ? 0 : left.size) << k;
+    for (int i = 0; i < found.size; ++i) EXPECT_EQ(found[i], left[i]) << k;
+    const bool same = found.size == 4 && found[0] == a[0] && found[2] == a[2];
+    (same ? whole : cut) += found.size > 0 ? 1 : 0;
+  }
+  EXPECT_GT(whole, 50);
+  EXPECT_GT(cut, 50);
+}
+
 TEST(Polygon, SquaresThatShareAnEdgeDoNotOverlap) {
   EXPECT_EQ(area(intersect(square(0), square(0, 1, Vec<2>(1, 0)))), 0.0);
 }

@@ -53,6 +53,8 @@ struct Faces {
   }
 };
 
+Eigen::Index slot(std::size_t c) { return static_cast<Eigen::Index>(c); }
+
 void expect_bits(Real a, Real b) {
   EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b)) << a << " " << b;
 }
@@ -91,6 +93,45 @@ TEST(UnlistedFaces, BoundStepsAndListsAsListedOnesDo) {
     }
   }
   EXPECT_GT(bound_by_unlisted, 300);
+}
+
+// Quads in lists have what each face has by itself before there are lists.
+TEST(ListedQuads, HaveThePlanesThatFacesHaveByThemselves) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    Faces one_by_one(seed), listed(seed);
+    auto &expected = *one_by_one.entities, &found = *listed.entities;
+    const std::size_t n = expected.faces.size();
+    found.mark_planes(std::vector<char>(n, 1));
+    EXPECT_EQ(found.listed_quads.size(), 20u);  // 18 in fours
+    EXPECT_EQ(found.listed_others.size(), 3u);
+    const Real size = seed % 2 == 0 ? 1 : 1e-3;
+    one_by_one.move(seed, size), listed.move(seed, size);
+    expected.refresh_reaches(), found.refresh_reaches();
+    expect_bits(found.surface_limit.step, expected.surface_limit.step);
+    EXPECT_EQ(found.surface_limit.entity, expected.surface_limit.entity);
+    Real warped = 0;
+    for (std::size_t f = 0; f < n; ++f) {
+      const auto &plane = found.planes[f], &same = expected.planes[f];
+      warped = std::max(warped, same.warp - found.shapes[f].warp);
+      expect_bits(plane.area, same.area);
+      expect_bits(plane.warp, same.warp);
+      EXPECT_EQ(plane.simple, same.simple);
+      EXPECT_EQ(plane.flat, same.flat);
+      for (std::size_t c = 0; c < 3; ++c) {
+        expect_bits(plane.normal[slot(c)], same.normal[slot(c)]);
+        expect_bits(plane.center[slot(c)], same.center[slot(c)]);
+        for (std::size_t k = 0; k < slot_of(same.n_corners); ++k) {
+          expect_bits(plane.corner[k][slot(c)], same.corner[k][slot(c)]);
+        }
+        expect_bits(found.boxes[f].lo[c], expected.boxes[f].lo[c]);
+        expect_bits(found.boxes[f].hi[c], expected.boxes[f].hi[c]);
+        expect_bits(found.reaches[f].lo[c], expected.reaches[f].lo[c]);
+        expect_bits(found.reaches[f].hi[c], expected.reaches[f].hi[c]);
+      }
+    }
+    expect_bits(found.warped, warped);
+  }
 }
 
 // What asks for the planes of all faces between two builds of lists gets them.
