@@ -19,6 +19,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <type_traits>
 
 #include "core/large_heap.hpp"
 
@@ -43,12 +44,12 @@ struct Head {
 constexpr std::size_t kHead = 16;
 static_assert(kHead == sizeof(Head) && kHead >= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
-/// Never destroyed: blocks are given back until the program has ended.
-constinit union Large {
-  brunt::LargeHeap heap;
-  constexpr Large() : heap() {}
-  ~Large() {}
-} large;
+/// Blocks are given back until the program has ended: it is never destroyed.
+brunt::LargeHeap& large_heap() {
+  static_assert(std::is_trivially_destructible_v<brunt::LargeHeap>);
+  static constinit brunt::LargeHeap heap;
+  return heap;
+}
 
 /// Lines from the begin of a page to that of a block: others for each in turn, over the lines of a
 /// page, of large blocks over sixteen pages. Strides are odd: all come before one comes again.
@@ -60,7 +61,7 @@ std::size_t stagger(std::size_t bytes) {
 
 Head allocate(std::size_t bytes) {
   std::size_t given = bytes;
-  void* const at = bytes < kLarge ? nullptr : large.heap.take(given);
+  void* const at = bytes < kLarge ? nullptr : large_heap().take(given);
   return at != nullptr ? Head{at, given} : Head{std::malloc(bytes), 0};
 }
 
@@ -88,7 +89,7 @@ void give_back(void* at) noexcept {
   if (head.bytes == 0) {
     std::free(head.given);
   } else {
-    large.heap.give_back(head.given, head.bytes);
+    large_heap().give_back(head.given, head.bytes);
   }
 }
 
@@ -120,7 +121,7 @@ namespace brunt {
 
 void keep_freed_blocks([[maybe_unused]] bool keeps) {
 #ifndef __SANITIZE_ADDRESS__
-  large.heap.keep(keeps);
+  large_heap().keep(keeps);
 #endif
 }
 
