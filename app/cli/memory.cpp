@@ -114,19 +114,6 @@ Real contact_bytes(std::size_t facets, std::size_t particles, bool bricks) {
          static_cast<Real>(particles) * contact_particle_bytes<Dim>();
 }
 
-/// Geometry of bodies, its order along the curve, and the faces that are compared to find the outer
-/// ones.
-template <int Dim>
-Real building_bytes(std::size_t points, std::size_t elements) {
-  constexpr Real kFaces = Shape<Dim>::kFace.size();
-  const Real face = 2 * (sizeof(std::array<LocalIndex, Facet<Dim>::kNodes>) + sizeof(GlobalId));
-  const Real point = 2 * sizeof(Vec<Dim>) + 4 * sizeof(std::size_t);
-  const Real element =
-      3 * Shape<Dim>::kCorners * sizeof(LocalIndex) + sizeof(GlobalId) + 2 * sizeof(Label);
-  return static_cast<Real>(points) * point +
-         static_cast<Real>(elements) * (element + kFaces * face);
-}
-
 /// A frame of a lone rank holds places, corners, volumes and weights of all bodies, one array that
 /// is written, and of the frame before packed corners and numbers.
 Real frame_bytes(std::size_t points, std::size_t cells, int corners) {
@@ -206,8 +193,6 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
   estimate.passing =
       std::max({particles * search_bytes<Dim>(inputs.smoothing),
                 scene.contact ? particles * contact_particle_bytes<Dim>() : 0.0,
-                // there is no contact yet
-                building_bytes<Dim>(scene.n_points(), scene.n_elements()) - estimate.contact,
                 frame_bytes(scene.n_points(), scene.n_elements(), Shape<Dim>::kCorners),
                 inputs.checkpoints ? checkpoint_bytes(scene, inputs.gauss) : 0.0});
   // Beside its values a column has a name and exact sums (decks/masonry-arch: 2,181 columns).
