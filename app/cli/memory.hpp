@@ -16,7 +16,7 @@ struct MemoryEstimate {
                         ///< the total: how many will, no formula foretells
   Real contact = 0;     ///< [byte] faces, nodes, lists
   Real passing = 0;     ///< [byte] what comes and goes, the largest of: lists and tables made
-                        ///< anew, meshes before they are scenes, a frame, a checkpoint
+                        ///< anew, a frame, a checkpoint
   Real rows = 0;        ///< [byte] of the history, all of them
   Real total() const {
     return program + elements + particles + neighbours + contact + passing + rows;
