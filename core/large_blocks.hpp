@@ -2,7 +2,7 @@
 namespace brunt {
 
 /// Gathers the pages of the heap into large ones, where the system can (Linux from 6.1 on): of a
-/// scene that is built, before its steps. Blocks from 4 MB on stand in large pages as it is.
+/// scene that is built, before its steps. Blocks from 128 kB on stand in large pages as it is.
 void gather_heap();
 
 /// Whether large blocks that are given back wait for the next that asks for as much, within what

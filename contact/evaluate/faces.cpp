@@ -299,9 +299,7 @@ bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const S
   if (candidate.laws.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
   return true;
 }
-}  // namespace
 
-namespace {
 /// Asks for a face that is looked at soon: most of what it holds is read in one step after the
 /// other only here, and has left the cache in between.
 template <int Dim>
