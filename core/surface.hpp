@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <compare>
+#include <cstdint>
 #include <vector>
 
 #include "core/points.hpp"
@@ -53,15 +56,23 @@ struct Facet {
   bool rigid() const { return stiffness == 0; }  ///< held or in prescribed motion
 };
 
-/// A particle that can touch faces. radius [m] = half its spacing; modulus M = K + 4G/3 [Pa].
-struct SurfaceParticle {
-  LocalIndex point = 0;
-  Real radius = 0;
-  Real modulus = 0;
+/// What particles are made of, as contact sees it: the same of all particles of a body but those
+/// that eroded elements of several materials leave.
+struct ParticleMatter {
+  Real modulus = 0;       ///< [Pa] M = K + 4G/3
   Real conductivity = 0;  ///< [W/m/K] at time 0; 0: takes no heat
   Real effusivity = 0;    ///< [J/m^2/K/s^(1/2)] at time 0
-  bool born = false;      ///< as that of a facet
+  auto operator<=>(const ParticleMatter&) const = default;
 };
+
+/// A particle that can touch faces.
+struct SurfaceParticle {
+  LocalIndex point = 0;
+  bool born : 1 = false;          ///< as that of a facet
+  std::uint32_t matter : 31 = 0;  ///< place among those of its surface
+  Real radius = 0;                ///< [m] half its spacing
+};
+static_assert(sizeof(SurfaceParticle) == 16, "there may be millions");
 
 /// What friction needs to know of the material behind a facet, or of a particle.
 struct SurfaceMaterial {
@@ -75,15 +86,30 @@ struct Surface {
   Points<Dim>* points = nullptr;
   std::vector<Facet<Dim>> facets;
   std::vector<SurfaceParticle> particles;
-  std::vector<LocalIndex> axis;  ///< points on the axis of an axisymmetric scene, ascending
-  bool held = false;             ///< its points never move: it bounds no step
-  bool everywhere = false;       ///< all of its facets stand on every rank
+  std::vector<ParticleMatter> matters;  ///< of its particles; few
+  std::vector<LocalIndex> axis;         ///< points on the axis of an axisymmetric scene, ascending
+  bool held = false;                    ///< its points never move: it bounds no step
+  bool everywhere = false;              ///< all of its facets stand on every rank
   /// Bodies of elements whose nodes become particles where these erode.
   std::vector<Label> may_free;
+  /// One more particle.
+  /// radius [m]; born  in the step under way
+  void add_particle(LocalIndex point, Real radius, const ParticleMatter& matter,
+                    bool born = false) {
+    particles.push_back({point, born, place_of(matter), radius});
+  }
+  /// Place among `matters` of one that is sought there, or added.
+  std::uint32_t place_of(const ParticleMatter& matter) {
+    const auto at = std::find(matters.rbegin(), matters.rend(), matter);
+    if (at != matters.rend()) return static_cast<std::uint32_t>(matters.rend() - at - 1);
+    matters.push_back(matter);
+    return static_cast<std::uint32_t>(matters.size() - 1);
+  }
   /// Owned points that went with their elements: contact keeps what it has booked to them.
   std::vector<LocalIndex> gone;
   /// Facets or particles have come or gone since contact last read them, on all ranks alike.
   bool changed = false;
+  bool erodes = false;         ///< facets may go, on any rank
   std::vector<GlobalId> died;  ///< of the facets those that went in this step, ascending
   bool needs_spin = false;     ///< contact reads `spin`
   /// [rad/s] of the material about each owned point of a group of particles, half the curl of its

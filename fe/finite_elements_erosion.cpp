@@ -59,6 +59,7 @@ template <int Dim>
 void FiniteElements<Dim>::start_erosion() {
   if (held_) return;
   erosion_ = erosion_at_start(blocks_, points_, surface_);
+  surface_.erodes = true;
   if (!erosion_) return;
   for (const auto& [body, to] : erosion_->to) {
     if (to != ErodeTo::nothing) surface_.may_free.push_back(body);
@@ -248,8 +249,9 @@ void FiniteElements<Dim>::free_points(bool time_goes_on) {
         before.begin(), before.end(), i,
         [](const SurfaceParticle& one, LocalIndex point) { return one.point < point; });
     const bool known = at != before.end() && at->point == i;
-    surface_.particles.push_back({i, own[i].radius, own[i].modulus, own[i].conductivity,
-                                  own[i].effusivity, time_goes_on && !known});
+    surface_.add_particle(i, own[i].radius,
+                          {own[i].modulus, own[i].conductivity, own[i].effusivity},
+                          time_goes_on && !known);
     surface_.particle_material[i] = own[i].material;
   }
 }

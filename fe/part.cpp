@@ -104,6 +104,7 @@ FiniteElements<Dim>::FiniteElements(const FiniteElements& whole, const Partition
   averages_volumes_ = whole.averages_volumes_;
   make_blocks(std::move(sets));
   if (whole.erosion_) {
+    surface_.erodes = true;
     surface_.may_free = whole.surface_.may_free;
     erosion_ = std::make_unique<ErosionState<Dim>>(*whole.erosion_);
     erosion_->owner = std::move(owner), erosion_->place = std::move(place);

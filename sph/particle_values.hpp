@@ -13,11 +13,12 @@ void visit_slot(Block& block, std::size_t slot, const F& f) {
 }
 
 /// Hands every other value of a particle to f(value, use). Rows of a checkpoint have this order.
-template <class State, class F>
-void visit_particle(State& state, const F& f) {
+/// spacing [m]; artificial  that channel
+template <class State, class Spacing, class Artificial, class F>
+void visit_particle(State& state, Spacing& spacing, Artificial&& artificial, const F& f) {
   for (auto& value : state.velocity_gradient) f(value, kSaved);
   for (auto& value : state.correction) f(value, kSaved);
-  f(state.spacing, kSaved);
+  f(spacing, kSaved);
   f(state.start_volume, kSaved);
   f(state.ratio, kState);
   f(state.volume, kSaved);
@@ -28,10 +29,10 @@ void visit_particle(State& state, const F& f) {
   f(state.spread.largest, kSaved);
   f(state.stress_force, kSaved);
   f(state.viscous_force, kSaved);
-  f(state.artificial_force, kSaved);
+  f(artificial.force, kSaved);
   f(state.stress_work, kState);
   f(state.viscous_work, kState);
-  f(state.artificial_work, kState);
+  f(artificial.work, kState);
   f(state.viscous_power, kState);
 }
 

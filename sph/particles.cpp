@@ -38,7 +38,7 @@ void SphParticles<Dim>::hold(std::size_t n) {
   smoothing_length_.resize(n);
   motion_.resize(n);
   stress_.resize(n);
-  if (any_artificial()) artificial_.resize(n);
+  if (any_artificial()) artificial_.resize(n), channel_.resize(n);
   if (!any_single()) return;
   single_motion_.resize(n);
   single_stress_.resize(n);
@@ -49,23 +49,25 @@ template <int Dim>
 void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing) {
   hold(n_owned());
   block_of_.resize(n_owned());
+  spacing_.assign(spacing.begin(), spacing.end());
   surface_.points = &points_;
   surface_.particles.resize(n_owned());
   for (auto& set : sets) {
     const Material& material = *set.material;
+    ParticleMatter shown{material.modulus()};
+    if (set.conducts) {
+      shown.conductivity = material.conductivity.at(set.temperature);
+      shown.effusivity = material.effusivity(set.temperature);
+    }
+    const auto matter = surface_.place_of(shown);
     for (const LocalIndex i : set.particle) {
       const auto k = slot_of(i);
       block_of_[k] = static_cast<std::uint16_t>(blocks_.size());
       auto& state = state_[k];
-      state.spacing = spacing[k];
       state.start_volume = state.volume = points_.mass[k] / material.density;
       state.stress_work = material.eos->initial_energy() * state.start_volume;
       state.sound_speed = std::sqrt(material.modulus() / material.density);
-      auto& shown = surface_.particles[k];
-      shown = {i, 0.5 * spacing[k], material.modulus(), 0, 0};
-      if (!set.conducts) continue;
-      shown.conductivity = material.conductivity.at(set.temperature);
-      shown.effusivity = material.effusivity(set.temperature);
+      surface_.particles[k] = {i, false, matter, 0.5 * spacing[k]};
     }
     const bool heats = material.yields() || material.heats_by_compression();
     MaterialState state =
@@ -89,9 +91,9 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
 template <int Dim>
 void SphParticles<Dim>::set_size(std::size_t i) {
   const SphOptions& options = blocks_[block_of_[i]].set.options;
-  auto& state = state_[i];
-  Real size = state.spacing;
-  if (options.adaptive_h) size *= Dim == 2 ? std::sqrt(state.ratio) : std::cbrt(state.ratio);
+  const Real ratio = state_[i].ratio;
+  Real size = spacing_[i];
+  if (options.adaptive_h) size *= Dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
   smoothing_length_[i] = options.smoothing * size;
 }
 

@@ -42,26 +42,30 @@ struct ParticleBlock {
 };
 
 /// What one particle carries from phase to phase and from step to step. In space lines of the
-/// cache are what a pass reads of it: gradients two, limits of the step one, forces two.
+/// cache are what a pass reads of it: gradients two, limits of the step one, forces one.
 template <int Dim>
 struct alignas(64) ParticleState {
-  Real velocity_gradient[Dim * Dim] = {};        ///< [1/s] L at x(n+1) with v(n+1/2), by rows
-  Real correction[kSymmetric<Dim>] = {};         ///< [1] B
-  Real volume = 0;                               ///< [m^3] at n+1
-  Real start_volume = 0;                         ///< [m^3] mass over reference density: V0
-  Real ratio = 1;                                ///< [1] volume over start volume
-  Real sound_speed = 0;                          ///< [m/s]
-  Real speed = 0;                                ///< [m/s] max |v_ij| over neighbours
-  Real mu = 0;                                   ///< [m/s] max |mu_ij| over neighbours
-  InverseSpread spread;                          ///< where gradients are steep; else 0
-  Real viscous_power = 0;                        ///< [W] half of what its pairs dissipate
-  Vec<Dim> stress_force = Vec<Dim>::Zero();      ///< [N] last added, by channel
-  Vec<Dim> viscous_force = Vec<Dim>::Zero();     ///< [N]
-  Vec<Dim> artificial_force = Vec<Dim>::Zero();  ///< [N]
-  Real stress_work = 0;                          ///< [J] booked since time 0, by channel
-  Real viscous_work = 0;                         ///< [J]
-  Real artificial_work = 0;                      ///< [J]
-  Real spacing = 0;                              ///< [m] dp at time 0
+  Real velocity_gradient[Dim * Dim] = {};     ///< [1/s] L at x(n+1) with v(n+1/2), by rows
+  Real correction[kSymmetric<Dim>] = {};      ///< [1] B
+  Real volume = 0;                            ///< [m^3] at n+1
+  Real start_volume = 0;                      ///< [m^3] mass over reference density: V0
+  Real ratio = 1;                             ///< [1] volume over start volume
+  Real sound_speed = 0;                       ///< [m/s]
+  Real speed = 0;                             ///< [m/s] max |v_ij| over neighbours
+  Real mu = 0;                                ///< [m/s] max |mu_ij| over neighbours
+  InverseSpread spread;                       ///< where gradients are steep; else 0
+  Real viscous_power = 0;                     ///< [W] half of what its pairs dissipate
+  Vec<Dim> stress_force = Vec<Dim>::Zero();   ///< [N] last added, by channel
+  Vec<Dim> viscous_force = Vec<Dim>::Zero();  ///< [N]
+  Real stress_work = 0;                       ///< [J] booked since time 0, by channel
+  Real viscous_work = 0;                      ///< [J]
+};
+
+/// The third channel of forces, of particles with artificial stress.
+template <int Dim>
+struct ArtificialChannel {
+  Vec<Dim> force = Vec<Dim>::Zero();  ///< [N] last added
+  Real work = 0;                      ///< [J] booked since time 0
 };
 
 template <int Dim>
@@ -143,6 +147,10 @@ class SphParticles final : public Solid<Dim> {
   void set_search(SearchMode mode) { search_ = mode; }
   std::span<ParticleBlock> blocks() { return blocks_; }
   std::span<const ParticleState<Dim>> states() const { return state_; }
+  /// Of a particle; nothing where none has artificial stress.
+  ArtificialChannel<Dim> artificial_of(std::size_t i) const {
+    return channel_.empty() ? ArtificialChannel<Dim>{} : channel_[i];
+  }
   std::span<const Real> smoothing_lengths() const { return smoothing_length_; }  ///< [m] h
   Real skin() const { return watch_.skin(); }  ///< [m] of the lists
   std::int64_t n_searches() const { return n_searches_; }
@@ -227,10 +235,12 @@ class SphParticles final : public Solid<Dim> {
   std::vector<ParticleBlock> blocks_;
   std::vector<std::uint16_t> block_of_;
   std::vector<ParticleState<Dim>> state_;
-  std::vector<Real> smoothing_length_;  // [m] h, of the volume at n+1 where it adapts
-  Real depth_;                          // [m]
-  std::vector<Label> sum_of_piece_;     // empty: a body is one sum
-  std::vector<Label> sum_;              // of each particle, copies too
+  std::vector<ArtificialChannel<Dim>> channel_;  // empty: none has artificial stress
+  std::vector<Real> spacing_;                    // [m] dp at time 0, of owned ones
+  std::vector<Real> smoothing_length_;           // [m] h, of the volume at n+1 where it adapts
+  Real depth_;                                   // [m]
+  std::vector<Label> sum_of_piece_;              // empty: a body is one sum
+  std::vector<Label> sum_;                       // of each particle, copies too
 
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;

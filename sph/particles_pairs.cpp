@@ -34,7 +34,7 @@ Real SphParticles<Dim>::least_single_spacing() const {
   Real least = kInfinity;
   for (const auto& block : blocks_) {
     if (!is_single(block)) continue;
-    for (const LocalIndex i : block.set.particle) least = std::min(least, state_[i].spacing);
+    for (const LocalIndex i : block.set.particle) least = std::min(least, spacing_[i]);
   }
   return least;
 }
@@ -271,16 +271,18 @@ void SphParticles<Dim>::take_forces(const ParticleBlock& block, LocalIndex i,
                                     const ForceSums<Dim>& sums, Real dt) {
   const auto k = slot_of(i);
   auto& state = state_[k];
+  ArtificialChannel<Dim> none;
+  auto& artificial = channel_.empty() ? none : channel_[k];
   const Real volume = depth_ * motion_[k].data[MotionRecord<Dim>::kVolume];
   for (int d = 0; d < Dim; ++d) {
     state.stress_force[d] = volume * sums.stress[d];
     state.viscous_force[d] = volume * sums.viscosity[d];
-    state.artificial_force[d] = volume * sums.artificial[d];
-    points_.f[k][d] += (state.stress_force[d] + state.viscous_force[d]) + state.artificial_force[d];
+    artificial.force[d] = volume * sums.artificial[d];
+    points_.f[k][d] += (state.stress_force[d] + state.viscous_force[d]) + artificial.force[d];
   }
   state.viscous_power = volume * sums.viscosity_power;
   state.viscous_work += 0.5 * dt * state.viscous_power;
-  state.artificial_work += 0.5 * dt * volume * sums.artificial_power;
+  artificial.work += 0.5 * dt * volume * sums.artificial_power;
   state.speed = sums.speed;
   state.mu = sums.mu;
   find_spread(block, i);

@@ -45,9 +45,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
   points_ = whole.points_.subset(kept, static_cast<LocalIndex>(kept.size()));
   std::vector<Real> spacing;
   spacing.reserve(kept.size());
-  for (const LocalIndex i : kept) {
-    spacing.push_back(whole.state_[i].spacing);
-  }
+  for (const LocalIndex i : kept) spacing.push_back(whole.spacing_[i]);
   std::vector<ParticleSet> sets;
   for (const auto& block : whole.blocks_) {
     auto& set = sets.emplace_back(block.set);

@@ -28,7 +28,7 @@ void SphParticles<Dim>::add_tension(const ParticleBlock& block, std::size_t i,
   for (int d = 0; d < Dim; ++d) trace -= artificial_[i].data[d] / epsilon;
   if (!(trace > rounding * block.set.material->modulus())) return;
   body.tension.add(trace * state_[i].volume);
-  body.artificial_tension.add(-dot<Dim>(points_.x[i], state_[i].artificial_force));
+  body.artificial_tension.add(-dot<Dim>(points_.x[i], channel_[i].force));
 }
 
 /// True where gradients are known along some axis and not along another: in sheets and rows.
@@ -49,7 +49,7 @@ std::uint64_t SphParticles<Dim>::slot_hash(const ParticleBlock& block, std::size
     }
   };
   visit_slot(block, slot, add);
-  visit_particle(state_[i], add);
+  visit_particle(state_[i], spacing_[i], artificial_of(i), add);
   return hash.value();
 }
 
@@ -74,7 +74,8 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
         compression.empty() ? 0.0 : compression[slot] * state.start_volume;
     const Real grown = expansion.empty() ? 0.0 : expansion[slot] * state.start_volume;
     sums.add({state.stress_work + grown - plastic_heat, plastic_heat, compression_heat,
-              state.stress_work + grown, state.viscous_work, state.artificial_work, grown});
+              state.stress_work + grown, state.viscous_work,
+              channel_.empty() ? 0.0 : channel_[i].work, grown});
     if (body && block.set.options.artificial_stress != 0) add_tension(block, i, *body);
     if (body && solid && is_in_layer(static_cast<LocalIndex>(i))) {
       body->thin_mass.add(points_.mass[i]);
@@ -176,7 +177,7 @@ BodyView SphParticles<Dim>::view(Label body, const WantedFields& wanted) const {
     const auto i = particle(k);
     put_values<Dim>(points_.x[i], &view.position[3 * k]);
     view.point_mass[k] = weighed_mass(i);
-    view.point_radius[k] = 0.5 * state_[i].spacing;
+    view.point_radius[k] = 0.5 * spacing_[i];
   });
   if (blocks.empty()) return view;
 

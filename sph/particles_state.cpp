@@ -23,7 +23,10 @@ void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_points(points_, tables);
   save_rows(
       "particles.state", points_.owned(), [&](std::size_t i) { return points_.id[i]; },
-      [&](auto& row, std::size_t i) { visit_particle(state_[i], saved_in(row)); }, tables);
+      [&](auto& row, std::size_t i) {
+        visit_particle(state_[i], spacing_[i], artificial_of(i), saved_in(row));
+      },
+      tables);
   for (const auto& block : blocks_) {
     // Ghosts come last among the points, so their slots come last among the slots of a block.
     const auto& particle = block.set.particle;
@@ -40,7 +43,12 @@ void SphParticles<Dim>::load_state(const StateTables& tables) {
   load_points(points_, tables);
   load_rows(
       "particles.state", n_owned(), [&](std::size_t i) { return points_.id[i]; },
-      [&](auto& row, std::size_t i) { visit_particle(state_[i], saved_in(row)); }, tables);
+      [&](auto& row, std::size_t i) {
+        ArtificialChannel<Dim> artificial;
+        visit_particle(state_[i], spacing_[i], artificial, saved_in(row));
+        if (!channel_.empty()) channel_[i] = artificial;
+      },
+      tables);
   for (auto& block : blocks_) {
     const auto& particle = block.set.particle;
     load_rows(

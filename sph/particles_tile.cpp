@@ -96,11 +96,12 @@ void SphParticles<Dim>::form_thin_stress(const ParticleBlock& block, std::size_t
 
 /// What the forces that were added last do until the middle of the step, by channel.
 template <int Dim>
-void add_work_of_forces(ParticleState<Dim>& state, const Vec<Dim>& v, Real dt) {
+void add_work_of_forces(ParticleState<Dim>& state, ArtificialChannel<Dim>* artificial,
+                        const Vec<Dim>& v, Real dt) {
   const Vec<Dim> half = 0.5 * dt * v;
   state.stress_work -= dot<Dim>(state.stress_force, half);
   state.viscous_work -= dot<Dim>(state.viscous_force, half);
-  state.artificial_work -= dot<Dim>(state.artificial_force, half);
+  if (artificial) artificial->work -= dot<Dim>(artificial->force, half);
 }
 
 /// The particles of a tile: books the work of their forces, and lays side by side what the tile
@@ -121,7 +122,8 @@ void SphParticles<Dim>::begin_tile(const ParticleBlock& block, std::size_t first
       state[lane] = &resting, plain[lane] = &none;
       if (k >= n) continue;
       auto& own = state_[particle[k]];
-      add_work_of_forces(own, points_.v[particle[k]], dt);
+      add_work_of_forces(own, channel_.empty() ? nullptr : &channel_[particle[k]],
+                         points_.v[particle[k]], dt);
       state[lane] = &own;
       if (!correction) plain[lane] = &plain_[particle[k]];
     }

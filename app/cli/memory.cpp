@@ -49,8 +49,9 @@ constexpr Real particle_bytes() {
   // Where it was when the lists were made, its zone, its sum; completeness and whether it is thin.
   constexpr Real kWatched = sizeof(Vec<Dim>) + 2 * sizeof(Real) + 2 * sizeof(LocalIndex) + 1;
   return kWatched + sizeof(ParticleState<Dim>) + kMaterialPoint + sizeof(MotionRecord<Dim>) +
-         sizeof(StressRecord<Dim>) + sizeof(ArtificialRecord<Dim>) + sizeof(Real) +
-         sizeof(SurfaceParticle) + sizeof(LocalIndex) + sizeof(std::uint16_t);
+         sizeof(StressRecord<Dim>) + sizeof(ArtificialRecord<Dim>) +
+         sizeof(ArtificialChannel<Dim>) + 2 * sizeof(Real) + sizeof(SurfaceParticle) +
+         sizeof(LocalIndex) + sizeof(std::uint16_t);
 }
 
 /// How many lie within 2 h and the skin of a particle, or of one of those whose centres are up to
@@ -130,8 +131,9 @@ Real checkpoint_bytes(const Scene<Dim>& scene, int gauss) {
   constexpr Real kPoint = 5 * Dim + 3, kContactNode = 3 * Dim + 3;
   constexpr Real kMaterial = 14;
   constexpr Real kElement = Shape<Dim>::kCorners * Dim + 6;
-  constexpr std::size_t kStateValues = sizeof(ParticleState<Dim>) / sizeof(Real);
-  constexpr Real kParticle = static_cast<Real>(kStateValues + 1) + kMaterial;
+  constexpr std::size_t kStateValues =
+      (sizeof(ParticleState<Dim>) + sizeof(ArtificialChannel<Dim>)) / sizeof(Real);
+  constexpr Real kParticle = static_cast<Real>(kStateValues + 2) + kMaterial;
   constexpr Real kTwice = 1.25, kTwiceParticle = 1.5;
   const auto particles = static_cast<Real>(scene.n_particles());
   const Real of_elements = static_cast<Real>(scene.n_points()) * kPoint +

@@ -59,8 +59,8 @@ HeatFlow<Dim> heat_path(const ContactNodes<Dim>& nodes, const ParticleTouch<Dim>
   flow.lower = {face.capacity * share, face.surface, face.specific_heat};
   flow.upper = {nodes.capacity[slot_of(particle.node)] / contacts, particle.surface,
                 particle.specific_heat};
-  flow.h_area =
-      share / (1 / conductance_of(heat, pressure) + particle.radius / particle.conductivity);
+  flow.h_area = share / (1 / conductance_of(heat, pressure) +
+                         particle.radius / particle.matter->conductivity);
   return flow;
 }
 

@@ -82,7 +82,7 @@ int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, s
                       typename Records<Dim>::Part& part) {
   const auto& particle = entities.particles[slot_of(rows.row_clearances[row].entity)];
   const auto& hits = part.near_hits;
-  if (!(particle.conductivity > 0)) return 0;
+  if (!(particle.matter->conductivity > 0)) return 0;
   find_near_faces<Dim>(entities, rows, row, pairs, part.near_hits);
   if (hits.empty()) return 0;
   const auto contacts =
@@ -133,7 +133,8 @@ void heat_faces(const Entities<Dim>& entities, const FaceCandidate& candidate,
 template <int Dim>
 void heat_particle(const ContactParticle& particle, const ContactFace<Dim>& face,
                    const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
-  const HeatedSide upper{particle.body, particle.conductivity > 0, particle.effusivity};
+  const HeatedSide upper{particle.body, particle.matter->conductivity > 0,
+                         particle.matter->effusivity};
   add_friction_heat(part.particle_on_face.back(), step,
                     friction_shares(*step.laws->friction_heat, side_of(face), upper),
                     part.frictions.back(), part.particle_heat);
@@ -142,8 +143,8 @@ void heat_particle(const ContactParticle& particle, const ContactFace<Dim>& face
 template <int Dim>
 void heat_pair(const ContactParticle& first, const ContactParticle& second,
                const FrictionStep<Dim>& step, typename Records<Dim>::Part& part) {
-  const HeatedSide lower{first.body, first.conductivity > 0, first.effusivity};
-  const HeatedSide upper{second.body, second.conductivity > 0, second.effusivity};
+  const HeatedSide lower{first.body, first.matter->conductivity > 0, first.matter->effusivity};
+  const HeatedSide upper{second.body, second.matter->conductivity > 0, second.matter->effusivity};
   std::vector<HeatFlow<Dim>> flows;
   add_friction_heat(part.two_particles.back(), step,
                     friction_shares(*step.laws->friction_heat, lower, upper), part.frictions.back(),

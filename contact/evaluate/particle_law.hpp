@@ -29,11 +29,11 @@ Real section_of(const ContactParticle& particle) {
 template <int Dim>
 ParticleLaw law_of(const ContactParticle& particle, const ContactFace<Dim>& face,
                    const PairOptions& options, const RestingLayer& rests) {
-  const Real own = particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
+  const Real own = particle.matter->modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
   const Real of_face = face.stiffness * section_of<Dim>(particle);
   ParticleLaw law{options.stiffness * contact_spring(own, true, of_face, face.deforms()),
                   options.stiffness * own, options.damping,
-                  PairLaws(options, particle.conductivity > 0 && face.capacity > 0)};
+                  PairLaws(options, particle.matter->conductivity > 0 && face.capacity > 0)};
   if (rests.acts()) {
     law.layer = rests.over(law.stiffness / section_of<Dim>(particle), 2 * particle.radius);
     law.layer_zeta = RestingLayer::damping_of(options.damping);
@@ -48,8 +48,9 @@ class ParticleLaws {
  public:
   explicit ParticleLaws(const PairTable& pairs) : pairs_(pairs) {}
   const ParticleLaw& of(const ContactParticle& particle, const ContactFace<Dim>& face) {
-    const Inputs now{particle.body,     face.body,       particle.conductivity > 0, face.deforms(),
-                     face.capacity > 0, particle.radius, particle.modulus,          face.stiffness};
+    const Inputs now{
+        particle.body,     face.body,       particle.matter->conductivity > 0, face.deforms(),
+        face.capacity > 0, particle.radius, particle.matter->modulus,          face.stiffness};
     if (known_ && now == inputs_) return law_;
     law_ =
         law_of(particle, face, pairs_.of(now.body, now.other), pairs_.resting(now.body, now.other));
@@ -107,7 +108,8 @@ Real barrier_of(const ParticleLaw& law, const ContactParticle& particle,
 template <int Dim>
 const ContactHeat* heat_between(const ContactParticle& particle, const ContactFace<Dim>& face,
                                 const PairOptions& options) {
-  const bool passes = particle.conductivity > 0 && face.capacity > 0 && options.passes_heat();
+  const bool passes =
+      particle.matter->conductivity > 0 && face.capacity > 0 && options.passes_heat();
   return passes ? &options.heat : nullptr;
 }
 

@@ -118,8 +118,8 @@ PairHeatPath<Dim> heat_path(const PresentPair<Dim>& pair, std::size_t candidate,
   heat.flow.node[0] = first.node, heat.flow.node[1] = second.node;
   heat.flow.weight[0] = -1, heat.flow.weight[1] = 1;
   const Real conductance = conductance_of(*pair.candidate.laws.heat, pressure);
-  heat.per_area = 1 / (1 / conductance + first.radius / first.conductivity +
-                       second.radius / second.conductivity);
+  heat.per_area = 1 / (1 / conductance + first.radius / first.matter->conductivity +
+                       second.radius / second.matter->conductivity);
   heat.candidate = candidate;
   return heat;
 }

@@ -178,7 +178,7 @@ HoldingSpring spring_between(const ContactFace<Dim>& a, const ContactFace<Dim>& 
 template <int Dim>
 HoldingSpring spring_between(const ContactParticle& particle, const ContactFace<Dim>& face,
                              const PairOptions& options) {
-  const Real own = particle.modulus / (2 * particle.radius);
+  const Real own = particle.matter->modulus / (2 * particle.radius);
   return holding_spring(contact_spring(own, true, face.stiffness, face.deforms()), options);
 }
 

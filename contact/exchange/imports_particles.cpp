@@ -11,7 +11,8 @@ struct Visitor {
   LocalIndex surface;
   GlobalId id;
   Label body, piece;
-  Real radius, modulus, conductivity, effusivity, mass;
+  Real radius, mass;
+  ParticleMatter matter;
   std::int32_t specific_heat;
   bool held, born;
   Real x[Dim], v[Dim];  // [m], [m/s]
@@ -20,9 +21,8 @@ struct Visitor {
 template <int Dim>
 Visitor<Dim> visitor_of(const ContactParticle& p, const ContactNodes<Dim>& nodes) {
   const auto i = slot_of(p.node);
-  Visitor<Dim> one{
-      p.surface,    p.id,          p.body,          p.piece, p.radius, p.modulus, p.conductivity,
-      p.effusivity, nodes.mass[i], p.specific_heat, p.held,  p.born,   {},        {}};
+  Visitor<Dim> one{p.surface,       p.id,   p.body, p.piece, p.radius, nodes.mass[i], *p.matter,
+                   p.specific_heat, p.held, p.born, {},      {}};
   for (int c = 0; c < Dim; ++c) one.x[c] = nodes.x[i][c], one.v[c] = nodes.v[i][c];
   return one;
 }
@@ -51,9 +51,9 @@ void ContactImports<Dim>::import_particles(const ImportBoxes<Dim>& boxes, Entiti
       const LocalIndex node = entities.nodes.add_remote(one.surface, one.id, one.mass,
                                                         Vec<Dim>(one.x), Vec<Dim>(one.v));
       imported_[{one.surface, one.id}] = node;
-      imported.push_back({node, one.surface, one.id, one.body, one.piece, one.radius, one.modulus,
-                          one.conductivity, one.effusivity, one.held, false, one.specific_heat,
-                          one.born});
+      imported.push_back({node, one.surface, one.id, one.body, one.piece, one.radius,
+                          &*entities.matters.insert(one.matter).first, one.specific_heat, one.held,
+                          false, one.born});
     }
   }
   entities.add_particles(imported);

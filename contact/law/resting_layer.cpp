@@ -45,7 +45,7 @@ std::map<Label, RestingBody> resting_bodies(const std::vector<Surface<Dim>*>& su
       const Label label = points.body[p];
       extents[label].take(height(one.point) - one.radius, height(one.point) + one.radius);
       const Real volume = std::pow(2 * one.radius, Dim) * section.breadth(points.x_start[p][0]);
-      take(one.modulus, points.mass[p] / volume, bodies[label]);
+      take(surface->matters[one.matter].modulus, points.mass[p] / volume, bodies[label]);
     }
   }
   for (auto& [label, body] : bodies) body.height = extents[label].most - extents[label].least;

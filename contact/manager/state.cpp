@@ -125,8 +125,10 @@ void ContactManager<Dim>::add_totals(Totals<Dim>& totals) const {
       if (!nodes.owned[i]) continue;
       part.add(Column::contact_pairs, nodes.spring_work[i]);
       part.add(Column::contact_damping, nodes.damping_energy[i]);
-      part.add(Column::eroded, nodes.eroded_energy[i]);
-      part.add(Column::contact_pairs, -nodes.eroded_energy[i]);
+      if (nodes.erodes) {
+        part.add(Column::eroded, nodes.eroded_energy[i]);
+        part.add(Column::contact_pairs, -nodes.eroded_energy[i]);
+      }
       if (part.hashes) part.state_hash += node_hash(nodes, i);
       if (nodes.conduct) part.heat.friction.add(nodes.friction_given[i]);
       if (nodes.holds) {

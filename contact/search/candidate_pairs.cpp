@@ -16,14 +16,14 @@ PairCandidate candidate_of(const Entities<Dim>& entities, const PairTable& pairs
   const auto& b = entities.particles[slot_of(j)];
   const PairOptions& options = *pairs.of_particles(a.body, b.body);
   const auto own = [](const ContactParticle& one) {
-    return one.modulus * (Dim == 3 ? 2 * one.radius : 1.0);
+    return one.matter->modulus * (Dim == 3 ? 2 * one.radius : 1.0);
   };
   PairCandidate candidate;
   candidate.particle = i, candidate.other = j;
   candidate.stiffness = options.stiffness * in_series(own(a), own(b));
   candidate.barrier = kPairBarrier * options.stiffness * std::max(own(a), own(b));
   candidate.zeta = options.damping;
-  candidate.laws = PairLaws(options, a.conductivity > 0 && b.conductivity > 0);
+  candidate.laws = PairLaws(options, a.matter->conductivity > 0 && b.matter->conductivity > 0);
   return candidate;
 }
 }  // namespace

@@ -103,16 +103,16 @@ void sort_by_id(std::vector<Entity>& entities) {
   });
 }
 
+/// matter  of the particle, where it stays
 template <int Dim>
 ContactParticle particle_from(const SurfaceParticle& shown, const Surface<Dim>& surface,
-                              LocalIndex number) {
+                              LocalIndex number, const ParticleMatter* matter) {
   const auto& points = *surface.points;
   const auto p = slot_of(shown.point);
-  ContactParticle particle{shown.point,      number,       points.id[p],  points.body[p],
-                           points.piece[p],  shown.radius, shown.modulus, shown.conductivity,
-                           shown.effusivity, surface.held};
+  ContactParticle particle{shown.point,     number,       points.id[p], points.body[p],
+                           points.piece[p], shown.radius, matter};
   if (!points.specific_heat.empty()) particle.specific_heat = points.specific_heat[p];
-  particle.born = shown.born;
+  particle.held = surface.held, particle.born = shown.born;
   return particle;
 }
 }  // namespace
@@ -125,7 +125,10 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
   gaps = pairs.gaps();
   nodes.turns = pairs.particles_have_friction();
   nodes.needs_material = pairs.needs_material();
-  for (const auto* surface : surfaces) nodes.conduct = nodes.conduct || surface->points->conducts;
+  for (const auto* surface : surfaces) {
+    nodes.conduct = nodes.conduct || surface->points->conducts;
+    nodes.erodes = nodes.erodes || surface->erodes;
+  }
   std::vector<Real> sizes;
   std::size_t most_particles = 0;
   for (const auto* surface : surfaces) most_particles += surface->particles.size();
@@ -150,11 +153,14 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       if (!face.owned) continue;  // another rank counts it
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }
+    std::vector<const ParticleMatter*> kept;
+    for (const auto& matter : surface.matters) kept.push_back(&*matters.insert(matter).first);
     for (const auto& shown : surface.particles) {
       if (shown.point >= surface.points->n_owned) continue;
       const auto p = slot_of(shown.point);
       if (pairs.strongest(surface.points->body[p]).ignore) continue;
-      particles.push_back(particle_from(shown, surface, static_cast<LocalIndex>(s)));
+      particles.push_back(
+          particle_from(shown, surface, static_cast<LocalIndex>(s), kept[shown.matter]));
       sizes.push_back(2 * shown.radius);
     }
   }

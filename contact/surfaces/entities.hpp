@@ -125,15 +125,14 @@ struct ContactParticle {
   GlobalId id = 0;
   Label body = 0;
   Label piece = 0;
-  Real radius = 0;                  ///< [m]
-  Real modulus = 0;                 ///< [Pa]
-  Real conductivity = 0;            ///< [W/m/K]; 0: takes no heat
-  Real effusivity = 0;              ///< [J/m^2/K/s^(1/2)]
-  bool held = false;                ///< bounds no step
-  bool owned = true;                ///< its row of candidates is evaluated here
-  std::int32_t specific_heat = -1;  ///< among those of its surface's points, where it varies
-  bool born = false;                ///< in the step under way
+  Real radius = 0;                         ///< [m]
+  const ParticleMatter* matter = nullptr;  ///< one of Entities::matters
+  std::int32_t specific_heat = -1;         ///< among those of its surface's points, where it varies
+  bool held = false;                       ///< bounds no step
+  bool owned = true;                       ///< its row of candidates is evaluated here
+  bool born = false;                       ///< in the step under way
 };
+static_assert(sizeof(ContactParticle) == 48, "there may be millions");
 
 /// Penetration at which faces of one piece let go, in depths: there, what is seen from behind is
 /// the other side of the material between them, which is thicker unless it is crushed.
@@ -164,6 +163,7 @@ struct Entities {
   ContactNodes<Dim> nodes;
   std::vector<ContactFace<Dim>> faces;
   std::vector<ContactParticle> particles;
+  std::set<ParticleMatter> matters;       ///< of particles, which point to them
   std::vector<char> near;                 ///< by body; empty: all are (search/near_bodies.hpp)
   std::vector<LocalIndex> near_faces;     ///< faces of near bodies, ascending
   std::vector<LocalIndex> listed_faces;   ///< those of them whose planes are read
@@ -200,6 +200,12 @@ struct Entities {
 
   /// Nothing.
   Entities() = default;
+  /// Particles point into `matters`.
+  Entities(Entities&&) = default;
+  Entities& operator=(Entities&&) = default;
+  Entities(const Entities&) = delete;
+  Entities& operator=(const Entities&) = delete;
+  ~Entities() = default;
   /// Makes the tables of what this rank has that may touch anything. Collective.
   Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTable& pairs,
            const Section& section, const ContactRanks& ranks, const RigidSprings& rigid);

@@ -43,6 +43,7 @@ struct ContactNodes {
   /// Whether anything gave them a force in it: where nothing did it is 0, friction too.
   std::vector<char> pressed;
   std::vector<Real> spring_work, damping_energy;  ///< [J] booked since time 0
+  bool erodes = false;                            ///< faces may go; else `eroded_energy` is empty
   std::vector<Real> eroded_energy;  ///< [J] of springs that went with their faces, since time 0
   bool has_friction = false;        ///< some pair has friction; else the fields below are empty
   std::vector<Vec<Dim>> friction;   ///< [N] of this evaluation
@@ -74,7 +75,7 @@ struct ContactNodes {
     f(&ContactNodes::pressed, FieldUse{});
     f(&ContactNodes::spring_work, kState);
     f(&ContactNodes::damping_energy, kState);
-    f(&ContactNodes::eroded_energy, kSaved);
+    if (erodes) f(&ContactNodes::eroded_energy, kSaved);
     if (conduct) f(&ContactNodes::friction_given, kSaved);
     if (holds) f(&ContactNodes::joint_loss, kSaved);
     if (!has_friction) return;

@@ -33,8 +33,8 @@ void set_limits_of_particles(const PairTable& pairs, const Section& section,
     if (it == options.end()) {
       it = options.emplace(particle.body, pairs.strongest(particle.body)).first;
     }
-    const Real k =
-        with_own(it->second.stiffness) * particle.modulus * (Dim == 3 ? 2 * particle.radius : 1.0);
+    const Real k = with_own(it->second.stiffness) * particle.matter->modulus *
+                   (Dim == 3 ? 2 * particle.radius : 1.0);
     if (!(k > 0)) continue;
     const Real recoil = rigid.recoil_beside(particle.body);
     const Real zeta = recoil_damping(it->second.damping, recoil);
@@ -77,7 +77,7 @@ std::map<Label, Real> stiffest_of(const Entities<Dim>& entities) {
   for (const auto& face : entities.faces) {
     if (face.deforms()) take(face.body, face.stiffness);
   }
-  for (const auto& one : entities.particles) take(one.body, one.modulus / (2 * one.radius));
+  for (const auto& one : entities.particles) take(one.body, one.matter->modulus / (2 * one.radius));
   return stiffest;
 }
 

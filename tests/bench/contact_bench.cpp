@@ -70,7 +70,7 @@ void make_particles(int n, Real height, Label label, Body& body) {
       for (int i = 0; i < n; ++i) {
         const auto point = static_cast<LocalIndex>(body.points.x.size());
         body.add_point(Vec3(i - 0.5 * n + 0.3, j - 0.5 * n + 0.3, k + height), label);
-        body.surface.particles.push_back({point, 0.5, 1e9});
+        body.surface.add_particle(point, 0.5, {1e9});
       }
     }
   }

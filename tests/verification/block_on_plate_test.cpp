@@ -112,7 +112,7 @@ struct AngularMomentum {
       const auto* particles = dynamic_cast<const SphParticles<3>*>(solid.get());
       if (particles == nullptr) continue;
       for (std::size_t i = 0; i < particles->states().size(); ++i) {
-        total += particles->points().x[i].cross(particles->states()[i].artificial_force);
+        total += particles->points().x[i].cross(particles->artificial_of(i).force);
       }
     }
     return total;

@@ -68,7 +68,7 @@ struct ContactScene {
   }
 
   void add_particle(Group& group, const Vec<Dim>& x, Real radius, Real modulus, Real mass) {
-    group.surface.particles.push_back({add_point(group, x, mass), radius, modulus});
+    group.surface.add_particle(add_point(group, x, mass), radius, {modulus});
   }
 
   ContactManager<Dim>& start() {

@@ -12,7 +12,8 @@ namespace {
 
 ContactParticle particle() {
   ContactParticle one;
-  one.radius = 0.5, one.modulus = 2e9, one.conductivity = 40;
+  static constexpr ParticleMatter kMatter{2e9, 40, 0};
+  one.radius = 0.5, one.matter = &kMatter;
   return one;
 }
 
@@ -88,8 +89,10 @@ TEST(ParticleLaw, LawsInARowAreThoseOfEach) {
     ContactFace<3> other = face();
     one.body = bits & 1U, other.body = bits >> 1U & 1U;
     if ((bits >> 2U & 1U) != 0) one.radius = 0.25;
-    if ((bits >> 3U & 1U) != 0) one.modulus = 1e9;
-    if ((bits >> 4U & 1U) != 0) one.conductivity = 0;
+    ParticleMatter matter = *one.matter;
+    if ((bits >> 3U & 1U) != 0) matter.modulus = 1e9;
+    if ((bits >> 4U & 1U) != 0) matter.conductivity = 0;
+    one.matter = &matter;
     if ((bits >> 5U & 1U) != 0) other.stiffness = (bits >> 6U & 1U) != 0 ? 0 : 1e9;
     if ((bits >> 7U & 1U) != 0) other.compliance = 1;
     if ((bits >> 8U & 1U) != 0) other.capacity = 0;

@@ -73,7 +73,7 @@ struct Cloud {
       const auto& state = solid->states()[i];
       const auto& x = solid->points().x[i];
       stress.add(x, state.stress_force), viscosity.add(x, state.viscous_force);
-      artificial.add(x, state.artificial_force);
+      artificial.add(x, solid->artificial_of(i).force);
     }
   }
 

@@ -26,7 +26,9 @@ std::vector<std::uint64_t> bits_of(SphParticles<Dim>& solid) {
       for (int d = 0; d < Dim; ++d) add(value[d]);
     }
   };
-  for (const auto& state : solid.states()) visit_particle(state, add_state);
+  for (std::size_t i = 0; i < solid.states().size(); ++i) {
+    visit_particle(solid.states()[i], test::kDp, solid.artificial_of(i), add_state);
+  }
   for (const auto& block : solid.blocks()) {
     for (std::size_t slot = 0; slot < block.set.particle.size(); ++slot) {
       visit_slot(block, slot, add_state);
