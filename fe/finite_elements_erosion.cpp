@@ -59,8 +59,8 @@ template <int Dim>
 void FiniteElements<Dim>::start_erosion() {
   if (held_) return;
   erosion_ = erosion_at_start(blocks_, points_, surface_);
-  surface_.erodes = true;
   if (!erosion_) return;
+  surface_.erodes = true;
   for (const auto& [body, to] : erosion_->to) {
     if (to != ErodeTo::nothing) surface_.may_free.push_back(body);
   }

@@ -115,6 +115,20 @@ ContactParticle particle_from(const SurfaceParticle& shown, const Surface<Dim>& 
   particle.held = surface.held, particle.born = shown.born;
   return particle;
 }
+
+/// Those of a surface that may touch anything; sizes  [m] theirs, too.
+template <int Dim>
+void take_particles(const Surface<Dim>& surface, LocalIndex number, const PairTable& pairs,
+                    Entities<Dim>& entities, std::vector<Real>& sizes) {
+  std::vector<const ParticleMatter*> kept;
+  for (const auto& one : surface.matters) kept.push_back(&*entities.matters.insert(one).first);
+  for (const auto& shown : surface.particles) {
+    if (shown.point >= surface.points->n_owned) continue;
+    if (pairs.strongest(surface.points->body[slot_of(shown.point)]).ignore) continue;
+    entities.particles.push_back(particle_from(shown, surface, number, kept[shown.matter]));
+    sizes.push_back(2 * shown.radius);
+  }
+}
 }  // namespace
 
 template <int Dim>
@@ -153,16 +167,7 @@ Entities<Dim>::Entities(const std::vector<Surface<Dim>*>& surfaces, const PairTa
       if (!face.owned) continue;  // another rank counts it
       sizes.push_back(Dim == 2 ? face.area_start : std::sqrt(face.area_start));
     }
-    std::vector<const ParticleMatter*> kept;
-    for (const auto& matter : surface.matters) kept.push_back(&*matters.insert(matter).first);
-    for (const auto& shown : surface.particles) {
-      if (shown.point >= surface.points->n_owned) continue;
-      const auto p = slot_of(shown.point);
-      if (pairs.strongest(surface.points->body[p]).ignore) continue;
-      particles.push_back(
-          particle_from(shown, surface, static_cast<LocalIndex>(s), kept[shown.matter]));
-      sizes.push_back(2 * shown.radius);
-    }
+    take_particles(surface, static_cast<LocalIndex>(s), pairs, *this, sizes);
   }
   sort_by_id(faces);
   sort_by_id(particles);
