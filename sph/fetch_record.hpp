@@ -8,11 +8,13 @@
 
 namespace brunt {
 
+/// first, last  [byte] of the record that will be read or written, in whole lines of the cache
 template <class Record>
-BRUNT_INLINE void fetch_record(const Record& record) {
+BRUNT_INLINE void fetch_record(const Record& record, std::size_t first = 0,
+                               std::size_t last = sizeof(Record)) {
   constexpr std::size_t kLine = 64;  // bytes
   const char* at = reinterpret_cast<const char*>(&record);
-  for (std::size_t k = 0; k < sizeof(Record); k += kLine) __builtin_prefetch(at + k, 1);
+  for (std::size_t k = first; k < last; k += kLine) __builtin_prefetch(at + k, 1);
 }
 
 /// How many records a loop that does little for each asks ahead.

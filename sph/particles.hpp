@@ -45,6 +45,9 @@ struct ParticleBlock {
 /// cache are what a pass reads of it: gradients two, limits of the step one, forces one.
 template <int Dim>
 struct alignas(64) ParticleState {
+  /// Where what gradients write ends, and the line begins from which on a pass of forces reads.
+  static constexpr std::size_t kGradientBytes = Dim == 3 ? 128 : 64;
+  static constexpr std::size_t kCorrectionByte = Dim == 3 ? 64 : 0;
   Real velocity_gradient[Dim * Dim] = {};     ///< [1/s] L at x(n+1) with v(n+1/2), by rows
   Real correction[kSymmetric<Dim>] = {};      ///< [1] B
   Real volume = 0;                            ///< [m^3] at n+1
@@ -60,6 +63,8 @@ struct alignas(64) ParticleState {
   Real stress_work = 0;                       ///< [J] booked since time 0, by channel
   Real viscous_work = 0;                      ///< [J]
 };
+
+static_assert(sizeof(ParticleState<3>) == 256 && sizeof(ParticleState<2>) == 192);
 
 /// The third channel of forces, of particles with artificial stress.
 template <int Dim>

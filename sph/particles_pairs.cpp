@@ -146,7 +146,7 @@ void SphParticles<Dim>::find_gradients(const ParticleBlock& block) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       if (is_left_out(block, i)) return;
-      fetch_record(state_[slot_of(i)]);
+      fetch_record(state_[slot_of(i)], 0, ParticleState<Dim>::kGradientBytes);
       const auto row = rows_.template row<P>(i);
       take_gradients(block, i,
                      gradients_over<Dim, Kernel, P>(records.motion, i, row, records.inverse_length,
@@ -243,7 +243,7 @@ void SphParticles<Dim>::sum_block_forces(const ParticleBlock& block,
       for_each(block.set.particle.size(), [&](std::size_t slot) {
         const LocalIndex i = block.set.particle[slot];
         if (is_left_out(block, i)) return;
-        fetch_record(state_[slot_of(i)]);
+        fetch_record(state_[slot_of(i)], ParticleState<Dim>::kCorrectionByte);
         const auto row = rows_.template row<P>(i);
         take(i, forces_over<Dim, Kernel>(records, i, row, rows_.weights(i), pair));
       });
