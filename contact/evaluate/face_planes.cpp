@@ -6,17 +6,21 @@
 
 namespace brunt {
 
+PlaneNeeds needs_of(const FaceCandidate& candidate, Real opening) {
+  return {.middle = candidate.laws.friction != nullptr,
+          .opening = opening,
+          .barrier = candidate.normal.barrier(),
+          .limit = candidate.normal.limit,
+          .at_point = candidate.normal.at_point};
+}
+
 namespace {
 /// Planes that push, with the layer on which bodies rest.
 template <int Dim>
 int pressing_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
                     const Section& section, const FaceCandidate& candidate, Real opening,
                     Planes<Dim>& planes) {
-  const PlaneNeeds needs{.middle = candidate.laws.friction != nullptr,
-                         .opening = opening,
-                         .barrier = candidate.normal.barrier(),
-                         .limit = candidate.normal.limit,
-                         .at_point = candidate.normal.at_point};
+  const PlaneNeeds needs = needs_of(candidate, opening);
   if (!candidate.normal.layer.acts())
     return common_planes<Dim>(lower, upper, section, planes, needs);
   return layered_planes<Dim>(lower, upper, section, candidate.normal.layer, planes, needs);
@@ -71,11 +75,9 @@ FirstTouch first_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
 }
 
 template <int Dim>
-Real deepest_of(const Planes<Dim>& planes, int n) {
+Real deepest_of(std::span<const CommonPlane<Dim>> planes) {
   Real deepest = 0;
-  for (int i = 0; i < n; ++i) {
-    deepest = std::max(deepest, planes[slot_of(i)].deepest);
-  }
+  for (const auto& plane : planes) deepest = std::max(deepest, plane.deepest);
   return deepest;
 }
 
@@ -85,7 +87,7 @@ FirstTouch born_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
   FirstTouch touch;
   Planes<Dim> planes;
   const int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
-  const Real deepest = deepest_of<Dim>(planes, n);
+  const Real deepest = deepest_of<Dim>({planes.data(), slot_of(n)});
   if (deepest > meeting_distance(lower, upper)) touch.overlap = deepest;
   return touch;
 }
@@ -102,7 +104,7 @@ int planes_of(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Se
     touch.slips = false;
   }
   int n = common_planes<Dim>(lower, upper, section, planes, {.whole = true});
-  touch.overlap = std::min(touch.overlap, deepest_of<Dim>(planes, n));
+  touch.overlap = std::min(touch.overlap, deepest_of<Dim>({planes.data(), slot_of(n)}));
   touch.bonded = touch.bonded && n > 0;
   if (touch.bonded) {
     n = common_planes<Dim>(lower, upper, section, planes,
@@ -120,12 +122,12 @@ template FirstTouch first_touch<2>(const FacePlane<2>&, const FacePlane<2>&, con
                                    const FaceCandidate&);
 template FirstTouch born_touch<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&);
 template FirstTouch born_touch<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&);
-template Real deepest_of<2>(const Planes<2>&, int);
+template Real deepest_of<2>(std::span<const CommonPlane<2>>);
 template int planes_of<2>(const FacePlane<2>&, const FacePlane<2>&, const Section&,
                           const FaceCandidate&, const TouchStep&, FirstTouch&, Planes<2>&);
 template FirstTouch first_touch<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
                                    const FaceCandidate&);
-template Real deepest_of<3>(const Planes<3>&, int);
+template Real deepest_of<3>(std::span<const CommonPlane<3>>);
 template int planes_of<3>(const FacePlane<3>&, const FacePlane<3>&, const Section&,
                           const FaceCandidate&, const TouchStep&, FirstTouch&, Planes<3>&);
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "contact/contacts/first_touch.hpp"
 #include "contact/search/candidates.hpp"
 
@@ -15,9 +17,12 @@ template <int Dim>
 FirstTouch born_touch(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper,
                       const Section& section);
 
-/// Largest penetration of planes 0 .. n - 1 [m], 0 at least.
+/// Largest penetration of planes [m], 0 at least.
 template <int Dim>
-Real deepest_of(const Planes<Dim>& planes, int n);
+Real deepest_of(std::span<const CommonPlane<Dim>> planes);
+
+/// What is asked of the planes of two faces of which nothing is left of their first touch.
+PlaneNeeds needs_of(const FaceCandidate& candidate, Real opening);
 
 /// Sets the planes that carry force and returns how many: with the layer on which bodies rest, and
 /// as what is left of the first touch of their faces says.

@@ -6,6 +6,7 @@
 #include "contact/evaluate/face_notes.hpp"
 #include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
+#include "contact/evaluate/pairs_ahead.hpp"
 #include "contact/evaluate/ties.hpp"
 #include "contact/surfaces/start_warp.hpp"
 
@@ -217,13 +218,12 @@ void add_friction(const Entities<Dim>& entities, const FaceCandidate& candidate,
   heat_faces(entities, candidate, step, part);
 }
 
-/// The first of planes 0 .. n - 1 that comes from behind; nullptr where none does.
+/// The first of some planes that comes from behind; nullptr where none does.
 template <int Dim>
 const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                                    const Planes<Dim>& planes, int n, const Section& section,
-                                    Real dt) {
-  for (int i = 0; i < n; ++i) {
-    const auto& plane = planes[slot_of(i)];
+                                    std::span<const CommonPlane<Dim>> planes,
+                                    const Section& section, Real dt) {
+  for (const auto& plane : planes) {
     if (plane.penetration > candidate.normal.limit_at(plane.facing)) continue;
     if (comes_from_behind(entities, candidate, plane, section, dt)) return &plane;
   }
@@ -233,39 +233,15 @@ const CommonPlane<Dim>* from_behind(const Entities<Dim>& entities, const FaceCan
 /// True where two faces come from behind: they are left alone until they have opened.
 template <int Dim>
 bool leave_alone(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                 const Planes<Dim>& planes, int n, const Section& section, Real dt,
+                 std::span<const CommonPlane<Dim>> planes, const Section& section, Real dt,
                  FirstTouch& touch, typename Records<Dim>::Part& part) {
-  const auto* plane = from_behind(entities, candidate, planes, n, section, dt);
+  const auto* plane = from_behind(entities, candidate, planes, section, dt);
   if (plane == nullptr) return false;
-  touch.overlap = deepest_of<Dim>(planes, n);
+  touch.overlap = deepest_of<Dim>(planes);
   // An overlap that came in over borders is held by the faces beside it.
   if (plane->fade > 0.5)
     note_lost(entities, candidate, *plane, kFromBehind, plane->penetration, part);
   return true;
-}
-
-template <int Dim>
-bool any_born(const Entities<Dim>& entities, const FaceCandidate& candidate) {
-  if (!entities.any_born) return false;
-  return entities.faces[slot_of(candidate.lower)].born ||
-         entities.faces[slot_of(candidate.upper)].born;
-}
-
-/// What two faces keep of how they met, as the last evaluation left it; at time 0, and where one is
-/// born, they meet.
-template <int Dim>
-FirstTouch touch_before(const Entities<Dim>& entities, const FaceCandidate& candidate,
-                        const ContactKey& key, const Section& section, const TouchStep& step) {
-  if (step.time_zero) {
-    return first_touch(entities.planes[slot_of(candidate.lower)],
-                       entities.planes[slot_of(candidate.upper)], section, candidate);
-  }
-  if (any_born(entities, candidate)) {
-    return born_touch(entities.planes[slot_of(candidate.lower)],
-                      entities.planes[slot_of(candidate.upper)], section);
-  }
-  const auto* before = step.before->find(key);
-  return before == nullptr ? FirstTouch{} : *before;
 }
 
 /// [Pa/m] of the last record's spring: a joint has its own.
@@ -300,18 +276,66 @@ bool held(const Entities<Dim>& entities, const FaceCandidate& candidate, const S
   return true;
 }
 
-/// Asks for a face that is looked at soon: most of what it holds is read in one step after the
-/// other only here, and has left the cache in between.
+/// Adds what planes push.
 template <int Dim>
-BRUNT_INLINE void fetch_ahead(const Entities<Dim>& entities, std::span<const ListedFaces> listed,
-                              std::size_t k) {
-  constexpr std::size_t kAhead = 4, kLine = 64;
-  if (k + kAhead >= listed.size()) return;
-  const auto* face =
-      reinterpret_cast<const char*>(&entities.faces[slot_of(listed[k + kAhead].lower)]);
-  for (std::size_t at = 0; at < sizeof(ContactFace<Dim>); at += kLine) {
-    __builtin_prefetch(face + at);
+void add_planes(const Entities<Dim>& entities, const FaceCandidate& candidate,
+                std::span<const CommonPlane<Dim>> planes, bool held, const Section& section,
+                const EvaluationStep& step, const BrokenTies<Dim>& broken,
+                FrictionHistory<Dim>* history, FirstTouch& touch,
+                typename Records<Dim>::Part& part) {
+  for (const auto& plane : planes) {
+    if (plane.penetration > candidate.normal.limit_at(plane.facing) &&
+        !(held && is_sliver(entities, candidate, plane))) {
+      const Real way = closing_speed(entities, candidate, plane) * step.dt;
+      if (!any_born(entities, candidate)) note_let_go(entities, candidate, plane, way, held, part);
+      continue;
+    }
+    add_record(entities, candidate, plane, touch, step, part);
+    note_deep_faces(entities, candidate, plane, touch, part);
+    const Real stiffness = spring_of(entities, candidate, plane, step, broken, part);
+    if (plane.share > 0) {
+      add_push(stiffness, plane, entities.faces[slot_of(candidate.lower)].n_nodes, part);
+    }
+    if (candidate.laws.friction == nullptr || history == nullptr) continue;
+    add_friction(entities, candidate, plane, section, step.dt, broken, *history, touch, part);
   }
+}
+
+/// room  for planes that have not been found ahead
+template <int Dim>
+void evaluate_pair(const Entities<Dim>& entities, PairAhead<Dim>& pair, const Section& section,
+                   const EvaluationStep& step, FrictionHistory<Dim>* history, Planes<Dim>& room,
+                   typename Records<Dim>::Part& part) {
+  const FaceCandidate& candidate = pair.candidate;
+  if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
+  limit_by_pressed_area<Dim>(entities, candidate, step, part.step_limit);
+  BrokenTies<Dim> broken;
+  if (held<Dim>(entities, candidate, section, step, broken, part)) return;
+  if (!pair.in_reach) return;
+  std::span<const CommonPlane<Dim>> planes = pair.find_planes(entities, section, step, room);
+  FirstTouch& touch = pair.touch;
+  const bool held = std::exchange(touch.held, false);
+  const bool new_here = !touch.matters() && !held;
+  if (new_here && leave_alone(entities, candidate, planes, section, step.dt, touch, part)) {
+    planes = {};  // all of them, or a repeated evaluation would find others than this one
+  }
+  if (planes.empty() && !step.touches.time_zero) {
+    limit_by_turning<Dim>(entities, candidate, section, touch.overlap, step, part.step_limit);
+  }
+  const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
+  add_planes(entities, candidate, planes, held, section, step, broken, history, touch, part);
+  if (touch.matters() || touch.held) {
+    touch.key = key_between(entities, candidate);
+    part.face_touches.push_back(touch);
+  }
+  add_blades(entities, candidate, step, any_born(entities, candidate), part);
+  if (broken.any) {
+    settle_broken<Dim>(entities, broken, std::span(part.face_on_face).subspan(ends.record), step.dt,
+                       part, part.losses);
+  }
+  const bool free = part.face_on_face.size() == ends.record && !touch.matters();
+  if (free) note_crossing<Dim>(entities, candidate, part);
+  if (candidate.laws.heat != nullptr) add_face_heat<Dim>(entities, candidate, section, ends, part);
 }
 }  // namespace
 
@@ -319,61 +343,12 @@ template <int Dim>
 void evaluate_faces(const Entities<Dim>& entities, const FacePairs<Dim>& pairs,
                     const Section& section, const EvaluationStep& step,
                     FrictionHistory<Dim>* history, typename Records<Dim>::Part& part) {
-  Planes<Dim> planes;
-  for (std::size_t k = 0; k < pairs.listed().size(); ++k) {
-    fetch_ahead(entities, pairs.listed(), k);
-    const auto l = slot_of(pairs.listed()[k].lower), u = slot_of(pairs.listed()[k].upper);
-    const bool in_reach = entities.reaches[l].meets(entities.reaches[u]);
-    if (!in_reach && !step.fast && !pairs.options(k).acts_apart) continue;
-    const FaceCandidate candidate = pairs.candidate(k);
-    if (step.fast) limit_by_approach<Dim>(entities, candidate, step, part.step_limit);
-    limit_by_pressed_area<Dim>(entities, candidate, step, part.step_limit);
-    BrokenTies<Dim> broken;
-    if (held<Dim>(entities, candidate, section, step, broken, part)) continue;
-    if (!in_reach) continue;
-    const auto &lower = entities.planes[l], &upper = entities.planes[u];
-    const ContactKey key =
-        touch_key(ContactKind::face_face, entities.faces[l].id, entities.faces[u].id);
-    FirstTouch touch = touch_before(entities, candidate, key, section, step.touches);
-    int n = step.touches.time_zero && !candidate.laws.presses_at_once()
-                ? 0
-                : planes_of(lower, upper, section, candidate, step.touches, touch, planes);
-    const bool held = std::exchange(touch.held, false);
-    const bool new_here = !touch.matters() && !held;
-    if (new_here && leave_alone(entities, candidate, planes, n, section, step.dt, touch, part)) {
-      n = 0;  // of all planes, or a repeated evaluation would find others than this one
+  PairsAhead<Dim> ahead(entities, pairs, step);
+  Planes<Dim> room;
+  for (auto block = ahead.next(); !block.empty(); block = ahead.next()) {
+    for (auto& pair : block) {
+      evaluate_pair<Dim>(entities, pair, section, step, history, room, part);
     }
-    if (n == 0 && !step.touches.time_zero) {
-      limit_by_turning<Dim>(entities, candidate, section, touch.overlap, step, part.step_limit);
-    }
-    const PartEnds ends{part.face_on_face.size(), part.face_heat.size()};
-    for (int i = 0; i < n; ++i) {
-      const auto& plane = planes[slot_of(i)];
-      if (plane.penetration > candidate.normal.limit_at(plane.facing) &&
-          !(held && is_sliver(entities, candidate, plane))) {
-        const Real way = closing_speed(entities, candidate, plane) * step.dt;
-        if (!any_born(entities, candidate))
-          note_let_go(entities, candidate, plane, way, held, part);
-        continue;
-      }
-      add_record(entities, candidate, plane, touch, step, part);
-      note_deep_faces(entities, candidate, plane, touch, part);
-      const Real stiffness = spring_of(entities, candidate, plane, step, broken, part);
-      if (plane.share > 0) add_push(stiffness, plane, entities.faces[l].n_nodes, part);
-      if (candidate.laws.friction == nullptr || history == nullptr) continue;
-      add_friction(entities, candidate, plane, section, step.dt, broken, *history, touch, part);
-    }
-    touch.key = key;
-    if (touch.matters() || touch.held) part.face_touches.push_back(touch);
-    add_blades(entities, candidate, step, any_born(entities, candidate), part);
-    if (broken.any) {
-      settle_broken<Dim>(entities, broken, std::span(part.face_on_face).subspan(ends.record),
-                         step.dt, part, part.losses);
-    }
-    const bool free = part.face_on_face.size() == ends.record && !touch.matters();
-    if (free) note_crossing<Dim>(entities, candidate, part);
-    if (candidate.laws.heat != nullptr)
-      add_face_heat<Dim>(entities, candidate, section, ends, part);
   }
 }
 

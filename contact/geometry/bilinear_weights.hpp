@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "contact/geometry/in_plane.hpp"
 #include "contact/geometry/polygon.hpp"
 
 namespace brunt {
@@ -14,5 +15,10 @@ std::array<Real, 4> bilinear_weights(const std::array<Vec<2>, 4>& corner, const 
 /// not in its weights.
 std::array<std::array<Real, 4>, 4> bilinear_weights(const Polygon& below, const Polygon& above,
                                                     const Vec<2>& p, const Vec<2>& middle);
+
+/// The same of two times four quads at four points p, of those that are there, with the bits of
+/// each alone. of_a, of_b  of corner k of all, for k = 0 .. 3
+void bilinear_weights(const FourQuadsInPlane& a, const FourQuadsInPlane& b, const InPlane<Pack>& p,
+                      PackMask there, Pack (&of_a)[4], Pack (&of_b)[4]);
 
 }  // namespace brunt

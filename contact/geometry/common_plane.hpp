@@ -117,10 +117,21 @@ struct PlaneNeeds {
 template <int Dim>
 using Planes = std::array<CommonPlane<Dim>, Dim == 3 ? 16 : 1>;
 
+/// True where a face counts as four triangles beside a mate. Beside one that keeps its plane it
+/// does so from nearly no warp on: else its corners may be deep in the mate while its plane hardly
+/// touches it, and push all at once where it is split, again and again where it trembles there.
+inline bool is_split(const FacePlane<3>& face, const FacePlane<3>& mate) {
+  constexpr Real kBlunt = 0.99 * kBoxSharpness;  // edges and points dig into one plane, not in four
+  return !face.simple || (mate.rigid && mate.sharpness > kBlunt && !face.rigid && !face.flat);
+}
+
 /// The planes between two faces, lower first by id: one, or more where warped or concave quads are
 /// split. Returns how many of them carry pressure; `plane` holds these in fixed order.
 template <int Dim>
 int common_planes(const FacePlane<Dim>& lower, const FacePlane<Dim>& upper, const Section& section,
                   Planes<Dim>& plane, const PlaneNeeds& needs = {});
+/// That of two edges in 2D; false if it carries no pressure.
+bool common_line(const FacePlane<2>& lower, const FacePlane<2>& upper, const Section& section,
+                 const PlaneNeeds& needs, CommonPlane<2>& plane);
 
 }  // namespace brunt

@@ -46,11 +46,13 @@ FourPlanes::FourPlanes(const std::array<Place<Pack>, 4>& x, Pack area_start) {
   const PackMask no_start = ~(area_start > 0);
   simple = (simple | ~there) & (no_start | (warp <= kWarpLimit * width_start));
   flat = (flat | ~there) & (no_start | (warp <= kFlatLimit * width_start));
-  lo = hi = x[0];
-  for (std::size_t c = 1; c < 4; ++c) {
-    lo = {vmin(x[c].x, lo.x), vmin(x[c].y, lo.y), vmin(x[c].z, lo.z)};
-    hi = {vmax(x[c].x, hi.x), vmax(x[c].y, hi.y), vmax(x[c].z, hi.z)};
-  }
+  // From component to component: a copy of a place goes by halves of packs, and is waited for.
+  const auto bound = [&](Pack Place<Pack>::*of) {
+    Pack least = x[0].*of, most = least;
+    for (std::size_t c = 1; c < 4; ++c) least = vmin(x[c].*of, least), most = vmax(x[c].*of, most);
+    lo.*of = least, hi.*of = most;
+  };
+  bound(&Place<Pack>::x), bound(&Place<Pack>::y), bound(&Place<Pack>::z);
 }
 
 void FourPlanes::give(int lane, FacePlane<3>& face) const {

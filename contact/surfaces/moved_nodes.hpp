@@ -46,11 +46,13 @@ class MovedNodes {
   }
   /// The same in 3D of nodes first, first + 1, .. of runs of one node each, of the same surface, as
   /// long as they go on and others stand behind both the node and its point. Returns where they
-  /// end.  n_points, n_nodes  how many there are in all;  made, to_x, to_v  of the first node of
-  /// all
-  const NodeRun* read_each(const NodeRun* first, const NodeRun* last, const Vec<Dim>* x,
-                           const Vec<Dim>* v, std::size_t n_points, std::size_t n_nodes,
-                           const Vec<Dim>* made, Vec<Dim>* to_x, Vec<Dim>* to_v) {
+  /// end. On its own, or the bounds would not stay in registers.  n_points, n_nodes  how many there
+  /// are in all;  made, to_x, to_v  of the first node of all
+  __attribute__((noinline)) const NodeRun* read_each(const NodeRun* first, const NodeRun* last,
+                                                     const Vec<Dim>* x, const Vec<Dim>* v,
+                                                     std::size_t n_points, std::size_t n_nodes,
+                                                     const Vec<Dim>* made, Vec<Dim>* to_x,
+                                                     Vec<Dim>* to_v) {
     if constexpr (Dim == 2) return first;
     const LocalIndex surface = first->surface;
     // The last lane is of what stands behind, and of no use.
