@@ -1,7 +1,5 @@
 /// What particles carry from step to step, as tables by the ids of their points. The records that
 /// neighbours read, smoothing lengths and lists follow from it.
-#include <algorithm>
-
 #include "core/points_state.hpp"
 #include "sph/particle_values.hpp"
 
@@ -28,12 +26,10 @@ void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
       },
       tables);
   for (const auto& block : blocks_) {
-    // Ghosts come last among the points, so their slots come last among the slots of a block.
-    const auto& particle = block.set.particle;
-    const auto owned = slot_of(std::lower_bound(particle.begin(), particle.end(), points_.n_owned) -
-                               particle.begin());
+    const auto& particle = block.set.particle;  // of owned ones: copies are in no block
     save_rows(
-        table_of(block), owned, [&](std::size_t slot) { return points_.id[particle[slot]]; },
+        table_of(block), particle.size(),
+        [&](std::size_t slot) { return points_.id[particle[slot]]; },
         [&](auto& row, std::size_t slot) { visit_slot(block, slot, saved_in(row)); }, tables);
   }
 }

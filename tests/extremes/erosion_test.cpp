@@ -3,6 +3,8 @@
 // and a restart says the same.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/simulate.hpp"
 
 namespace brunt::test {
@@ -61,6 +63,34 @@ TEST(ErosionExtremes, AllElementsOfABodyGo) {
         EXPECT_EQ(split.hashes, run.hashes) << one.geometry << one.element << stays;
       }
     }
+  }
+}
+
+// A particle on the axis has no breadth, and nothing to slip on: friction of it was 0/0.
+TEST(ErosionExtremes, WhatIsLeftOnTheAxisRubs) {
+  for (const char* const heat : {"", "heat: conduct\n"}) {
+    const auto run = simulate_text(std::string(heat) + R"(
+title: Points of an eroded plate rub on a block about the axis
+geometry: axisymmetric
+time: {end: 10 us}
+materials:
+  soft: {density: 2700, elastic: {E: 5e9, nu: 0.33}, strength: {j2: {yield: 2e7}}, damage: {strain: 0.08},
+         thermal: {cp: 900, k: 150}}
+  hard: {density: 7800, elastic: {E: 2e10, nu: 0.3}, thermal: {cp: 450, k: 40}}
+bodies:
+  plate:
+    material: soft
+    shape: {box: {min: [0, 0], max: [2 mm, 0.25 mm]}}
+    cells: [2, 1]
+    erode: {when: {strain: 0.05}, to: points}
+  block: {material: hard, shape: {box: {min: [0, 0.26 mm], max: [2 mm, 1.26 mm]}}, cells: [2, 1], velocity: [0, -150 m/s]}
+contact: {default: {friction: 0.2}}
+boundaries: {base: {body: plate, where: {side: min-y}, fix: [x, y]}}
+)");
+    EXPECT_EQ(run.failure, "") << heat;
+    EXPECT_NEAR(run.last("time"), 10e-6, 1e-12);
+    EXPECT_GT(run.last("body.plate.eroded_mass"), 0);
+    EXPECT_TRUE(std::isfinite(run.last("energy.contact.friction"))) << heat;
   }
 }
 

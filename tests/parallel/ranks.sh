@@ -65,6 +65,8 @@ cases=(
   "decks/still 2_us"
   "decks/flight 0.2_ms"
   "decks/thin 4_us"
+  "decks/matters 15_us"
+  "decks/cubes 15_us"
   "decks/erosion 8_us"
   "decks/conversion 7_us"
   "decks/failing 17_us"
