@@ -201,8 +201,8 @@ struct Entities {
   /// Nothing.
   Entities() = default;
   /// Particles point into `matters`.
-  Entities(Entities&&) = default;
-  Entities& operator=(Entities&&) = default;
+  Entities(Entities&&) noexcept = default;
+  Entities& operator=(Entities&&) noexcept = default;
   Entities(const Entities&) = delete;
   Entities& operator=(const Entities&) = delete;
   ~Entities() = default;
