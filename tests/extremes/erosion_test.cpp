@@ -74,8 +74,8 @@ title: Points of an eroded plate rub on a block about the axis
 geometry: axisymmetric
 time: {end: 10 us}
 materials:
-  soft: {density: 2700, elastic: {E: 5e9, nu: 0.33}, strength: {j2: {yield: 2e7}}, damage: {strain: 0.08},
-         thermal: {cp: 900, k: 150}}
+  soft: {density: 2700, elastic: {E: 5e9, nu: 0.33}, strength: {j2: {yield: 2e7}},
+         damage: {strain: 0.08}, thermal: {cp: 900, k: 150}}
   hard: {density: 7800, elastic: {E: 2e10, nu: 0.3}, thermal: {cp: 450, k: 40}}
 bodies:
   plate:
@@ -83,7 +83,11 @@ bodies:
     shape: {box: {min: [0, 0], max: [2 mm, 0.25 mm]}}
     cells: [2, 1]
     erode: {when: {strain: 0.05}, to: points}
-  block: {material: hard, shape: {box: {min: [0, 0.26 mm], max: [2 mm, 1.26 mm]}}, cells: [2, 1], velocity: [0, -150 m/s]}
+  block:
+    material: hard
+    shape: {box: {min: [0, 0.26 mm], max: [2 mm, 1.26 mm]}}
+    cells: [2, 1]
+    velocity: [0, -150 m/s]
 contact: {default: {friction: 0.2}}
 boundaries: {base: {body: plate, where: {side: min-y}, fix: [x, y]}}
 )");
