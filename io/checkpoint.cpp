@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -232,7 +233,9 @@ std::vector<fs::path> checkpoints_in(const fs::path& folder) {
   return manifests;
 }
 
-void remove_checkpoints_but(const fs::path& folder, const std::vector<std::uint64_t>& kept) {
+namespace {
+/// Removes files of checkpoints of the steps that `goes` names, and all that was left half written.
+void remove_checkpoints(const fs::path& folder, const std::function<bool(std::uint64_t)>& goes) {
   std::vector<fs::path> manifests, others;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -240,7 +243,7 @@ void remove_checkpoints_but(const fs::path& folder, const std::vector<std::uint6
     const bool temporary = entry.path().extension().string().starts_with(".tmp-");
     std::error_code unread;
     if (!step || entry.symlink_status(unread).type() != fs::file_type::regular) continue;
-    if (!temporary && std::find(kept.begin(), kept.end(), *step) != kept.end()) continue;
+    if (!temporary && !goes(*step)) continue;
     (entry.path().extension() == kSuffix ? manifests : others).push_back(entry.path());
   }
   if (error) throw MachineError("cannot read the folder '" + folder.string() + "'");
@@ -251,6 +254,19 @@ void remove_checkpoints_but(const fs::path& folder, const std::vector<std::uint6
       if (error) throw MachineError("cannot remove '" + file.string() + "': " + error.message());
     }
   }
+}
+}  // namespace
+
+void remove_checkpoints_but(const fs::path& folder, const std::vector<std::uint64_t>& kept) {
+  remove_checkpoints(folder, [&](std::uint64_t step) {
+    return std::find(kept.begin(), kept.end(), step) == kept.end();
+  });
+}
+
+void remove_checkpoints_after(const fs::path& manifest) {
+  const std::uint64_t last = step_of(manifest).value_or(0);
+  const fs::path folder = manifest.has_parent_path() ? manifest.parent_path() : fs::path(".");
+  remove_checkpoints(folder, [&](std::uint64_t step) { return step > last; });
 }
 
 }  // namespace brunt

@@ -74,5 +74,7 @@ std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& f
 /// Takes away all files of checkpoints but those of the steps `kept`. Throws MachineError.
 void remove_checkpoints_but(const std::filesystem::path& folder,
                             const std::vector<std::uint64_t>& kept);
+/// Takes away checkpoints of later steps than this one, in its folder. Throws MachineError.
+void remove_checkpoints_after(const std::filesystem::path& manifest);
 
 }  // namespace brunt

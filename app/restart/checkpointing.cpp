@@ -38,13 +38,23 @@ void Checkpointing<Dim>::go_on(Scene<Dim>& scene, Clock& clock) {
       scene.load_state(*point.state);
       clock.load_state(*point.state);
       monitor_.load_state(*point.state, point.texts, clock, point.folder());
-      if (restart_->lies_in(folder_)) kept_.push_back(point.header.step);
+      if (restart_->lies_in(folder_)) forget_later(*scene.ranks);
       return;
     } catch (const StateError& error) {
       restart_->refuse(error.what());
     }
   } while (restart_->next());
   throw MachineError("there is no checkpoint that is good");
+}
+
+/// What comes after where this run goes on is of a run that this one replaces: --resume must not
+/// go on from there.
+template <int Dim>
+void Checkpointing<Dim>::forget_later(const Communicator& ranks) {
+  kept_.push_back(restart_->point().header.step);
+  agreed(ranks, [&] {
+    if (ranks.is_root()) remove_checkpoints_after(restart_->first());
+  });
 }
 
 /// A run takes one step at least: before that nothing is asked for or written.

@@ -34,6 +34,7 @@ class Checkpointing final : public Observer<Dim> {
 
  private:
   void go_on(Scene<Dim>& scene, Clock& clock);
+  void forget_later(const Communicator& ranks);
   bool stop_if_requested(const Requests& requests, Clock& clock);
   bool is_due(const Clock& clock) const;
   bool is_before_end(const StepLimit& step_limit, const Clock& clock);

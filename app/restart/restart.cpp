@@ -30,7 +30,8 @@ void check_deck(const RestartPoint& point, const LoadedDeck& loaded) {
 }  // namespace
 
 Restart::Restart(std::vector<fs::path> manifests, const LoadedDeck& loaded, Report report)
-    : manifests_(manifests.rbegin(), manifests.rend()),
+    : first_(manifests.empty() ? fs::path() : manifests.front()),
+      manifests_(manifests.rbegin(), manifests.rend()),
       loaded_(loaded),
       report_(std::move(report)) {}
 

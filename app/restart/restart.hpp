@@ -35,10 +35,14 @@ class Restart {
   const RestartPoint& point() const { return *point_; }
   /// True if it lies in this folder.
   bool lies_in(const std::filesystem::path& folder) const;
+  /// The one that was to be used first: those after it in its folder are of steps that are taken
+  /// anew.
+  const std::filesystem::path& first() const { return first_; }
   /// Reports that the last one did not fit, after all.
   void refuse(const std::string& reason);
 
  private:
+  std::filesystem::path first_;
   std::vector<std::filesystem::path> manifests_;  // the next one last
   const LoadedDeck& loaded_;
   Report report_;

@@ -72,6 +72,12 @@ expect 0 "$brunt" run "$deck" "${short[@]:1}" --restart bars.out --force
 says '^goes on from bars.out/checkpoint-[0-9]*.manifest, t = .*s; writes to bars.out$'
 same_run whole bars.out
 rm -r bars.out
+# From an earlier one of the same folder, cut off before it wrote any: --resume goes on from there, not from later ones.
+expect 0 "$brunt" run "$deck" "${short[@]}" --set output.checkpoint_steps=10 --out again
+earlier=$(ls again/checkpoint-*.manifest | head -n 1)
+[ "$(ls again/checkpoint-*.manifest | wc -l)" -ge 2 ] || fail "no two checkpoints to choose from"
+expect 0 "$brunt" run "$deck" "${short[@]}" --set output.checkpoint=off --restart "$earlier" --force --out again
+[ "$(ls again/checkpoint-*.manifest)" = "$earlier" ] || { ls again; fail "checkpoints of a run that was replaced are left"; }
 expect 0 "$brunt" run "$deck" "${short[@]:1}" --restart shorter
 says '^goes on from shorter/checkpoint-[0-9]*.manifest, t = .*s; writes to bars.out$'
 same_run whole bars.out

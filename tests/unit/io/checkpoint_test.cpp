@@ -136,6 +136,18 @@ TEST_F(CheckpointFiles, ListsTheLatestFirstAndRemovesTheRest) {
   EXPECT_TRUE(fs::exists(folder_ / "checkpoint-notes.txt"));
 }
 
+TEST_F(CheckpointFiles, OfLaterStepsGo) {
+  for (const std::uint64_t step : {5, 70, 1000, 71}) write(step);
+  std::ofstream(folder_ / "checkpoint-notes.txt") << "the user's own";
+  remove_checkpoints_after(checkpoint_manifest(folder_, 70));
+  const auto all = checkpoints_in(folder_);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(refusal(all[0]), "");
+  EXPECT_EQ(all[0], checkpoint_manifest(folder_, 70));
+  EXPECT_FALSE(fs::exists(checkpoint_part(folder_, 71, 0)));
+  EXPECT_TRUE(fs::exists(folder_ / "checkpoint-notes.txt"));
+}
+
 /// Damages `bytes` in one way of several, and never not at all.
 void damage(std::string& bytes, std::mt19937_64& random) {
   const std::string before = bytes;
