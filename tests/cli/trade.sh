@@ -53,7 +53,7 @@ done
 grep -q '1.2' alike/max_drift-1.2/deck.resolved.yaml || fail "the run of 1.2 is that of 1"
 
 # Killed half way: the next call goes on from the last checkpoint, to the same bits.
-slow=(--set "time.end=0.2 s" --set "output.history=0.1 ms" --set "output.every=0.1 s" --set "output.checkpoint_steps=500")
+slow=(--set "time.end=0.05 s" --set "output.history=0.1 ms" --set "output.every=0.02 s" --set "output.checkpoint_steps=500")
 "$brunt" trade bar.yaml "${vary[@]}" "${slow[@]}" --repeat 1 --quiet --out cut >/dev/null 2>&1 &
 trade=$!
 for _ in $(seq 6000); do

@@ -11,4 +11,10 @@ double largest_eigenvalue_of(const Eigen::MatrixXd& matrix);
 /// Largest absolute value of the eigenvalues.
 double spectral_radius_of(const Eigen::MatrixXd& matrix);
 
+/// Eigenvalues of a symmetric matrix, ascending.
+Eigen::VectorXd symmetric_eigenvalues_of(const Eigen::MatrixXd& matrix);
+
+/// sum of w e (x) e over the eigenvalues w > 0 of a symmetric matrix, e their unit vectors.
+Eigen::MatrixXd tensile_part_of(const Eigen::MatrixXd& matrix);
+
 }  // namespace brunt::test

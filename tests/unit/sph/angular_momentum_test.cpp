@@ -14,10 +14,10 @@
 // Rounding: 60 pairs of a particle, 1e-13 of sum |x| |f|.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "sample.hpp"
+#include "tests/support/eigenvalues.hpp"
 
 namespace brunt {
 namespace {
@@ -43,9 +43,7 @@ Square<Dim> artificial_stress(const MaterialState& state, std::size_t k, Real ep
   const auto s = [&](std::size_t c) { return state.deviator[c][k]; };
   full << s(xx), s(xy), s(zx), s(xy), s(yy), s(yz), s(zx), s(yz), s(zz);
   full.diagonal().array() -= state.pressure[k];
-  const Eigen::SelfAdjointEigenSolver<Square<Dim>> axes(full.template topLeftCorner<Dim, Dim>());
-  const Vec<Dim> tension = axes.eigenvalues().cwiseMax(0.0);
-  return -epsilon * axes.eigenvectors() * tension.asDiagonal() * axes.eigenvectors().transpose();
+  return -epsilon * test::tensile_part_of(full.template topLeftCorner<Dim, Dim>());
 }
 
 template <int Dim>

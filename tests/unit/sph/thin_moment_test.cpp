@@ -36,8 +36,8 @@ struct Draw {
     return m - m.transpose();
   }
   Square<Dim> moment(int thin_axes, Real flat) {
-    const Square<Dim> axes =
-        Square<Dim>(Eigen::HouseholderQR<Square<Dim>>(matrix()).householderQ());
+    const Square<Dim> W = turn(), one = Square<Dim>::Identity();
+    const Square<Dim> axes = (one - W).inverse() * (one + W);  // Cayley: a rotation
     Square<Dim> K = Square<Dim>::Zero();
     for (int j = 0; j < 20; ++j) {
       Vec<Dim> arm;
