@@ -11,14 +11,14 @@ namespace brunt {
 namespace {
 constexpr int kBias = 1074;  // the least significant bit of digit 0 is 2^-1074
 
-/// Values that are summed at once: 32 = 2^5 in each lane.
-constexpr std::size_t kTileOfSum = 32 * kLanes;
+/// Values that are summed at once.
+constexpr std::size_t kTileOfSum = 128;
 /// Below so many it is not worth the trouble.
 constexpr std::size_t kWorthTile = 16;
-/// What one cut takes of a value, in bits: 32 times 2^47 units of it still are a double.
-constexpr int kCutBits = 47;
-/// Above the largest exponent of the values that are cut: x + cutter stays in one binade.
-constexpr int kRoom = 5;
+/// Above the largest exponent of the values that are cut: 128 = 2^7 of them stay in one binade.
+constexpr int kRoom = 7;
+/// What one cut takes of a value, in bits: 2^7 times 2^45 units of it still are a double.
+constexpr int kCutBits = 52 - kRoom;
 /// Exponents of values from here on are cut without overflow or underflow.
 constexpr int kLeastCut = -900, kMostCut = 1000;
 
@@ -33,43 +33,76 @@ std::int64_t most_bits(const Real* values, std::size_t n) {
   return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
 }
 
+/// 1.5 2^exponent, of a normal double.
+Real cutter_of(int exponent) {
+  return std::bit_cast<Real>(static_cast<std::uint64_t>(exponent + 1023) << 52 | 1ULL << 51);
+}
+
+/// What two cuts take of values, summed, and whether they leave something.
+struct TileCut {
+  Pack high{0, 0, 0, 0}, low{0, 0, 0, 0};
+  PackMask left{0, 0, 0, 0};
+};
+
 /// Takes the leading bits of four values, as multiples of one unit; what is left is exact.
 BRUNT_INLINE Pack cut(Pack& rest, Pack cutter) {
   const Pack leading = (rest + cutter) - cutter;
   rest = rest - leading;
   return leading;
 }
+
+BRUNT_INLINE void cut_twice(Pack& value, Pack first, Pack second, TileCut& to) {
+  to.high += cut(value, first);
+  to.low += cut(value, second);
+  to.left |= value != Pack{0, 0, 0, 0};
+}
+
+/// Two cuts of values that are all below 2^exponent; n is a multiple of the lanes. rest  what the
+/// cuts leave, or null
+TileCut cut_tile(const Real* values, std::size_t n, int exponent, Real* rest) {
+  const Pack first = broadcast<Pack>(cutter_of(exponent + kRoom));
+  const Pack second = broadcast<Pack>(cutter_of(exponent + kRoom - kCutBits - 1));
+  TileCut even, odd;  // two chains of sums
+  std::size_t i = 0;
+  const auto take = [&](TileCut& to) {
+    Pack value = load(values + i);
+    cut_twice(value, first, second, to);
+    if (rest != nullptr) store(rest + i, value);
+    i += kLanes;
+  };
+  while (i + kLanes < n) take(even), take(odd);
+  if (i < n) take(even);
+  even.high += odd.high, even.low += odd.low, even.left |= odd.left;
+  return even;
+}
 }  // namespace
 
 /// Leading bits of values as multiples of one unit, which add up without rounding; what they leave
-/// is cut again, 48 bits lower: docs/theory/ledger.md (L9). Rump, Ogita & Oishi, Accurate
+/// is cut again, 46 bits lower: docs/theory/ledger.md (L9). Rump, Ogita & Oishi, Accurate
 /// floating-point summation I, 2008, sec. 3.
 void ExactSum::add_tile(const Real* values, std::size_t n) {
   alignas(32) std::array<Real, kTileOfSum> rest;
-  std::copy_n(values, n, rest.begin());
   const std::size_t padded = (n + kLanes - 1) / kLanes * kLanes;
-  std::fill(rest.begin() + static_cast<std::ptrdiff_t>(n),
-            rest.begin() + static_cast<std::ptrdiff_t>(padded), 0.0);
-  std::int64_t most = most_bits(rest.data(), padded);
+  if (padded != n) {
+    std::fill(std::copy_n(values, n, rest.begin()),
+              rest.begin() + static_cast<std::ptrdiff_t>(padded), 0.0);
+    values = rest.data();
+  }
+  std::int64_t most = most_bits(values, padded);
   while (most != 0) {
     const int exponent = static_cast<int>(most >> 52) - 1023 + 1;  // all are below 2^exponent
     if (exponent < kLeastCut || exponent > kMostCut) {
-      for (std::size_t i = 0; i < n; ++i) add(rest[i]);
+      for (std::size_t i = 0; i < padded; ++i) add(values[i]);
       return;
     }
-    const Pack first = broadcast<Pack>(std::ldexp(1.5, exponent + kRoom));
-    const Pack second = broadcast<Pack>(std::ldexp(1.5, exponent + kRoom - kCutBits - 1));
-    Pack high{0, 0, 0, 0}, low{0, 0, 0, 0};
-    PackMask left{0, 0, 0, 0};
-    for (std::size_t i = 0; i < padded; i += kLanes) {
-      Pack value = load(rest.data() + i);
-      high += cut(value, first);
-      low += cut(value, second);
-      store(rest.data() + i, value);
-      left |= value != Pack{0, 0, 0, 0};
-    }
-    for (int k = 0; k < kLanes; ++k) add(high[k]), add(low[k]);
-    most = any(left) ? most_bits(rest.data(), padded) : 0;
+    const TileCut sums = cut_tile(values, padded, exponent, nullptr);
+    add((sums.high[0] + sums.high[1]) + (sums.high[2] + sums.high[3]));
+    add((sums.low[0] + sums.low[1]) + (sums.low[2] + sums.low[3]));
+    if (!any(sums.left)) return;
+    cut_tile(values, padded, exponent,
+             rest.data());  // seldom: what is left is far below the largest
+    values = rest.data();
+    most = most_bits(values, padded);
   }
 }
 

@@ -110,8 +110,10 @@ void describe(Schema& s, Output& output) {
                    [](const FieldInfo& field) { return field.name; });
     return names;
   }();
-  s.real({"every", "time between frames; default: a hundredth of the end"}, output.every,
-         {"s", positive()});
+  s.real({"every",
+          "time between frames; default: an eightieth of the end, or a fortieth or twentieth where "
+          "frames would take long"},
+         output.every, {"s", positive()});
   s.real({"history",
           "time between rows of history.csv; default: the end over 2000, and so many steps at "
           "least that rows take little of the time"},

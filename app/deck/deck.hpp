@@ -82,7 +82,7 @@ struct Symmetry {
 };
 
 struct Output {
-  std::optional<Real> every;        ///< [s] between frames; none: 100 frames
+  std::optional<Real> every;        ///< [s] between frames; none: 20 to 80 frames
   std::optional<Real> history;      ///< [s] between rows; none: at most 2,000 rows, not too often
   std::optional<Real> from, to;     ///< [s] frames only in between; first and last always
   std::vector<std::string> fields;  ///< empty: all

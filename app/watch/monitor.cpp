@@ -9,7 +9,7 @@
 
 #include "app/watch/frame_check.hpp"
 #include "app/watch/frame_piece.hpp"
-#include "app/watch/row_steps.hpp"
+#include "app/watch/output_steps.hpp"
 
 namespace brunt {
 
@@ -32,10 +32,6 @@ std::vector<HistoryValue> history_values(const std::vector<Real>& row, std::uint
   return values;
 }
 
-std::int64_t multiples(Real time, Real every) {
-  return every > 0 ? static_cast<std::int64_t>(std::floor(time / every * (1 + 1e-12))) : 0;
-}
-
 template <int Dim>
 Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frames, bool quiet,
                       Warn warn)
@@ -51,7 +47,7 @@ Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frame
       real_(deck.time.process_speed),
       warn_(std::move(warn)),
       history_every_(deck.output.history.value_or(deck.time.end / 2000)),
-      frame_every_(deck.output.every.value_or(deck.time.end / 100)) {
+      frame_times_(deck.output.every, deck.time.end) {
   for (const auto& body : deck.bodies) body_names_.push_back(body.name);
 }
 
@@ -67,7 +63,9 @@ void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
   columns_ = collector_->names();
   real_.set_columns(columns_);
-  if (!deck_.output.history) row_steps_ = steps_between_rows(row_work(scene));
+  const OutputWork work = output_work(scene);
+  if (!deck_.output.history) row_steps_ = steps_between_rows(work);
+  frame_times_.keep_apart(steps_between_frames(work));
   keep_start(scene);
   stops_.begin(scene, columns_);
 }
@@ -223,7 +221,7 @@ void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
 template <int Dim>
 bool Monitor<Dim>::wants_hash(const Clock& clock) const {
   return deck_.output.state_hash || rows_.empty() || clock.time() >= deck_.time.end ||
-         multiples(clock.time(), frame_every_) > frames_due_;
+         frame_times_.due(clock.time(), clock.step());
 }
 
 /// What this rank writes of a view.
@@ -274,9 +272,7 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
     if (!(std::fabs(drift_) <= deck_.time.max_drift)) write_row(scene, clock);
     watch(row, clock);
   }
-  const auto frames = multiples(clock.time(), frame_every_);
-  if (frames > frames_due_) {
-    frames_due_ = frames;
+  if (frame_times_.pass(clock.time(), clock.step())) {
     const bool wanted = clock.time() >= deck_.output.from.value_or(0) &&
                         clock.time() <= deck_.output.to.value_or(kInfinity);
     if (wanted) {

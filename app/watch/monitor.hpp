@@ -12,6 +12,7 @@
 #include "app/loop/step_check.hpp"
 #include "app/loop/time_loop.hpp"
 #include "app/watch/artificial_tension.hpp"
+#include "app/watch/frame_times.hpp"
 #include "app/watch/history_columns.hpp"
 #include "app/watch/inertia_watch.hpp"
 #include "app/watch/lost_contacts.hpp"
@@ -42,8 +43,6 @@ class FrameSink {
 /// A row as history.csv has it: the values at the indices `whole` stay whole, the hash comes last.
 std::vector<HistoryValue> history_values(const std::vector<Real>& row, std::uint64_t hash,
                                          const std::vector<std::size_t>& whole);
-/// Number of the multiple of `every` at or before time; rounding may not lose a row.
-std::int64_t multiples(Real time, Real every);
 
 /// Watches a run: history rows, frames, checks of the state and of the ledger, measures, stop
 /// conditions, progress. Reads the scene and changes nothing.
@@ -143,10 +142,11 @@ class Monitor final : public Observer<Dim> {
   std::optional<std::chrono::steady_clock::time_point> begun_;
   std::string reason_;
   // Times of the run [s], as it is stepped; rows and frames are in real time.
-  Real history_every_, frame_every_;
+  Real history_every_;
+  FrameTimes frame_times_;
   std::int64_t row_steps_ = 1;  // least number of steps between two rows
   std::int64_t row_step_ = 0;   // of the last row
-  std::int64_t rows_due_ = 0, frames_due_ = 0;
+  std::int64_t rows_due_ = 0;
   Real last_row_ = -1, last_frame_ = -1;
   Real drift_ = 0, worst_drift_ = 0;
 };

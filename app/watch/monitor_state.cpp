@@ -11,6 +11,7 @@ constexpr const char* kWarnings = "warnings";
 constexpr const char* kArtificial = "artificial_stress";
 constexpr const char* kThin = "thin_bodies";
 constexpr const char* kFrames = "frames";
+constexpr const char* kFrameTimes = "frame_times";
 constexpr const char* kStepMargins = "step_margins";
 
 GlobalId number(std::size_t k) { return k; }
@@ -71,6 +72,8 @@ void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
                               std::map<std::string, std::string>& texts) const {
   save_row(
       "monitor", [&](auto& row) { visit(row, *this); }, tables);
+  save_row(
+      kFrameTimes, [&](auto& row) { FrameTimes::visit(row, frame_times_); }, tables);
   collector_->save_state(tables);
   watch_.save_state(tables, texts);
   if (deck_.time.process_speed != 1) inertia_.save_state(tables);
@@ -144,7 +147,13 @@ void Monitor<Dim>::load_state(const StateTables& tables,
   // A row that waits for its step is due yet; the step is in the second column.
   rows_due_ = multiples(row_steps_ > 1 ? last_row_ : clock.time(), history_every_);
   row_step_ = rows_.empty() ? 0 : static_cast<std::int64_t>(rows_.back()[1]);
-  frames_due_ = multiples(clock.time(), frame_every_);
+  std::optional<FrameTimes> frames_before;
+  if (tables.has(kFrameTimes)) {  // states of older programs have none
+    auto& saved = frames_before.emplace(frame_times_);
+    load_row(
+        kFrameTimes, [&](auto& row) { FrameTimes::visit(row, saved); }, tables);
+  }
+  frame_times_.go_on(frames_before, clock.time(), clock.step());
   for (std::size_t r = 0; history_ && r < rows_.size(); ++r) {
     history_->write_row(history_values(rows_[r], hashes_[r], collector_->whole()));
   }

@@ -10,7 +10,7 @@
 #include "app/loop/time_loop.hpp"
 #include "app/ranks/distribute.hpp"
 #include "app/setup/scene_builder.hpp"
-#include "app/watch/row_steps.hpp"
+#include "app/watch/output_steps.hpp"
 #include "io/summary.hpp"
 #include "sph/particles.hpp"
 #include "step_model.hpp"
@@ -60,7 +60,8 @@ void count_meetings(const Deck& deck, const Scene<Dim>& scene, Real dt, Rates& r
   const Real every = deck.output.history.value_or(deck.time.end / 2000);
   rates.rows = std::min(1.0, dt / every) + 0.01 * std::max(0.0, 1 - dt / every);
   if (!deck.output.history) {
-    rates.rows = std::min(rates.rows, 1 / static_cast<Real>(steps_between_rows(row_work(scene))));
+    rates.rows =
+        std::min(rates.rows, 1 / static_cast<Real>(steps_between_rows(output_work(scene))));
   }
   // Columns, bodies, hash; what supports take.
   Real row = 3 + static_cast<Real>(scene.boundaries.template of<PrescribedMotion>().size());

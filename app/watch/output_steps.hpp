@@ -1,0 +1,23 @@
+#pragma once
+#include "app/scene/scene.hpp"
+
+namespace brunt {
+
+/// What a row of history, a frame and a step take [ns], by counts alone: a function of the deck.
+struct OutputWork {
+  Real row = 0, frame = 0, step = 0;
+};
+/// Collective.
+template <int Dim>
+OutputWork output_work(const Scene<Dim>& scene);
+
+/// Shares of the time that rows and frames take where the deck does not say how often they come.
+inline constexpr Real kShareOfRows = 0.01, kShareOfFrames = 0.015;
+
+/// The least number of steps between two rows with which rows take no more than kShareOfRows of the
+/// time; a hundred at most.
+std::int64_t steps_between_rows(const OutputWork& work);
+/// The same of frames and kShareOfFrames, without a bound: FrameTimes has one.
+std::int64_t steps_between_frames(const OutputWork& work);
+
+}  // namespace brunt
