@@ -115,8 +115,8 @@ void describe(Schema& s, Output& output) {
           "frames would take long"},
          output.every, {"s", positive()});
   s.real({"history",
-          "time between rows of history.csv; default: the end over 2000, and so many steps at "
-          "least that rows take little of the time"},
+          "time between rows of history.csv; default: the end over 2000, or so many steps that "
+          "rows take little of the time"},
          output.history, {"s", positive()});
   s.flag({"state_hash",
           "a hash of the whole state in every row of history.csv, not in the first, in those of "

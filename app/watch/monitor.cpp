@@ -46,7 +46,7 @@ Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frame
       inertia_(deck.bodies.size()),
       real_(deck.time.process_speed),
       warn_(std::move(warn)),
-      history_every_(deck.output.history.value_or(deck.time.end / 2000)),
+      row_times_(deck.output.history, deck.time.end),
       frame_times_(deck.output.every, deck.time.end) {
   for (const auto& body : deck.bodies) body_names_.push_back(body.name);
 }
@@ -63,8 +63,8 @@ void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
   columns_ = collector_->names();
   real_.set_columns(columns_);
-  const OutputWork work = output_work(scene);
-  if (!deck_.output.history) row_steps_ = steps_between_rows(work);
+  const OutputWork work = output_work(scene, columns_.size());
+  row_times_.keep_apart(steps_between_rows(work), sure_rows(work));
   frame_times_.keep_apart(steps_between_frames(work));
   keep_start(scene);
   stops_.begin(scene, columns_);
@@ -205,7 +205,7 @@ void Monitor<Dim>::write_row(Scene<Dim>& scene, const Clock& clock) {
   rows_.push_back(row.values);
   hashes_.push_back(row.state_hash);
   if (history_) history_->write_row(history_values(row.values, row.state_hash, row.whole));
-  last_row_ = clock.time(), row_step_ = clock.step();
+  row_times_.written(clock.time(), clock.step());
   drift_ = row.drift;
   worst_drift_ = std::max(worst_drift_, std::fabs(drift_));
   if (!(std::fabs(drift_) <= deck_.time.max_drift)) {
@@ -262,9 +262,7 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
 template <int Dim>
 void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   if (is_looked_at(clock.step())) scene.check(clock.time());
-  const auto rows = multiples(clock.time(), history_every_);
-  if (rows > rows_due_ && clock.step() - row_step_ >= row_steps_) {
-    rows_due_ = rows;
+  if (row_times_.due(clock.time(), clock.step())) {
     write_row(scene, clock);
   } else if (is_looked_at(clock.step())) {
     const HistoryRow row = collect(scene, clock, false);
@@ -282,7 +280,7 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   }
   take_measures(scene, clock.time(), false);
   check_step(scene, clock);
-  const bool has_row = row_step_ == clock.step();
+  const bool has_row = row_times_.last_step() == clock.step();
   const std::string why = stops_.look(
       scene, clock, has_row ? std::span<const Real>(rows_.back()) : std::span<const Real>{});
   if (!why.empty()) stop(clock, why);
@@ -348,7 +346,7 @@ template <int Dim>
 void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
   progress_.finish();
   scene.check(clock.time());
-  if (last_row_ != clock.time()) write_row(scene, clock);
+  if (row_times_.last() != clock.time()) write_row(scene, clock);
   if (last_frame_ != clock.time()) write_frame(scene, clock.time());
   take_measures(scene, clock.time(), true);
   end_hash_ = scene.totals(clock.dt(), true).state_hash;

@@ -19,6 +19,7 @@
 #include "app/watch/measures.hpp"
 #include "app/watch/progress.hpp"
 #include "app/watch/real_values.hpp"
+#include "app/watch/row_times.hpp"
 #include "app/watch/run_watch.hpp"
 #include "app/watch/stops.hpp"
 #include "app/watch/thin_bodies.hpp"
@@ -142,12 +143,9 @@ class Monitor final : public Observer<Dim> {
   std::optional<std::chrono::steady_clock::time_point> begun_;
   std::string reason_;
   // Times of the run [s], as it is stepped; rows and frames are in real time.
-  Real history_every_;
+  RowTimes row_times_;
   FrameTimes frame_times_;
-  std::int64_t row_steps_ = 1;  // least number of steps between two rows
-  std::int64_t row_step_ = 0;   // of the last row
-  std::int64_t rows_due_ = 0;
-  Real last_row_ = -1, last_frame_ = -1;
+  Real last_frame_ = -1;
   Real drift_ = 0, worst_drift_ = 0;
 };
 

@@ -62,7 +62,7 @@ std::map<std::string, std::string> pairs_of(const std::string& all) {
 template <int Dim>
 template <class Row, class AnyMonitor>
 void Monitor<Dim>::visit(Row& row, AnyMonitor& monitor) {
-  row(monitor.last_row_), row(monitor.last_frame_);
+  RowTimes::visit(row, monitor.row_times_), row(monitor.last_frame_);
   row(monitor.drift_), row(monitor.worst_drift_);
   StopConditions<Dim>::visit(row, monitor.stops_);
 }
@@ -145,8 +145,8 @@ void Monitor<Dim>::load_state(const StateTables& tables,
   artificial_tension_.restore(pairs_of(text_of(texts, kArtificial)));
   thin_.restore(pairs_of(text_of(texts, kThin)));
   // A row that waits for its step is due yet; the step is in the second column.
-  rows_due_ = multiples(row_steps_ > 1 ? last_row_ : clock.time(), history_every_);
-  row_step_ = rows_.empty() ? 0 : static_cast<std::int64_t>(rows_.back()[1]);
+  const auto step_of_row = rows_.empty() ? 0 : static_cast<std::int64_t>(rows_.back()[1]);
+  row_times_.go_on(clock.time(), step_of_row);
   std::optional<FrameTimes> frames_before;
   if (tables.has(kFrameTimes)) {  // states of older programs have none
     auto& saved = frames_before.emplace(frame_times_);

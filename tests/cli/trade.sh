@@ -71,7 +71,10 @@ expect 0 "$brunt" trade bar.yaml "${vary[@]}" "${slow[@]}" --repeat 1 --quiet --
 # Asked to stop: status 5, and the next call ends it.
 "$brunt" trade bar.yaml "${vary[@]}" "${slow[@]}" --repeat 1 --quiet --out asked >/dev/null 2>&1 &
 trade=$!
-sleep 0.3
+for _ in $(seq 3000); do  # until its first run is under way
+  [ -e asked/cells-4/history.csv ] && break
+  sleep 0.02
+done
 kill -TERM "$trade"
 status=0
 wait "$trade" || status=$?

@@ -10,6 +10,7 @@
 #include "app/loop/time_loop.hpp"
 #include "app/ranks/distribute.hpp"
 #include "app/setup/scene_builder.hpp"
+#include "app/watch/column_names.hpp"
 #include "app/watch/output_steps.hpp"
 #include "io/summary.hpp"
 #include "sph/particles.hpp"
@@ -60,8 +61,10 @@ void count_meetings(const Deck& deck, const Scene<Dim>& scene, Real dt, Rates& r
   const Real every = deck.output.history.value_or(deck.time.end / 2000);
   rates.rows = std::min(1.0, dt / every) + 0.01 * std::max(0.0, 1 - dt / every);
   if (!deck.output.history) {
+    const OutputWork work = output_work(scene, column_names(scene).names.size());
+    const Real sure = sure_rows(work) * dt / deck.time.end;
     rates.rows =
-        std::min(rates.rows, 1 / static_cast<Real>(steps_between_rows(output_work(scene))));
+        std::min(rates.rows, std::max(sure, 1 / static_cast<Real>(steps_between_rows(work))));
   }
   // Columns, bodies, hash; what supports take.
   Real row = 3 + static_cast<Real>(scene.boundaries.template of<PrescribedMotion>().size());

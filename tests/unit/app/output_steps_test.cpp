@@ -25,6 +25,12 @@ TEST(OutputSteps, KeepTheShareOfFrames) {
   }
 }
 
+TEST(OutputSteps, SureRowsTakeTheirTime) {
+  EXPECT_EQ(sure_rows({kTimeOfSureRows / 40.5, 0, 1}), 40);
+  EXPECT_EQ(sure_rows({2 * kTimeOfSureRows, 0, 1}), 0);
+  EXPECT_EQ(sure_rows({0, 0, 1}), kInfinity);
+}
+
 TEST(OutputSteps, AreBounded) {
   EXPECT_EQ(steps_between_rows({1e9, 0, 1}), 100);
   EXPECT_EQ(steps_between_rows({0, 0, 1}), 1);
