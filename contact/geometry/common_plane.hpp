@@ -19,6 +19,13 @@ struct Section {
     if (geometry == Geometry::axisymmetric) return 2 * kPi * r;
     return geometry == Geometry::plane_strain ? depth : 1.0;
   }
+  /// The same of a particle of radius a [m], which stands for a ring from r - a to r + a. What of
+  /// that would be behind the axis is not there: a disc of r + a is left (docs/theory/contact.md,
+  /// C57). One that has gone through the axis is the ring on the other side.
+  Real breadth_of_particle(Real r, Real a) const {
+    const Real out = geometry == Geometry::axisymmetric ? std::fabs(r) : kInfinity;
+    return out < a ? kPi * (out + a) * (out + a) / (2 * a) : breadth(std::fabs(r));
+  }
 };
 
 /// Cosines of the angle between two faces from which their pressure fades in, up to the whole of
