@@ -19,12 +19,13 @@ struct Section {
     if (geometry == Geometry::axisymmetric) return 2 * kPi * r;
     return geometry == Geometry::plane_strain ? depth : 1.0;
   }
-  /// The same of a particle of radius a [m], which stands for a ring from r - a to r + a. What of
-  /// that would be behind the axis is not there: a disc of r + a is left (docs/theory/contact.md,
-  /// C57). One that has gone through the axis is the ring on the other side.
+  /// The same of a particle of radius a [m], a ring from r - a to r + a that ends at the axis, so
+  /// that its area is 2 a breadth (docs/theory/contact.md, C57). Gone through the axis by r it is
+  /// the ring at r.
   Real breadth_of_particle(Real r, Real a) const {
-    const Real out = geometry == Geometry::axisymmetric ? std::fabs(r) : kInfinity;
-    return out < a ? kPi * (out + a) * (out + a) / (2 * a) : breadth(std::fabs(r));
+    if (geometry != Geometry::axisymmetric) return breadth(r);
+    const Real out = std::fabs(r);
+    return out < a ? kPi * (out + a) * (out + a) / (2 * a) : breadth(out);
   }
 };
 

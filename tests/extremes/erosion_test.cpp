@@ -66,7 +66,7 @@ TEST(ErosionExtremes, AllElementsOfABodyGo) {
   }
 }
 
-// A particle on the axis has no breadth, and nothing to slip on: friction of it was 0/0.
+// A particle on the axis had no breadth there, and friction of it was 0/0.
 TEST(ErosionExtremes, WhatIsLeftOnTheAxisRubs) {
   for (const char* const heat : {"", "heat: conduct\n"}) {
     const auto run = simulate_text(std::string(heat) + R"(
@@ -96,6 +96,83 @@ boundaries: {base: {body: plate, where: {side: min-y}, fix: [x, y]}}
     EXPECT_GT(run.last("body.plate.eroded_mass"), 0);
     EXPECT_TRUE(std::isfinite(run.last("energy.contact.friction"))) << heat;
   }
+}
+
+/// A block of two columns from the axis on that becomes points and falls at 50 m/s.
+std::string falling_points(const std::string& integration, const std::string& other) {
+  return R"(
+title: Points of a block about the axis come back
+geometry: axisymmetric
+time: {end: 60 us, max_step: 10 ns}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}}
+bodies:
+  block:
+    material: rubber
+    shape: {box: {min: [0, 0.6 mm], max: [2 mm, 1.6 mm]}}
+    cells: [2, 1]
+    velocity: [0, -50 m/s]
+    element: {integration: )" +
+         integration + R"(}
+    erode: {when: {step: 1 s}, to: points}
+)" + other +
+         R"(
+contact: {default: {damping: 0}}
+output: {every: 1 s, history: 1 us}
+)";
+}
+
+// Those on the axis went through, as nothing held them.
+TEST(ErosionExtremes, PointsOnTheAxisComeBack) {
+  const std::string wall =
+      "  other: {rigid: true, shape: {plane: {origin: [5 mm, 0], normal: y, extent: 10 mm}}}\n";
+  const std::string twin = R"(
+  other:
+    material: rubber
+    shape: {box: {min: [0, -1.6 mm], max: [2 mm, -0.6 mm]}}
+    cells: [2, 1]
+    velocity: [0, 50 m/s]
+    erode: {when: {step: 1 s}, to: points}
+)";
+  for (const char* const integration : {"one-point", "q1p0"}) {
+    for (const auto& other : {wall, twin}) {
+      const auto run = simulate_text(falling_points(integration, other));
+      EXPECT_EQ(run.failure, "");
+      EXPECT_TRUE(run.lost.empty());
+      // Elastic, but for the steps: (dt w)^2 of 1e-4.
+      EXPECT_NEAR(run.last("body.block.velocity.y"), 50, 0.01) << integration << other;
+      EXPECT_NEAR(run.last("energy.kinetic") / run.first("energy.kinetic"), 1, 1e-3);
+      EXPECT_LT(run.worst_drift, 1e-12);
+      if (&other == &wall) continue;
+      EXPECT_NEAR(run.last("momentum.y"), 0, 1e-12 * run.last("body.block.mass") * 50);
+    }
+  }
+}
+
+// Free points of one body do not touch each other: those that fly inwards come to the other side,
+// and bounds of steps and dampers of a breadth below 0 were no number.
+TEST(ErosionExtremes, PointsThatCrossTheAxisOnAFloorGoOn) {
+  const auto run = simulate_text(R"(
+title: Points of a ring fly through the axis while they touch a floor
+geometry: axisymmetric
+time: {end: 4 us, max_step: 5 ns}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}}
+bodies:
+  block:
+    material: rubber
+    shape: {box: {min: [0.6 mm, 0.26 mm], max: [1.6 mm, 1.26 mm]}}
+    cells: [1, 1]
+    velocity: [-500 m/s, -10 m/s]
+    erode: {when: {step: 1 s}, to: points}
+  floor: {rigid: true, shape: {plane: {origin: [5 mm, 0], normal: y, extent: 10 mm}}}
+contact: {default: {friction: 0.2}}
+output: {every: 1 s, history: 0.1 us}
+)");
+  EXPECT_EQ(run.failure, "");
+  EXPECT_NEAR(run.last("time"), 4e-6, 1e-12);
+  EXPECT_LT(run.worst_drift, 1e-12);
+  for (const Real force : run.column("contact.block-floor.force.y")) EXPECT_GE(force, 0);
 }
 
 TEST(ErosionExtremes, PointsThatAreLeftTouchWhatTheyMeet) {
