@@ -213,7 +213,7 @@ void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& 
 template <int Dim>
 void join_at_axis(Real radius, std::vector<ParticleHit<Dim>>& hits) {
   const auto on_axis = [&](const ParticleHit<Dim>& hit, int corner) {
-    return std::fabs(hit.plane->corner[slot_of(corner)][0]) <= kSameDistance * radius;
+    return std::fabs(hit.plane->corner[slot_of(corner)][0]) <= kTouchingGap * radius;
   };
   std::erase_if(hits, [&](const auto& hit) { return on_axis(hit, 0) && on_axis(hit, 1); });
   for (auto& hit : hits) {
