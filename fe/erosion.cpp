@@ -121,6 +121,8 @@ std::unique_ptr<ErosionState<Dim>> erosion_at_start(const std::vector<ElementBlo
       }
     }
   }
+  // The particle that a node on the axis becomes goes on behind it.
+  for (const LocalIndex node : surface.axis) volume[node] *= 2;
   for (const auto& block : blocks) {
     auto& bare = state->blocks.emplace_back(without_state(block));
     take_free_points(block, volume, state->free);

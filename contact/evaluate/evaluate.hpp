@@ -102,11 +102,11 @@ template <int Dim>
 void add_face_heat(const Entities<Dim>& entities, const FaceCandidate& candidate,
                    const Section& section, const PartEnds& ends, typename Records<Dim>::Part& part);
 
-/// The same for the particle of a row, whose contacts part.hits are. area [m^2] of the particle.
-/// Returns how many contacts share its capacity.
+/// The same for the particle of a row, whose contacts part.hits are. Returns how many contacts
+/// share its capacity.
 template <int Dim>
 int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
-                      PairFinder& pairs, Real area, const PartEnds& ends,
+                      PairFinder& pairs, const Section& section, const PartEnds& ends,
                       typename Records<Dim>::Part& part);
 
 /// Appends the heat that the last friction of the part gives to two faces, to a particle and a

@@ -45,7 +45,8 @@ namespace {
 /// them it is nearest to: a function of the state, whatever else the lists hold.
 template <int Dim>
 void find_near_faces(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
-                     PairFinder& pairs, std::vector<ParticleHit<Dim>>& hits) {
+                     PairFinder& pairs, const Section& section,
+                     std::vector<ParticleHit<Dim>>& hits) {
   hits.clear();
   const auto& particle = entities.particles[slot_of(rows.row_clearances[row].entity)];
   const Vec<Dim>& x = entities.nodes.x[slot_of(particle.node)];
@@ -72,19 +73,22 @@ void find_near_faces(const Entities<Dim>& entities, const ParticleRows& rows, st
     const bool behind = hit.nearest.normal.dot(x - hit.nearest.point) < 0;
     if (hit.nearest.distance <= (behind ? farthest : reach)) hits.push_back(hit);
   }
+  if (section.geometry == Geometry::axisymmetric) join_at_axis(particle.radius, hits);
   if (!hits.empty()) choose_hits<Dim>(x, particle.radius + std::max(widest, meets), hits);
 }
 }  // namespace
 
 template <int Dim>
 int add_particle_heat(const Entities<Dim>& entities, const ParticleRows& rows, std::size_t row,
-                      PairFinder& pairs, Real area, const PartEnds& ends,
+                      PairFinder& pairs, const Section& section, const PartEnds& ends,
                       typename Records<Dim>::Part& part) {
   const auto& particle = entities.particles[slot_of(rows.row_clearances[row].entity)];
   const auto& hits = part.near_hits;
   if (!(particle.matter->conductivity > 0)) return 0;
-  find_near_faces<Dim>(entities, rows, row, pairs, part.near_hits);
+  find_near_faces<Dim>(entities, rows, row, pairs, section, part.near_hits);
   if (hits.empty()) return 0;
+  const Real r = entities.nodes.x[slot_of(particle.node)][0];
+  const Real area = section_of<Dim>(particle) * section.breadth_of_particle(r, particle.radius);
   const auto contacts =
       std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.kept; });
   for (const auto& hit : hits) {
@@ -159,7 +163,7 @@ template void heat_pair<3>(const ContactParticle&, const ContactParticle&, const
 template void add_face_heat<2>(const Entities<2>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<2>::Part&);
 template int add_particle_heat<2>(const Entities<2>&, const ParticleRows&, std::size_t, PairFinder&,
-                                  Real, const PartEnds&, Records<2>::Part&);
+                                  const Section&, const PartEnds&, Records<2>::Part&);
 template void heat_faces<2>(const Entities<2>&, const FaceCandidate&, const FrictionStep<2>&,
                             Records<2>::Part&);
 template void heat_particle<2>(const ContactParticle&, const ContactFace<2>&,
@@ -167,7 +171,7 @@ template void heat_particle<2>(const ContactParticle&, const ContactFace<2>&,
 template void add_face_heat<3>(const Entities<3>&, const FaceCandidate&, const Section&,
                                const PartEnds&, Records<3>::Part&);
 template int add_particle_heat<3>(const Entities<3>&, const ParticleRows&, std::size_t, PairFinder&,
-                                  Real, const PartEnds&, Records<3>::Part&);
+                                  const Section&, const PartEnds&, Records<3>::Part&);
 template void heat_faces<3>(const Entities<3>&, const FaceCandidate&, const FrictionStep<3>&,
                             Records<3>::Part&);
 template void heat_particle<3>(const ContactParticle&, const ContactFace<3>&,

@@ -20,7 +20,7 @@ struct Present {
         v(entities.nodes.v[slot_of(particle.node)]),
         about(x),
         mass(entities.nodes.mass[slot_of(particle.node)]),
-        breadth(section.breadth(x[0])) {}
+        breadth(section.breadth_of_particle(x[0], particle.radius)) {}
   const ContactParticle& particle;
   LocalIndex place;  ///< of the particle
   Vec<Dim> x, v;

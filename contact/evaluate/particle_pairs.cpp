@@ -25,7 +25,7 @@ PresentPair<Dim> present(const Entities<Dim>& entities, const PairCandidate& can
   const auto& first = entities.particles[slot_of(candidate.particle)];
   const auto& second = entities.particles[slot_of(candidate.other)];
   const auto a = slot_of(first.node), b = slot_of(second.node);
-  const Real breadth = section.breadth(nodes.x[a][0]);
+  const Real breadth = section.breadth_of_particle(nodes.x[a][0], first.radius);
   return {candidate,
           first,
           second,
@@ -229,8 +229,8 @@ void evaluate_pairs(const Entities<Dim>& entities, const PairRows& rows, const S
       }
     }
     if (any) {
-      share_sides<Dim>(entities, starts[s], row, rows, section.breadth(nodes.x[at][0]),
-                       part.meetings, load);
+      const Real breadth = section.breadth_of_particle(nodes.x[at][0], particle.radius);
+      share_sides<Dim>(entities, starts[s], row, rows, breadth, part.meetings, load);
     }
     if (load.squared_frequency > 0) {
       const Real longest = 2 / std::sqrt(load.squared_frequency) * lag_factor(load.zeta);

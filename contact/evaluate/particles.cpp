@@ -166,6 +166,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
   const std::size_t first_touch = first_touch_of(now.particle.id, part.particle_touches);
   const bool thin = entities.shallowest < now.particle.radius;
   if (thin) recall_entries(entities, now.particle, step.touches, part.hits);
+  if (section.geometry == Geometry::axisymmetric) join_at_axis(now.particle.radius, part.hits);
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
   track_overlaps<Dim>(entities, now.particle, pairs, step.touches, part);
   if (broken.any) {
@@ -293,7 +294,7 @@ class ParticleWork {
     }
     if (entities_.nodes.conduct) {
       load.on_faces = load.heat_contacts =
-          add_particle_heat<Dim>(entities_, rows_, one.row, pairs_, section, ends, part_);
+          add_particle_heat<Dim>(entities_, rows_, one.row, pairs_, section_, ends, part_);
     }
     if (!loads_.empty()) loads_[slot_of(now.place)] = load;
   }

@@ -19,6 +19,14 @@ struct Section {
     if (geometry == Geometry::axisymmetric) return 2 * kPi * r;
     return geometry == Geometry::plane_strain ? depth : 1.0;
   }
+  /// The same of a particle of radius a [m], a ring from r - a to r + a that ends at the axis, so
+  /// that its area is 2 a breadth (docs/theory/contact.md, C57). Gone through the axis by r it is
+  /// the ring at r.
+  Real breadth_of_particle(Real r, Real a) const {
+    if (geometry != Geometry::axisymmetric) return breadth(r);
+    const Real out = std::fabs(r);
+    return out < a ? kPi * (out + a) * (out + a) / (2 * a) : breadth(out);
+  }
 };
 
 /// Cosines of the angle between two faces from which their pressure fades in, up to the whole of

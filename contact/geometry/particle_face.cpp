@@ -210,6 +210,19 @@ void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& 
   }
 }
 
+template <int Dim>
+void join_at_axis(Real radius, std::vector<ParticleHit<Dim>>& hits) {
+  const auto on_axis = [&](const ParticleHit<Dim>& hit, int corner) {
+    return std::fabs(hit.plane->corner[slot_of(corner)][0]) <= kTouchingGap * radius;
+  };
+  std::erase_if(hits, [&](const auto& hit) { return on_axis(hit, 0) && on_axis(hit, 1); });
+  for (auto& hit : hits) {
+    if (on_axis(hit, hit.nearest.corner[0])) hit.nearest.feature = Feature::face;
+  }
+}
+
+template void join_at_axis(Real, std::vector<ParticleHit<2>>&);
+template void join_at_axis(Real, std::vector<ParticleHit<3>>&);
 template void choose_hits<2>(const Vec<2>&, Real, std::vector<ParticleHit<2>>&);
 template void choose_hits<3>(const Vec<3>&, Real, std::vector<ParticleHit<3>>&);
 

@@ -96,6 +96,12 @@ struct ParticleHit {
 template <int Dim>
 void choose_hits(const Vec<Dim>& x, Real radius, std::vector<ParticleHit<Dim>>& hits);
 
+/// At the axis of an axisymmetric scene, x = 0, no surface ends: a face that comes to it goes on
+/// behind it, so that its end there is no vertex, and one that lies on it (the side of a rigid box)
+/// is no surface. Before choose_hits. radius  [m] of the particle
+template <int Dim>
+void join_at_axis(Real radius, std::vector<ParticleHit<Dim>>& hits);
+
 /// The spring of a particle, a function of its overlap d: k d, and b (d - r)^3 / r^2 more where the
 /// centre is behind the surface, so that it turns back before a thin face lets it through. In a
 /// soft layer s k d, beyond it s k d + (1 - s) k (d - d_s).

@@ -44,7 +44,8 @@ std::map<Label, RestingBody> resting_bodies(const std::vector<Surface<Dim>*>& su
       const auto p = slot_of(one.point);
       const Label label = points.body[p];
       extents[label].take(height(one.point) - one.radius, height(one.point) + one.radius);
-      const Real volume = std::pow(2 * one.radius, Dim) * section.breadth(points.x_start[p][0]);
+      const Real breadth = section.breadth_of_particle(points.x_start[p][0], one.radius);
+      const Real volume = std::pow(2 * one.radius, Dim) * breadth;
       take(surface->matters[one.matter].modulus, points.mass[p] / volume, bodies[label]);
     }
   }

@@ -22,8 +22,7 @@ struct Slide {
 ///   t* = t - k du;  |t*| <= limit: t* sticks, else t = limit t*/|t*| and the rest of du is slip
 /// The work -(t_old + t_new)/2 . du is exactly what the spring stores, |t|^2/2k, plus the heat
 /// -(t_old + t_new)/2 . slip.
-/// before [Pa] in the present plane;  du [m];  limit [Pa], >= 0
-/// stiffness [Pa/m]; 0 on the axis of an axisymmetric scene, where nothing has a breadth: no slip
+/// before [Pa] in the present plane;  stiffness [Pa/m], > 0;  du [m];  limit [Pa], >= 0
 template <int Dim>
 Slide<Dim> slide(const Vec<Dim>& before, Real stiffness, const Vec<Dim>& du, Real limit) {
   Slide<Dim> step;
@@ -31,8 +30,7 @@ Slide<Dim> slide(const Vec<Dim>& before, Real stiffness, const Vec<Dim>& du, Rea
   const Real size = trial.norm();
   step.slips = size > limit;
   step.traction = step.slips ? Vec<Dim>(limit / size * trial) : trial;
-  step.slip.setZero();
-  if (stiffness > 0) step.slip = (step.traction - trial) / stiffness;
+  step.slip = (step.traction - trial) / stiffness;
   return step;
 }
 

@@ -290,9 +290,7 @@ ContactView ContactManager<Dim>::view() const {
     }
     append<Dim>(view.normal, record.normal);
     append<Dim>(view.force, force_of(own.search.entities().nodes, whole));
-    // A particle on the axis of an axisymmetric scene stands for no area.
-    const Real pressing = record.spring + record.damping;
-    view.pressure.push_back(record.area > 0 ? pressing / record.area : 0.0);
+    view.pressure.push_back((record.spring + record.damping) / record.area);
     view.penetration.push_back(record.penetration);
     view.bonded.push_back(record.bonded ? 1 : 0);
     view.max_closure.push_back(largest_closure(own.memory, key));

@@ -148,6 +148,7 @@ inline constexpr Real kReachPerWarp = 1.4;
 /// and its spring with it.
 struct ParticleLimit {
   LocalIndex node = 0;
+  Real radius = 0;  ///< [m] of the particle
   StepLimit of_unit_breadth;
   /// breadth  [m]
   StepLimit at(Real breadth) const {

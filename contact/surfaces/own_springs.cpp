@@ -39,8 +39,8 @@ void set_limits_of_particles(const PairTable& pairs, const Section& section,
     const Real recoil = rigid.recoil_beside(particle.body);
     const Real zeta = recoil_damping(it->second.damping, recoil);
     const Real step = 2 * std::sqrt(mass / (k * recoil_factor(recoil))) * lag_factor(zeta);
-    const ParticleLimit limit{particle.node,
-                              {step, "contact stiffness", particle.body, particle.id}};
+    const ParticleLimit limit{
+        particle.node, particle.radius, {step, "contact stiffness", particle.body, particle.id}};
     if (rings) {
       entities.rings.push_back(limit);
     } else {
@@ -54,7 +54,8 @@ StepLimit limit_of_rings(const Entities<Dim>& entities) {
   const Section section{Geometry::axisymmetric, 0};
   StepLimit limit;
   for (const auto& ring : entities.rings) {
-    limit.take(ring.at(section.breadth(entities.nodes.x[slot_of(ring.node)][0])));
+    const Real r = entities.nodes.x[slot_of(ring.node)][0];
+    limit.take(ring.at(section.breadth_of_particle(r, ring.radius)));
   }
   return limit;
 }

@@ -10,6 +10,14 @@
 namespace brunt::test {
 namespace {
 
+/// What points about the axis meet: a rigid plane, a rigid box, and points like them.
+constexpr const char* kPlane =
+    "{rigid: true, shape: {plane: {origin: [5 mm, 0], normal: y, extent: 10 mm}}}";
+constexpr const char* kBox = "{rigid: true, shape: {box: {min: [0, -4 mm], max: [4 mm, 0]}}}";
+constexpr const char* kTwin =
+    "material: rubber\n    velocity: [0, $speed]\n"
+    "    shape: {box: {min: [0, -1.6 mm], max: [2 mm, -0.6 mm]}}";
+
 struct Case {
   const char *geometry, *box, *cells, *velocity, *element;
 };
@@ -66,7 +74,7 @@ TEST(ErosionExtremes, AllElementsOfABodyGo) {
   }
 }
 
-// A particle on the axis has no breadth, and nothing to slip on: friction of it was 0/0.
+// A particle on the axis had no breadth there, and friction of it was 0/0.
 TEST(ErosionExtremes, WhatIsLeftOnTheAxisRubs) {
   for (const char* const heat : {"", "heat: conduct\n"}) {
     const auto run = simulate_text(std::string(heat) + R"(
@@ -96,6 +104,77 @@ boundaries: {base: {body: plate, where: {side: min-y}, fix: [x, y]}}
     EXPECT_GT(run.last("body.plate.eroded_mass"), 0);
     EXPECT_TRUE(std::isfinite(run.last("energy.contact.friction"))) << heat;
   }
+}
+
+/// Blocks of two columns from the axis on that become points and come at `speed` to what is told.
+std::string falling_points(const std::string& integration, const std::string& speed,
+                           const std::string& other) {
+  const std::string end = "\n    cells: [2, 1]\n    element: {integration: " + integration +
+                          "}\n    erode: {when: {step: 1 s}, to: points}\n";
+  return R"(
+title: Points of a block about the axis come back
+geometry: axisymmetric
+time: {end: 60 us, max_step: 5 ns}
+parameters: {speed: )" +
+         speed + R"(}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}}
+contact: {default: {damping: 0}}
+output: {every: 1 s, history: 1 us}
+bodies:
+  block:
+    material: rubber
+    velocity: [0, -$speed]
+    shape: {box: {min: [0, 0.6 mm], max: [2 mm, 1.6 mm]}})" +
+         end + "  other:" + (other == kTwin ? "\n    " + other + end : " " + other + "\n");
+}
+
+// Those on the axis went through, as nothing held them.
+TEST(ErosionExtremes, PointsOnTheAxisComeBack) {
+  for (const char* const integration : {"one-point", "q1p0"}) {
+    for (const std::string other : {kPlane, kBox, kTwin}) {
+      const bool twin = other == kTwin;
+      // At half the speed of sound centres go behind the surface.
+      for (const Real speed : {50.0, twin ? 100.0 : 500.0}) {
+        const auto run =
+            simulate_text(falling_points(integration, std::to_string(speed) + " m/s", other));
+        EXPECT_EQ(run.failure, "");
+        EXPECT_TRUE(run.lost.empty()) << integration << other << speed;
+        // Elastic, but for the steps: dt w is 0.01, and in the barrier some ten times that.
+        EXPECT_NEAR(run.last("body.block.velocity.y") / speed, 1, 3e-3) << integration << other;
+        EXPECT_NEAR(run.last("energy.kinetic") / run.first("energy.kinetic"), 1, 6e-3);
+        EXPECT_LT(run.worst_drift, 1e-12);
+        if (!twin) continue;
+        EXPECT_NEAR(run.last("momentum.y") / (run.last("body.block.mass") * speed), 0, 1e-12);
+      }
+    }
+  }
+}
+
+// Free points of one body do not touch each other: those that fly inwards come to the other side,
+// and bounds of steps and dampers of a breadth below 0 were no number.
+TEST(ErosionExtremes, PointsThatCrossTheAxisOnAFloorGoOn) {
+  const auto run = simulate_text(R"(
+title: Points of a ring fly through the axis while they touch a floor
+geometry: axisymmetric
+time: {end: 4 us, max_step: 5 ns}
+materials:
+  rubber: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}}
+bodies:
+  block:
+    material: rubber
+    shape: {box: {min: [0.6 mm, 0.26 mm], max: [1.6 mm, 1.26 mm]}}
+    cells: [1, 1]
+    velocity: [-500 m/s, -10 m/s]
+    erode: {when: {step: 1 s}, to: points}
+  floor: {rigid: true, shape: {plane: {origin: [5 mm, 0], normal: y, extent: 10 mm}}}
+contact: {default: {friction: 0.2}}
+output: {every: 1 s, history: 0.1 us}
+)");
+  EXPECT_EQ(run.failure, "");
+  EXPECT_NEAR(run.last("time"), 4e-6, 1e-12);
+  EXPECT_LT(run.worst_drift, 1e-12);
+  for (const Real force : run.column("contact.block-floor.force.y")) EXPECT_GE(force, 0);
 }
 
 TEST(ErosionExtremes, PointsThatAreLeftTouchWhatTheyMeet) {

@@ -29,13 +29,6 @@ TEST(Slide, WithoutAnyLimitThereIsNoTraction) {
   EXPECT_EQ(open.slip, Vec3(-0.1, -0.2, 0));  // the spring lets go: its 5/20 J become heat
 }
 
-// On the axis of an axisymmetric scene a spring has no breadth; its slip was 0/0.
-TEST(Slide, WithoutStiffnessNothingSlips) {
-  const auto open = slide<2>({0, 0}, 0, {0.02, 0}, 0);
-  EXPECT_EQ(open.traction, Vec<2>(0, 0));
-  EXPECT_EQ(open.slip, Vec<2>(0, 0));
-}
-
 // Where a spring rounds to more than its limit by its square, though not by its size, a damper of
 // nothing stays nothing; without a damper that was 0/0.
 TEST(Slide, NoDamperAtTheLimitIsNone) {
