@@ -160,7 +160,8 @@ TEST(ThinMoment, APairIsThinInWhateverDirection) {
     }
     ASSERT_FALSE(invert_thick<3>(moment, inverse)) << arm.transpose();
     invert_moment<3>(moment, inverse);
-    const Square<3> along = arm * arm.transpose() / (weight * arm.squaredNorm() * arm.squaredNorm());
+    const Square<3> along =
+        arm * arm.transpose() / (weight * arm.squaredNorm() * arm.squaredNorm());
     ASSERT_LT((full_matrix<3>(inverse) - along).norm(), 1e-12 * along.norm()) << arm.transpose();
   }
 }
