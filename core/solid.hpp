@@ -59,8 +59,8 @@ class Solid {
   /// Every 100 steps and at frames: throws PhysicsError on NaN or inversion (with time 0; the
   /// loop fills in time and body's name from label).
   virtual void check(Real time, const std::vector<std::string>& body_names) const = 0;
-  /// What may help where an element or particle is crushed, sheared or torn, as options of its body
-  /// leave it open; empty where it is not owned here.
+  /// What may help where an element is crushed, sheared or torn, as options of its body leave it
+  /// open; empty where it is not owned here.
   virtual std::string advice(GlobalId) const { return {}; }
   /// Positions, connectivity and the wanted fields of one body.
   virtual BodyView view(Label body, const WantedFields& wanted) const = 0;

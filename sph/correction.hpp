@@ -18,6 +18,11 @@ BRUNT_INLINE Real dot(const Vec<Dim>& a, const Vec<Dim>& b) {
 /// rods and sheets two particles thick, have 5.5 and 23 at most with all kernels.
 inline constexpr Real kThickCondition = 6.6, kThickInverse = 50;
 
+/// |cofactors|/|K|^2 of a thick neighbourhood is 0.08 at the least: the largest eigenvalue is over
+/// |K|/sqrt(3), the next over |K|/6.6. Of a straight row, or of a pair, they are what rounding
+/// leaves of nothing, 1e-16, and so is the determinant: their quotient says no more.
+inline constexpr Real kRowCofactors = 1e-3;
+
 template <int Dim>
 BRUNT_INLINE Real frobenius_square(const Real (&m)[kSymmetric<Dim>]) {
   Real sum = 0;
@@ -49,8 +54,9 @@ BRUNT_INLINE bool invert_thick(const Real (&moment)[kSymmetric<Dim>],
   // |K^-1| = |cofactors|/det
   const Real cofactors = frobenius_square<Dim>(cofactor);
   const Real least = kThickInverse * determinant, condition = kThickCondition * determinant;
-  if (!(determinant > 0 && cofactors <= least * least &&
-        frobenius_square<Dim>(moment) * cofactors <= condition * condition)) {
+  const Real square = frobenius_square<Dim>(moment), row = kRowCofactors * square;
+  if (!(determinant > 0 && cofactors > row * row && cofactors <= least * least &&
+        square * cofactors <= condition * condition)) {
     return false;
   }
   const Real reciprocal = 1.0 / determinant;

@@ -7,6 +7,21 @@
 
 namespace brunt {
 
+namespace {
+/// A mean of damage is of what is closed. Where a part has failed and is open, what is whole would
+/// pull on the volume that has opened at no stress, and have energy that nobody gave: open, a
+/// point has the largest damage d of both, and 1 - d of the effective stress, the mean one.
+/// docs/theory/elements.md (E18a)
+void keep_open(MaterialState& state, std::size_t slot, Real ratio, Real largest) {
+  const Real mean = state.damage[slot];  // of ones 1, to rounding
+  if (!(ratio > 1 && largest > mean && mean < 1)) return;
+  const Real left = std::max(1 - largest, 0.0) / (1 - mean);
+  for (auto& component : state.deviator) component[slot] *= left;
+  if (state.pressure[slot] < 0) state.pressure[slot] *= left;
+  state.damage[slot] = largest;
+}
+}  // namespace
+
 template <int Dim>
 void SphParticles<Dim>::ride_on(ParticleCarrier<Dim>& carrier, std::vector<GlobalId> node) {
   assert(node.size() == n_owned() && std::is_sorted(node.begin(), node.end()));
@@ -53,7 +68,7 @@ bool SphParticles<Dim>::take_over() {
 }
 
 /// What a rider is and what it takes become one, weighted by volumes at time 0: heat, work and
-/// volume are sums, stress and all else are means.
+/// volume are sums, stress and all else are means, but for the damage of what is open.
 template <int Dim>
 void SphParticles<Dim>::take_share(std::size_t i, const ConvertedShare& share) {
   auto& block = blocks_[block_of_[i]];
@@ -65,10 +80,15 @@ void SphParticles<Dim>::take_share(std::size_t i, const ConvertedShare& share) {
     return wakes ? other : (before * own + share.volume * other) / after;
   };
   const Real* value = share.state.data();
-  visit_material_point(block.state, slot, kSaved,
-                       [&](Real& own, FieldUse) { own = mean(own, *value++); });
+  const Real* const damage = block.state.damage.empty() ? nullptr : &block.state.damage[slot];
+  Real largest = 0;
+  visit_material_point(block.state, slot, kSaved, [&](Real& own, FieldUse) {
+    if (&own == damage) largest = wakes ? *value : std::max(own, *value);
+    own = mean(own, *value++);
+  });
   assert(value == share.state.data() + share.state.size());
   state.ratio = mean(state.ratio, share.ratio);
+  if (damage) keep_open(block.state, slot, state.ratio, largest);
   state.start_volume = after;
   state.volume = after * state.ratio;
   state.stress_work += share.work;

@@ -54,7 +54,11 @@ void start(Scene<Dim>& scene, Clock& clock, Observer<Dim>& observer) {
   if (scene.rigid) scene.rigid->start();
   scene.refresh_motion();
   for (auto& solid : scene.solids) solid->begin_lists();
-  if (scene.contact) scene.contact->rearrange(), scene.contact->start();
+  if (scene.contact) scene.contact->rearrange();
+  if (scene.contact && scene.contact->start()) {
+    scene.rigid_motions.take_reactions(0);
+    if (scene.rigid) scene.rigid->press(*scene.ranks);
+  }
   gather_heap();
   observer.begin(scene, clock);
   keep_freed_blocks(false);

@@ -249,8 +249,10 @@ std::string Scene<Dim>::advice(const StepLimit& step_limit) const {
            "contact `stiffness`";
   }
   std::string mine;
-  for (const auto& solid : solids) {
-    if (mine.empty()) mine = solid->advice(step_limit.entity);
+  if (reason == "element") {  // particles and rigid bodies have numbers of their own
+    for (const auto& solid : solids) {
+      if (mine.empty()) mine = solid->advice(step_limit.entity);
+    }
   }
   for (const Bytes& bytes : ranks->all_gather((Packer() << mine).take())) {
     std::string one;

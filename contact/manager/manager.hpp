@@ -92,8 +92,9 @@ class ContactManager {
   /// Reads the surfaces anew and rebuilds the lists; what is booked stays with the points' ids.
   void rearrange();
   /// Before the first step: where bodies press at time 0, accelerations of their points and the
-  /// energy of their springs. Collective.
-  void start();
+  /// energy of their springs. True where they do: what moves rigid bodies takes the forces on their
+  /// points. Collective.
+  bool start();
   /// Reads x(n+1) and v(n+1/2), and rebuilds lists that may miss a contact there. Collective.
   void renew_lists(Real dt);
   /// Forces at x(n+1) with v(n+1/2); books contact.spring and contact.damping. Renews the lists

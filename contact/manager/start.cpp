@@ -34,17 +34,18 @@ void press(const ContactSetup<Dim>& setup, const Records<Dim>& records,
 }  // namespace
 
 template <int Dim>
-void ContactManager<Dim>::start() {
+bool ContactManager<Dim>::start() {
   auto& [setup, search, evaluation, memory, friction_check, last] = *implementation_;
-  if (last.started || !setup.pairs.presses()) return;
+  if (last.started || !setup.pairs.presses()) return false;
   const LookAhead ahead{evaluation.step_limit(), last.ahead};
   evaluation.run(setup, search, 0, ahead, memory.step(true), nullptr);
   memory.begin(evaluation.records());
   press(setup, evaluation.records(), search);  // row 0 of a history reads the records that are left
+  return true;
 }
 
-template void ContactManager<2>::start();
-template void ContactManager<3>::start();
+template bool ContactManager<2>::start();
+template bool ContactManager<3>::start();
 
 }  // namespace brunt
 // Tested by tests/unit/contact/first_touch_test.cpp.

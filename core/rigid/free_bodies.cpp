@@ -195,31 +195,49 @@ void FreeBodies<Dim>::add_forces(Real dt, Group& group, std::vector<Sums>& sums)
   }
 }
 
+/// The forces on the points of each body, by all ranks.
 template <int Dim>
-void FreeBodies<Dim>::collect_forces(const Communicator& ranks, Real time, Real dt) {
+auto FreeBodies<Dim>::sum_forces(const Communicator& ranks, Real dt) -> std::vector<Sums> {
   std::vector<Sums> sums(bodies_.size());
   for (auto& group : groups_) add_forces(dt, group, sums);
   ranks.reduce_all(std::span(sums), [](Sums& a, const Sums& b) { a.add(b); });
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    take_forces(sums[b].force(), sums[b].torque(), time, dt, bodies_[b]);
-  }
+  return sums;
+}
+
+/// The acceleration that forces make, those of its points and of loads.
+template <int Dim>
+void FreeBodies<Dim>::take_forces(const Sums& sums, FreeBody<Dim>& body) {
+  auto& state = body.state;
+  body.point_force = sums.force(), body.point_torque = sums.torque();
+  body.force = body.point_force + body.load_force;
+  body.torque = body.point_torque + body.load_torque;
+  if (body.turns) state.torque = body.torque;
+  state.a = body.force / state.mass;
+}
+
+template <int Dim>
+void FreeBodies<Dim>::press(const Communicator& ranks) {
+  const std::vector<Sums> sums = sum_forces(ranks, 0);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) take_forces(sums[b], bodies_[b]);
+}
+
+template <int Dim>
+void FreeBodies<Dim>::collect_forces(const Communicator& ranks, Real time, Real dt) {
+  const std::vector<Sums> sums = sum_forces(ranks, dt);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) book_forces(sums[b], time, dt, bodies_[b]);
 }
 
 /// The acceleration at the end of the step, and the work of what makes it.
 template <int Dim>
-void FreeBodies<Dim>::take_forces(const Vec3& point_force, const Vec3& point_torque, Real time,
-                                  Real dt, FreeBody<Dim>& body) {
+void FreeBodies<Dim>::book_forces(const Sums& sums, Real time, Real dt, FreeBody<Dim>& body) {
   auto& state = body.state;
-  Real taken = state.v.dot(body.point_force + point_force);
+  const Vec3 last_force = body.point_force, last_torque = body.point_torque;
+  take_forces(sums, body);
+  Real taken = state.v.dot(last_force + body.point_force);
   if (body.turns) {
-    taken += body.point_torque.dot(body.start_spin) + point_torque.dot(body.end_spin);
+    taken += last_torque.dot(body.start_spin) + body.point_torque.dot(body.end_spin);
   }
   (body.turns ? body.integration : body.boundary) -= 0.5 * dt * taken;
-  body.point_force = point_force, body.point_torque = point_torque;
-  body.force = point_force + body.load_force;
-  body.torque = point_torque + body.load_torque;
-  if (body.turns) state.torque = body.torque;
-  state.a = body.force / state.mass;
   const Vec3 place = prescribed_center(body, time);
   const Vec3 about =
       in_space<Dim>(Vec<Dim>(body.prescribed.center + time * body.prescribed.velocity));

@@ -56,6 +56,8 @@ class FreeBodies {
   void follow(const Points<Dim>& old, Points<Dim>& now);
   /// Velocities of the points at time 0.
   void start();
+  /// Takes the forces that points have at time 0, of what presses from the start. Collective.
+  void press(const Communicator& ranks);
   /// Kicks bodies, moves them and their points, also copies; loads and sums are 0 after it.
   /// time [s] at the end of the step.
   void predict(Real time, Real dt, Real dt_last);
@@ -92,8 +94,9 @@ class FreeBodies {
   static void add_forces(Real dt, Group& group, std::vector<Sums>& sums);
   void impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords);
   Vec3 prescribed_center(const FreeBody<Dim>& body, Real time) const;
-  void take_forces(const Vec3& point_force, const Vec3& point_torque, Real time, Real dt,
-                   FreeBody<Dim>& body);
+  std::vector<Sums> sum_forces(const Communicator& ranks, Real dt);
+  static void take_forces(const Sums& sums, FreeBody<Dim>& body);
+  void book_forces(const Sums& sums, Real time, Real dt, FreeBody<Dim>& body);
   template <class Velocity>
   void place_points(const Velocity& velocity);
 
