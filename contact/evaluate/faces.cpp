@@ -2,13 +2,13 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/evaluate/before_step.hpp"
 #include "contact/evaluate/edges.hpp"
 #include "contact/evaluate/face_notes.hpp"
 #include "contact/evaluate/face_planes.hpp"
 #include "contact/evaluate/face_step_limits.hpp"
 #include "contact/evaluate/pairs_ahead.hpp"
 #include "contact/evaluate/ties.hpp"
-#include "contact/surfaces/start_warp.hpp"
 
 namespace brunt {
 
@@ -44,19 +44,6 @@ Real closing_speed(const Entities<Dim>& entities, const FaceCandidate& candidate
   return (velocity(candidate.lower, plane.lower_weight) -
           velocity(candidate.upper, plane.upper_weight))
       .dot(plane.normal);
-}
-
-/// A face as it was at the last evaluation.
-template <int Dim>
-FacePlane<Dim> before_step(const Entities<Dim>& entities, LocalIndex place, Real dt) {
-  const auto& face = entities.faces[slot_of(place)];
-  FacePlane<Dim> plane = entities.planes[slot_of(place)];
-  for (std::size_t c = 0; c < slot_of(face.n_nodes); ++c) {
-    plane.corner[c] -= dt * entities.nodes.v[slot_of(face.node[c])];
-  }
-  refresh(plane);
-  compare_with_start(face, plane);
-  return plane;
 }
 
 /// The fastest of the corners of two faces against one of them [m/s].

@@ -102,12 +102,13 @@ void remember_sides(const ContactParticle& particle, std::size_t first,
 }
 
 namespace {
-/// Whether a particle and what a hit touches meet for the first time: at time 0, or as one of them
-/// is born.
+/// Whether a particle and what a hit touches meet for the first time: at time 0, as one of them is
+/// born, or where it comes back from where nothing held it.
 template <int Dim>
 bool is_first(const Entities<Dim>& entities, const ContactParticle& particle, const TouchStep& step,
               const ParticleHit<Dim>& hit) {
-  if (step.time_zero || !entities.any_born) return step.time_zero;
+  if (step.time_zero || hit.returns) return true;
+  if (!entities.any_born) return false;
   return particle.born || entities.faces[slot_of(hit.face)].born;
 }
 
@@ -128,7 +129,10 @@ Real overlap_ignored(const Entities<Dim>& entities, const ContactParticle& parti
 template <int Dim>
 void track_overlaps(const Entities<Dim>& entities, const ContactParticle& particle,
                     PairFinder& pairs, const TouchStep& step, typename Records<Dim>::Part& part) {
-  if (!step.time_zero && !entities.any_born && step.before->empty()) return;  // nearly always
+  const auto returns = [](const auto& hit) { return hit.returns; };
+  const bool any_returns = std::any_of(part.hits.begin(), part.hits.end(), returns);
+  const bool any_meets = step.time_zero || entities.any_born || any_returns;
+  if (!any_meets && step.before->empty()) return;  // nearly always
   const auto meets = [&](const auto& hit) { return is_first(entities, particle, step, hit); };
   const bool any_first = std::any_of(part.hits.begin(), part.hits.end(), meets);
   if (!any_first && step.before->empty()) return;

@@ -37,8 +37,9 @@ template <int Dim>
 void remember_sides(const ContactParticle& particle, std::size_t first,
                     typename Records<Dim>::Part& part);
 
-/// Takes from the overlaps of the hits what their surfaces had at time 0, or when the particle or
-/// the face was born, and have not opened since; then begins with it.
+/// Takes from the overlaps of the hits what their surfaces had at time 0, when the particle or the
+/// face was born, or when it came back from where nothing held it, and have not opened since; then
+/// begins with it.
 template <int Dim>
 void track_overlaps(const Entities<Dim>& entities, const ContactParticle& particle,
                     PairFinder& pairs, const TouchStep& step, typename Records<Dim>::Part& part);

@@ -4,6 +4,7 @@
 
 #include "contact/evaluate/near_faces.hpp"
 #include "contact/evaluate/particle_law.hpp"
+#include "contact/evaluate/particle_returns.hpp"
 #include "contact/evaluate/particle_touches.hpp"
 #include "contact/evaluate/ties.hpp"
 
@@ -168,6 +169,7 @@ void record_hits(const Entities<Dim>& entities, const Present<Dim>& now, PairFin
   if (thin) recall_entries(entities, now.particle, step.touches, part.hits);
   if (section.geometry == Geometry::axisymmetric) join_at_axis(now.particle.radius, part.hits);
   choose_hits<Dim>(now.x, now.particle.radius, part.hits);
+  mark_returns<Dim>(entities, now, section, step, part.hits);
   track_overlaps<Dim>(entities, now.particle, pairs, step.touches, part);
   if (broken.any) {
     const Real stiffness = broken.stiffness * now.breadth;

@@ -70,15 +70,37 @@ void drop_shared(std::span<ParticleHit<Dim>> hits, Real radius) {
   }
 }
 
-Real angle_at(const FacePlane<3>& face, int corner) {
-  const int n = face.n_corners;
-  const auto at = [&](int k) { return face.corner[slot_of((k + n) % n)]; };
-  const Vec3 a = at(corner + 1) - at(corner), b = at(corner - 1) - at(corner);
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-Real angle_at(const FacePlane<2>&, int) { return 1; }
+Real angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-/// Sum of the normals about an edge or vertex by their angles, and whether the faces close it.
+/// Normal of the part of a face that has its edge from corner `first` on. Particles see a quad as
+/// four triangles: where a surface folds sharply, the mean planes of warped quads beside the edge
+/// may have a sum that looks to the other side than that of these triangles.
+Vec3 normal_beside(const FacePlane<3>& face, int first) {
+  if (face.n_corners == 3) return face.normal;
+  const Vec3& a = face.corner[slot_of(first)];
+  const Vec3 twice = (face.corner[slot_of((first + 1) % 4)] - a).cross(face.center - a);
+  const Real norm = twice.norm();
+  return norm > 0 ? Vec3(twice / norm) : Vec3(Vec3::Zero());
+}
+
+/// Of an edge, of which both corners are given, or of a vertex: normals of the parts of a face that
+/// meet there, at a vertex each by its angle.
+Vec3 normal_at(const FacePlane<3>& face, int corner, int other) {
+  const int n = face.n_corners, next = (corner + 1) % n, last = (corner + n - 1) % n;
+  if (other == next) return normal_beside(face, corner);
+  if (other == last) return normal_beside(face, last);
+  const auto arm = [&](const Vec3& to) -> Vec3 { return to - face.corner[slot_of(corner)]; };
+  const Vec3 a = arm(face.corner[slot_of(next)]), b = arm(face.corner[slot_of(last)]);
+  if (n == 3) return angle_between(a, b) * face.normal;
+  const Vec3 c = arm(face.center);
+  return angle_between(a, c) * normal_beside(face, corner) +
+         angle_between(c, b) * normal_beside(face, last);
+}
+Vec<2> normal_at(const FacePlane<2>& face, int, int) { return face.normal; }
+
+/// Sum of the normals about an edge or vertex by their angles, and whether the faces close it. With
+/// those of the triangles that meet there it looks to the side of what is nearest to it: outside,
+/// an arm is a n_1 + b n_2 with a, b >= 0, and (n_1 + n_2) . arm = (a + b)(1 + n_1 . n_2) >= 0.
 template <int Dim>
 bool closed_normal(std::span<const ParticleHit<Dim>> hits, const ParticleHit<Dim>& hit,
                    Vec<Dim>& normal) {
@@ -91,7 +113,7 @@ bool closed_normal(std::span<const ParticleHit<Dim>> hits, const ParticleHit<Dim
     if (!holds(face, hit.nearest.feature, nodes)) continue;
     ++faces;
     const int corner = corner_of(face, nodes.first);
-    normal += (is_edge ? 1.0 : angle_at(*face.plane, corner)) * face.plane->normal;
+    normal += normal_at(*face.plane, corner, is_edge ? corner_of(face, nodes.second) : -1);
     if (Dim == 2 || is_edge) continue;
     // Each edge at the vertex must belong to a second face.
     const int n = face.plane->n_corners;

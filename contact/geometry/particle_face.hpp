@@ -73,13 +73,14 @@ struct ParticleHit {
   /// on neither.
   int entry = 0;
   NearestPoint<Dim> nearest;
-  bool inside = false;  ///< the particle's centre lies behind the surface, or on its other side
-  bool kept = true;     ///< one of the contacts of this particle, or it just touches
-  bool pushes = true;   ///< it overlaps by more than what is left from time 0
-  Vec<Dim> direction;   ///< unit, of the force on the particle
-  Real overlap = 0;     ///< [m] radius minus signed distance
-  Real share = 1;       ///< of its spring, where several push the same way; 0: just touches
-  Real damping = 0;     ///< [N s/m] of a share of 1; the caller's
+  bool inside = false;   ///< the particle's centre lies behind the surface, or on its other side
+  bool kept = true;      ///< one of the contacts of this particle, or it just touches
+  bool pushes = true;    ///< it overlaps by more than what is left from time 0
+  bool returns = false;  ///< no face held it before: the caller's
+  Vec<Dim> direction;    ///< unit, of the force on the particle
+  Real overlap = 0;      ///< [m] radius minus signed distance
+  Real share = 1;        ///< of its spring, where several push the same way; 0: just touches
+  Real damping = 0;      ///< [N s/m] of a share of 1; the caller's
 };
 
 /// Makes of the faces near a particle at x its contacts (docs/theory/contact.md (C19)): an edge or

@@ -183,6 +183,65 @@ TEST(ParticleFace, WeightsFoldTheCentreOfAQuad) {
   EXPECT_LT((point - Vec3(0.7, 0.2, 1)).norm(), 1e-15);
 }
 
+/// Two quads that meet in an edge of 1 m along z at the origin, as the tip of a wedge of `angle`
+/// [rad] about the x axis, which points out of it; their far corners are moved along their normals
+/// by `warp` and back [m]. Moved so, the part of each beside the edge and its mean plane differ.
+Skin warped_wedge(Real angle, Real warp_left, Real warp_right) {
+  Skin skin;
+  const Vec3 left(-std::cos(angle / 2), std::sin(angle / 2), 0), right(left[0], -left[1], 0);
+  const Vec3 out_left(std::sin(angle / 2), std::cos(angle / 2), 0);
+  const Vec3 out_right(out_left[0], -out_left[1], 0);
+  const Vec3 low(0, 0, 0), high(0, 0, 1);
+  skin.node = {low,
+               high,
+               low + left + warp_left * out_left,
+               high + left + warp_left * out_left,
+               low + right + warp_right * out_right,
+               high + right + warp_right * out_right};
+  skin.node[3] -= 2 * warp_left * out_left, skin.node[5] -= 2 * warp_right * out_right;
+  skin.add({1, 0, 2, 3});
+  skin.add({0, 1, 5, 4});
+  return skin;
+}
+
+// Whatever the warp, a particle before the tip of a folded surface is outside: the faces are those
+// four triangles each on which its nearest point is found. By mean planes it was up to its distance
+// behind the surface, at the top of a barrier (random deck 7040: 366 J of 14 in a step).
+TEST(ParticleFace, BeforeTheFoldOfWarpedFacesIsOutside) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<Real> part(0, 1), warp(-0.3, 0.3);
+  const Real r = 0.2;
+  int near_edge = 0, by_mean_planes = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Skin skin = warped_wedge(0.05 + part(random), warp(random), warp(random));
+    const Vec3 along = Vec3::UnitZ();
+    std::array<Vec3, 2> beside;  // normals of the triangles at the edge, out of the wedge
+    bool turned = false;
+    for (std::size_t f = 0; f < 2; ++f) {
+      const Vec3 edge = f == 0 ? Vec3(-along) : along;
+      beside[f] = edge.cross(skin.planes[f].center - Vec3(0, 0, 0.5)).normalized();
+      turned = turned || beside[f].dot(skin.planes[f].normal) < 0.3;
+    }
+    if (turned || beside[0].cross(beside[1]).dot(along) > 0) continue;  // an edge, not a groove
+    const Real share = part(random), height = 0.2 + 0.6 * part(random);
+    const Vec3 arm = (share * beside[0] + (1 - share) * beside[1]).normalized();
+    const Vec3 x = Vec3(0, 0, height) + 0.5 * r * arm;
+    const bool nearer = std::any_of(skin.planes.begin(), skin.planes.end(), [&](const auto& plane) {
+      return nearest_point<3>(plane, x).distance < 0.5 * r - 1e-12;
+    });
+    if (nearer) continue;  // the fold of a face
+    const auto hits = skin.hits(x, r);
+    ASSERT_EQ(hits.size(), 1u) << trial;
+    EXPECT_FALSE(hits[0].inside) << trial;
+    EXPECT_NEAR(hits[0].overlap, 0.5 * r, 1e-12);
+    const Real mean = (skin.planes[0].normal + skin.planes[1].normal).dot(arm);
+    ++near_edge;
+    by_mean_planes += mean < 0 ? 1 : 0;
+  }
+  EXPECT_GT(near_edge, 5000);
+  EXPECT_GT(by_mean_planes, 50);
+}
+
 TEST(ParticleFace, ParticleThatIsNowhereTouchesNothing) {
   const Skin skin = cube();
   std::vector<ParticleHit<3>> hits(1);
