@@ -99,8 +99,8 @@ void ExactSum::add_tile(const Real* values, std::size_t n) {
     add((sums.high[0] + sums.high[1]) + (sums.high[2] + sums.high[3]));
     add((sums.low[0] + sums.low[1]) + (sums.low[2] + sums.low[3]));
     if (!any(sums.left)) return;
-    cut_tile(values, padded, exponent,
-             rest.data());  // seldom: what is left is far below the largest
+    // Seldom: what is left is far below the largest.
+    cut_tile(values, padded, exponent, rest.data());
     values = rest.data();
     most = most_bits(values, padded);
   }

@@ -7,7 +7,7 @@ namespace brunt {
 
 namespace {
 constexpr int kMostFrames = 80;
-constexpr int kSecond = 2, kFourth = 4;  // multiples of which a frame comes at all but the first
+constexpr int kSecond = 2, kFourth = 4;  // each so many of them, where more would be too close
 }  // namespace
 
 std::int64_t multiples(Real time, Real every) {

@@ -15,8 +15,7 @@
 // volume; then the other, whole and at rest, becomes particles too, and the nodes between them have
 // parts of both. Nobody has done work on either, so that stresses can do none: the energy of
 // internal forces stays above 0, but for what the integration of a step makes of it. With the mean
-// of both damages, 1/2, the parts pulled at 1/4 of volume strain and gave TODO of the kinetic
-// energy.
+// of both damages, 1/2, the parts pulled at 1/4 of volume strain.
 #include <gtest/gtest.h>
 
 #include <cmath>
