@@ -168,9 +168,11 @@ void Communicator::max(std::span<Real> values) const {
 }
 
 ParallelSession::ParallelSession(int& argc, char**& argv) {
+  int started = 0, provided = 0;
+  MPI_Initialized(&started);
+  leaves_ = started == 0;
   if (!launched_by_mpirun()) return;
-  int provided = 0;
-  check(MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided), "start");
+  if (started == 0) check(MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided), "start");
   check(MPI_Comm_rank(MPI_COMM_WORLD, &ranks_.rank_), "rank");
   check(MPI_Comm_size(MPI_COMM_WORLD, &ranks_.size_), "size");
   end_where_features_miss(0);  // here nothing misses, or this would not run
@@ -179,7 +181,7 @@ ParallelSession::ParallelSession(int& argc, char**& argv) {
 ParallelSession::~ParallelSession() {
   int started = 0;
   MPI_Initialized(&started);
-  if (started) MPI_Finalize();
+  if (started != 0 && leaves_) MPI_Finalize();
 }
 
 void ParallelSession::abort(int status) const {

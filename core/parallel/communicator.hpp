@@ -97,7 +97,8 @@ class Communicator {
   mutable Traffic traffic_;
 };
 
-/// Joins the ranks that mpirun started, if it did; leaves them at its end. One in a program.
+/// Joins the ranks that mpirun started, if it did; leaves them at its end. One at a time; another one
+/// within its life, or within that of a program that called MPI_Init itself, leaves nothing.
 class ParallelSession {
  public:
   ParallelSession(int& argc, char**& argv);
@@ -110,6 +111,7 @@ class ParallelSession {
 
  private:
   Communicator ranks_;
+  bool leaves_ = true;  // nobody had called MPI_Init before
 };
 
 /// True where a launcher of MPI programs started this process.

@@ -2,7 +2,6 @@
 // library: every point goes to a rank by a hash of its id and of how many partitions there were,
 // near what it touches or not. Contact that is the same by bisection and by this does not lean on
 // how pieces lie.
-#include "app/cli/command_line.hpp"
 #include "core/parallel/partition.hpp"
 
 namespace brunt {
@@ -36,5 +35,3 @@ template Partition make_partition<3>(const Communicator&, std::span<const Vec<3>
                                      std::span<const Real>, int);
 
 }  // namespace brunt
-
-int main(int argc, char** argv) { return brunt::command_line(argc, argv); }

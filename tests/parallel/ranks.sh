@@ -4,12 +4,13 @@
 # every few steps; and split in two by a restart on other ranks. Decks of contact alone besides, which
 # stand beside this file: all that a contact remembers moves with its points. Warnings are the same
 # too, with the place and time of the first contact that did not hold and how many followed it.
-#   ranks.sh PROGRAM SOURCE COMPARE STATE_DIFFERENCE RANDOM_PARTITION RANKS...
+#   ranks.sh RUN_LIST SOURCE COMPARE STATE_DIFFERENCE RANDOM_PARTITION RANKS...
+# RUN_LIST: brunt that runs many decks by one start (run_list.cpp), for starts took three quarters of the time.
 # COMPARE: the program of tests/support/compare_frames.cpp, or true where there are no frames.
-# RANDOM_PARTITION: the program with points spread by a hash, so that nearly every contact is shared by
+# RANDOM_PARTITION: RUN_LIST with points spread by a hash, so that nearly every contact is shared by
 # ranks: for decks of contact, and for all on four ranks and more.
 set -euo pipefail
-brunt=$1
+ordinary=$1
 decks=$2/decks own=$2/tests/parallel
 compare=$3
 state_difference=$4
@@ -85,12 +86,10 @@ more=(
   "hertz/cylinders 4_us time.end=8_us parameters.cells=8"
 )
 [ "$1" -lt 4 ] || cases+=("${more[@]}")
-status=0
 path_of() { case $1 in */*) echo "$1.yaml" ;; *) echo "$1/$1.yaml" ;; esac; }
-program=$brunt
-run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
-  local deck=$1 out=$2 options=() overrides=()
-  shift 2
+plan() {  # plan LIST OUT DECK OPTIONS... -- OVERRIDES...: one more run of a list (PROGRAM.RANKS[.PART])
+  local list=$1 out=$2 deck=$3 options=() overrides=() each ranks
+  shift 3
   while [ "$1" != -- ]; do options+=("$1"); shift; done
   shift
   for each in "$@"; do
@@ -99,58 +98,89 @@ run() {  # run DECK OUT OPTIONS... -- OVERRIDES...
   done
   case $deck in decks/*) deck=$own/$(path_of "$deck") ;; *) deck=$decks/$(path_of "$deck") ;; esac
   overrides+=(--set output.state_hash=true)
-  printf '%q ' "$deck" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
-  "$program" run "$deck" --quiet --out "$out" --oversubscribe \
-    "${options[@]}" "${overrides[@]}" 2>"$out.err" || { echo "$out:"; cat "$out.err"; status=1; }
+  ranks=${list#*.}
+  printf '%q ' "$deck" --ranks "${ranks%.*}" --oversubscribe "${options[@]}" "${overrides[@]}" >"$out.args"
+  printf '%s\n' "$out" run "$deck" --quiet --out "$out" "${options[@]}" "${overrides[@]}" '' >>"$list"
+}
+launch() {  # launch LIST: its runs one after another
+  local list=$1 program ranks=${1#*.} start=()
+  [ -e "$list" ] || return 0
+  ranks=${ranks%.*}
+  case $list in random.*) program=$random_partition ;; *) program=$ordinary ;; esac
+  # As brunt starts ranks itself (app/cli/launch_ranks.cpp).
+  [ "$ranks" = 1 ] || start=(mpirun -n "$ranks" --quiet --bind-to none --oversubscribe
+    --mca pml ob1 --mca btl "self,vader" --mca mpi_yield_when_idle 1)
+  "${start[@]}" "$program" "$list" >"$list.said" 2>"$list.err" </dev/null && return
+  local out
+  out=$(tail -n 1 "$list.said")
+  echo "FAILED: run $out:" && cat "$list.err" "$out.err"
+  return 1
 }
 same() {  # same DECK A B
-  "$compare" "$2" "$3" >frames.txt || { echo "FAILED: $1: frames differ"; cat frames.txt; status=1; }
   cmp -s <(grep '"text"' "$2/summary.json") <(grep '"text"' "$3/summary.json") ||
-    { echo "FAILED: $1: $3 warns of something else than $2"; status=1; }
+    { echo "FAILED: $1: $3 warns of something else than $2"; touch ../failed; }
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
   diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4 || true
+  local program=$ordinary
+  case $3 in *-random*) program=$random_partition ;; esac
   "$own/first_difference.sh" "$program" "$state_difference" "$2.args" "$3.args" || true
-  status=1
+  touch ../failed
 }
 touches() {  # touches WHAT HISTORY: pairs that touch in the last row
   awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^contact\..*\.planes$/) column[i] = 1 }
     NR > 1 { n = 0; for (i in column) if ($i > 0) n += $i } END { exit !(n >= 5) }' "$2" ||
-    { echo "FAILED: $1: fewer than five contacts at the restart"; status=1; }
+    { echo "FAILED: $1: fewer than five contacts at the restart"; touch ../failed; }
 }
-check() {  # check CASE RANKS...
-  local deck until shorten name threads
-  read -r deck until shorten <<<"$1"
-  shift
-  name=${deck//\//-}
-  run "$deck" "$name-1" --threads 1 -- $shorten
+contact_alone() { case $1 in decks/*) true ;; *) false ;; esac; }
+plan_case() {  # plan_case NAME CASE RANKS...
+  local name=$1 deck until shorten n threads
+  local moved=(--set ranks.balance=1 --set ranks.balance_steps=7)
+  read -r deck until shorten <<<"$2"
+  shift 2
+  plan ordinary.1 "$name-1" "$deck" --threads 1 -- $shorten
   # Two threads on two ranks; runs of one thread on two and three ranks, with another skin and repartitioned, follow.
   for n in "$@"; do
     threads=1
     [ "$n" != 2 ] || threads=2
-    run "$deck" "$name-$n-$threads" --ranks "$n" --threads "$threads" -- $shorten
-    same "$deck" "$name-1" "$name-$n-$threads"
+    plan "ordinary.$n" "$name-$n-$threads" "$deck" --threads $threads -- $shorten
   done
-  run "$deck" "$name-repartitioned" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten "contact.skin=1_mm"
-  same "$deck" "$name-1" "$name-repartitioned"
-  grep -q '"repartitions": [1-9]' "$name-repartitioned/summary.json" || { echo "FAILED: $deck was not repartitioned"; status=1; }
-  run "$deck" "$name-half" --ranks 2 --threads 1 --until "${until//_/ }" -- $shorten
-  run "$deck" "$name-rest" --ranks 3 --threads 1 --restart "$name-half" -- $shorten
-  same "$deck" "$name-1" "$name-rest"
-  run "$deck" "$name-alone" --threads 1 --restart "$name-half" -- $shorten
-  same "$deck" "$name-1" "$name-alone"
-  case $deck in decks/*) touches "$deck" "$name-half/history.csv" ;; *) [ "$1" -ge 4 ] || return 0 ;; esac
-  program=$random_partition
-  run "$deck" "$name-random" --ranks 3 --threads 1 --set ranks.balance=1 --set ranks.balance_steps=7 -- $shorten
-  same "$deck" "$name-1" "$name-random"
-  run "$deck" "$name-random-rest" --ranks 2 --threads 1 --restart "$name-half" -- $shorten
-  same "$deck" "$name-1" "$name-random-rest"
+  plan ordinary.2 "$name-half" "$deck" --threads 1 --until "${until//_/ }" -- $shorten
+  plan ordinary.3 "$name-repartitioned" "$deck" --threads 1 "${moved[@]}" -- $shorten "contact.skin=1_mm"
+  plan ordinary.3 "$name-rest" "$deck" --threads 1 --restart "$name-half" -- $shorten
+  plan ordinary.1.rest "$name-alone" "$deck" --threads 1 --restart "$name-half" -- $shorten
+  contact_alone "$deck" || [ "$1" -ge 4 ] || return 0
+  plan random.3 "$name-random" "$deck" --threads 1 "${moved[@]}" -- $shorten
+  plan random.2 "$name-random-rest" "$deck" --threads 1 --restart "$name-half" -- $shorten
 }
-# As many cases at once as there are cores: half of the time of a short run goes into starting it.
-for i in "${!cases[@]}"; do
+check_case() {  # check_case NAME CASE
+  local name=$1 deck=${2%% *} others=() args
+  for args in "$name"-*.args; do
+    case $args in "$name-1.args" | "$name-half.args") ;; *) others+=("${args%.args}") ;; esac
+  done
+  "$compare" "$name-1" "${others[@]}" >frames.txt || { echo "FAILED: $deck: frames differ"; cat frames.txt; touch ../failed; }
+  for args in "${others[@]}"; do same "$deck" "$name-1" "$args"; done
+  grep -q '"repartitions": [1-9]' "$name-repartitioned/summary.json" ||
+    { echo "FAILED: $deck was not repartitioned"; touch ../failed; }
+  ! contact_alone "$deck" || touches "$deck" "$name-half/history.csv"
+}
+check() {  # check FIRST RANKS...: the cases of one start
+  local first=$1 last=$(($1 + at_once - 1)) i list
+  shift
+  [ "$last" -lt ${#cases[@]} ] || last=$((${#cases[@]} - 1))
+  for i in $(seq "$first" "$last"); do plan_case "case$i" "${cases[$i]}" "$@"; done
+  for list in ordinary.1 $(printf 'ordinary.%s\n' "$@" 2 3 | sort -u) ordinary.1.rest random.3 random.2; do
+    launch "$list" || { touch ../failed; return; }
+  done
+  for i in $(seq "$first" "$last"); do check_case "case$i" "${cases[$i]}"; done
+}
+export OMP_WAIT_POLICY=passive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+at_once=4
+# As many starts at once as there are cores.
+for ((first = 0; first < ${#cases[@]}; first += at_once)); do
   while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
-  mkdir "$i"
-  { (cd "$i" && check "${cases[$i]}" "$@" && exit "$status") >"$i.said" 2>&1 || touch failed; } &
+  mkdir "$first"
+  { (cd "$first" && check "$first" "$@") || touch failed; } >"$first.said" 2>&1 &
 done
 wait
 cat ./*.said

@@ -1,6 +1,7 @@
-/// Compares the frames of two runs, each body and the contacts whole: the same times, parts, arrays
-/// and bits, on whatever ranks they were written. Prints the first difference; status 1.
-///   compare_frames FOLDER FOLDER
+/// Compares the frames of a run with those of others, each body and the contacts whole: the same
+/// times, parts, arrays and bits, on whatever ranks they were written. Prints the first difference
+/// of each; status 1.
+///   compare_frames FOLDER FOLDER...
 #include <algorithm>
 #include <bit>
 #include <cstdio>
@@ -104,14 +105,18 @@ void compare_folders(const std::string& first, const std::string& second) {
 }  // namespace brunt
 
 int main(int argc, char** argv) {
-  if (argc != 3) return std::fputs("compare_frames FOLDER FOLDER\n", stderr), 2;
-  try {
-    brunt::compare_folders(argv[1], argv[2]);
-    return 0;
-  } catch (const brunt::Difference& difference) {
-    std::printf("%s, %s: %s\n", argv[1], argv[2], difference.text.c_str());
-  } catch (const brunt::MachineError& error) {
-    std::printf("%s\n", error.what());
+  if (argc < 3) return std::fputs("compare_frames FOLDER FOLDER...\n", stderr), 2;
+  int status = 0;
+  for (int other = 2; other < argc; ++other) {
+    try {
+      brunt::compare_folders(argv[1], argv[other]);
+      continue;
+    } catch (const brunt::Difference& difference) {
+      std::printf("%s, %s: %s\n", argv[1], argv[other], difference.text.c_str());
+    } catch (const brunt::MachineError& error) {
+      std::printf("%s\n", error.what());
+    }
+    status = 1;
   }
-  return 1;
+  return status;
 }
