@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "core/boundaries/function.hpp"
 #include "io/mesh/catalog.hpp"
 
 namespace brunt::deck {
@@ -74,21 +76,66 @@ bool follows_forces(const Body& body) {
                      [](Real component) { return std::isnan(component); });
 }
 
-void describe(Schema& s, Spin& spin) {
+namespace {
+constexpr Quantity kSpinRate{"rad/s", {}, between(-1e7, 1e7)};
+
+void describe_axis(Schema& s, Spin& spin) {
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {
     in3d.direction({"axis", "axis of the spin", Need::required}, spin.axis);
   });
-  s.real({"rate", "rate by the right-hand rule", Need::required}, spin.rate,
-         {"rad/s", {}, between(-1e7, 1e7)});
   s.list({"about", "a point of the axis; default: the origin"}, spin.about, kPlace,
          Schema::kVector);
 }
 
+/// Of a body that moves as a whole the place says nothing.
+bool depends_on_place(const std::optional<Varying>& value) {
+  return value && value->is_expression() &&
+         (value->depends[1] || value->depends[2] || value->depends[3]);
+}
+
+/// What a value over time is at time 0; 0 where it could not be read.
+Real at_start(const Varying& value) {
+  const bool unread = value.is_expression() && !value.evaluate;
+  return unread ? 0.0 : function_of(value)(0, Vec3::Zero());
+}
+}  // namespace
+
+bool is_driven_over_time(const Motion& motion) {
+  const auto varies = [](const std::optional<Varying>& value) {
+    return value && !value->is_constant();
+  };
+  const auto& velocity = motion.driven_velocity;
+  return (motion.spin && varies(motion.spin->driven_rate)) ||
+         (velocity && std::any_of(velocity->begin(), velocity->end(), varies));
+}
+
+void describe(Schema& s, Spin& spin) {
+  describe_axis(s, spin);
+  s.real({"rate", "rate by the right-hand rule", Need::required}, spin.rate, kSpinRate);
+}
+
+void describe(Schema& s, DrivenSpin& spin) {
+  describe_axis(s, spin);
+  auto& rate = spin.driven_rate;
+  s.varying({"rate", "rate by the right-hand rule", Need::required}, rate, kSpinRate, kTimeOrPlace);
+  s.require(!depends_on_place(rate), "rate", "is one for the whole body: of t alone");
+  if (rate) spin.rate = at_start(*rate);
+}
+
 void describe(Schema& s, Motion& motion) {
   static constexpr std::array kOver{Varying::Over::time};
-  s.list({"velocity", "velocity, kept for ever; a component that is free follows its forces"},
-         motion.velocity, kVelocity, Schema::kVector, true);
-  s.object({"spin", "rotation, kept for ever; without it the body does not turn"}, motion.spin);
+  auto& velocity = motion.driven_velocity;
+  s.components({"velocity", "velocity; a component that is free follows its forces"}, velocity,
+               kVelocity, kTimeOrPlace);
+  s.require(!velocity || std::none_of(velocity->begin(), velocity->end(), depends_on_place),
+            "velocity", "is one for the whole body: of t alone");
+  motion.velocity.clear();
+  for (std::size_t c = 0; velocity && c < velocity->size(); ++c) {
+    const auto& component = (*velocity)[c];
+    motion.velocity.push_back(component ? at_start(*component)
+                                        : std::numeric_limits<Real>::quiet_NaN());
+  }
+  s.object({"spin", "rotation; without it the body does not turn"}, motion.spin);
   s.varying({"temperature", "it is held at it, or its surface where it has no material"},
             motion.temperature, {"K", at_least(0), between(50, 5000)}, kOver);
   s.require(!motion.velocity.empty() || motion.spin || motion.temperature, "",

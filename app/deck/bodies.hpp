@@ -23,10 +23,17 @@ struct Spin {
   std::vector<Real> about;          ///< [m] a point of the axis; empty: the origin
 };
 
+/// Rotation at a rate that may depend on time; `rate` is that of time 0.
+struct DrivenSpin : Spin {
+  std::optional<Varying> driven_rate;  ///< [rad/s] as read
+};
+
 /// The prescribed motion of a rigid body.
 struct Motion {
-  std::vector<Real> velocity;  ///< [m/s]; NaN: this component follows its forces; empty: none
-  std::optional<Spin> spin;
+  /// [m/s] as read: constants, tables over time or expressions of t; absent: it follows its forces
+  std::optional<std::vector<std::optional<Varying>>> driven_velocity;
+  std::vector<Real> velocity;  ///< [m/s] at time 0; NaN: this component is free; empty: none
+  std::optional<DrivenSpin> spin;
   std::optional<Varying> temperature;  ///< [K] at which it is held, constant or over time
 };
 
@@ -76,7 +83,11 @@ std::array<Real, 3> first_velocity(const Body& body);
 /// True for a rigid body of which something follows its forces.
 bool follows_forces(const Body& body);
 
+/// True where the motion of a rigid body is not that of time 0 for ever.
+bool is_driven_over_time(const Motion& motion);
+
 void describe(Schema& s, Spin& spin);
+void describe(Schema& s, DrivenSpin& spin);
 void describe(Schema& s, Motion& motion);
 void describe(Schema& s, Stress& stress);
 void describe(Schema& s, Body& body);

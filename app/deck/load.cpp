@@ -32,10 +32,18 @@ std::string hash_of(const std::string& text) {
   return digits;
 }
 
-/// measures.NAME.expression: its dollars are measures.
+/// measures.NAME.expression: its dollars are measures, or parameters.
 bool is_formula(const std::string& path) {
   return path.starts_with("measures.") && path.ends_with(".expression") &&
          std::count(path.begin(), path.end(), '.') == 2;
+}
+
+std::set<std::string> names_of_measures(const Node& root) {
+  std::set<std::string> names;
+  const Node* measures = root.find("measures");
+  if (measures == nullptr) return names;
+  for (const Entry& entry : measures->entries) names.insert(entry.key);
+  return names;
 }
 
 bool sets_library(const Override& change) {
@@ -153,7 +161,9 @@ LoadedDeck DeckLoader::read(Node root, const std::vector<std::string>& override_
   }
   const bool declares = root.find("parameters") != nullptr;
   const std::size_t n_before = problems.size();
-  const std::vector<Parameter> parameters = resolve_parameters(root, units_, is_formula, problems);
+  const std::set<std::string> measures = names_of_measures(root);
+  const auto own = [&](const std::string& path) { return is_formula(path) ? &measures : nullptr; };
+  const std::vector<Parameter> parameters = resolve_parameters(root, units_, own, problems);
   forgive_unused(used_before, n_before, problems);
   const ParameterValues values = values_of(parameters);
   std::size_t n_reported = problems.size();

@@ -75,6 +75,11 @@ const char* unit_of_field(const std::string& field) {
 
 const char* unit_of(const Measure& measure) { return std::visit(UnitOfKind{}, measure.kind); }
 
+const char* shown_unit_of(const Measure& measure) {
+  const char* unit = unit_of(measure);
+  return std::string_view(unit) == "any" ? "" : unit;
+}
+
 void describe(Schema& s, ExtentMeasure& measure) {
   s.text({"body", "name of a body", Need::required}, measure.body);
   s.choice({"axis", "axis along which it is measured", Need::required}, measure.axis, s.axes());
@@ -103,7 +108,8 @@ void describe(Schema& s, RestitutionMeasure& measure) {
 }
 
 void describe(Schema& s, ExpressionMeasure& measure) {
-  s.value(measure.formula, "an expression over measures: \"= $a / $b\"");
+  s.value(measure.formula,
+          "an expression over measures above it and parameters, in SI: \"= $a / $b\"");
   s.require(measure.formula.empty() || measure.formula.front() == '=', "",
             "an expression begins with '=': \"= $a / $b\"");
 }

@@ -93,6 +93,8 @@ const char* unit_of_field(const std::string& field);
 std::string field_problem(const std::string& field);
 /// The SI unit of a measure's value: "m", "K"; "any" for expressions and unknown columns.
 const char* unit_of(const Measure& measure);
+/// The same beside a value: nothing where it is not known.
+const char* shown_unit_of(const Measure& measure);
 
 void describe(Schema& s, ExtentMeasure& measure);
 void describe(Schema& s, MinMeasure& measure);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/setup/materials.hpp"
+#include "app/setup/rigid.hpp"
 
 namespace brunt {
 
@@ -118,6 +119,29 @@ Patch<Dim> patch_of(const std::string& name, const LoadedDeck& loaded, Label lab
   return patch;
 }
 
+/// Shares of a force on a rigid body: of all of its points by ones that add up at its centre of
+/// mass, of some by the areas of the faces between them.
+template <int Dim>
+std::vector<Real> rigid_weights(const Scene<Dim>& scene, const Patch<Dim>& patch) {
+  if (!patch.whole) {
+    return patch.integral(Real{0}, [](const FacetPoint<Dim>& at) { return at.area.norm(); });
+  }
+  const auto shares = mass_shares<Dim>(scene.rigid->all(), *patch.points);
+  std::vector<Real> weights;
+  for (std::size_t k = 0; k < patch.size(); ++k) weights.push_back(shares[patch.point(k)]);
+  return weights;
+}
+
+/// Whether a rigid body takes all that a boundary does.
+bool suits_rigid(const deck::Boundary& boundary, const deck::Body& body) {
+  bool suits = true;
+  visit_given(boundary, [&](const auto& kind) {
+    using Kind = std::remove_cvref_t<decltype(kind)>;
+    suits = suits && (heats<Kind>() || (is_force<Kind>() && deck::follows_forces(body)));
+  });
+  return suits;
+}
+
 /// Adds one boundary of the deck, kind by kind.
 template <int Dim>
 void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, Label label,
@@ -125,13 +149,10 @@ void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, 
   const auto& [name, boundary] = named;
   const std::string path = "boundaries." + name;
   const deck::Body& body = loaded.deck.bodies[label].value;
-  bool only_heats = true;
-  visit_given(boundary, [&](const auto& kind) {
-    only_heats = only_heats && heats<std::remove_cvref_t<decltype(kind)>>();
-  });
-  if (body.rigid && !only_heats) {
+  if (body.rigid && !suits_rigid(boundary, body)) {
+    const char* free = deck::follows_forces(body) ? "; of boundaries it takes forces and heat" : "";
     problems.push_back(loaded.places.problem(
-        path + ".body", "'" + boundary.body + "' is rigid: give it `motion` instead"));
+        path + ".body", "'" + boundary.body + "' is rigid: give it `motion` instead" + free));
     return;
   }
   Solid<Dim>* solid = solid_of(scene, label);
@@ -149,6 +170,14 @@ void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, 
   auto patch = patch_of(name, loaded, label, std::move(chosen), *solid, scene);
   patch.whole = std::holds_alternative<deck::WhereAll>(boundary.where);
   patch.from = boundary.from, patch.to = boundary.to;
+  if (deck::follows_forces(body)) {
+    patch.weight = rigid_weights(scene, patch);
+    if (boundary.of<AppliedForce>().given() &&
+        std::count(patch.weight.begin(), patch.weight.end(), Real{0}) == std::ssize(patch.weight)) {
+      problems.push_back(loaded.places.problem(path + ".where", patch.needs_areas()));
+      return;
+    }
+  }
   visit_given(boundary, [&](const auto& kind) {
     const std::string wrong = scene.boundaries.add(kind, patch);
     if (!wrong.empty()) problems.push_back(loaded.places.problem(path, wrong));

@@ -37,8 +37,9 @@ Flight<Dim> flight_of(const Deck& deck, const Named<deck::Body>& named, const Bo
   Flight<Dim> flight;
   flight.box = box;
   const bool prescribed = body.rigid && body.motion;
-  const auto& spin = prescribed && body.motion->spin ? body.motion->spin : body.spin;
-  flight.straight = !is_led(deck, named.name) && !(prescribed && spin) && !box.empty() &&
+  const bool driven = prescribed && deck::is_driven_over_time(*body.motion);
+  const bool spin = body.spin || (prescribed && body.motion->spin);
+  flight.straight = !is_led(deck, named.name) && !(prescribed && spin) && !driven && !box.empty() &&
                     !deck::has_velocity_field(body);
   const auto take = [&](const std::vector<Real>& velocity) {
     for (std::size_t c = 0; c < std::min<std::size_t>(Dim, velocity.size()); ++c) {

@@ -148,10 +148,13 @@ RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& 
   for (std::size_t c = 0; c < body.motion->velocity.size() && c < Dim; ++c) {
     const Real prescribed = body.motion->velocity[c];
     if (!std::isnan(prescribed)) motion.velocity[static_cast<int>(c)] = prescribed;
+    const auto& driven = (*body.motion->driven_velocity)[c];
+    if (driven && !driven->is_constant()) motion.velocity_over_time[c] = function_of(*driven);
   }
   if (!body.motion->spin) return motion;
   const auto& spin = *body.motion->spin;
-  motion.spin = spin.rate;
+  motion.spin = motion.last_spin = spin.rate;
+  if (!spin.driven_rate->is_constant()) motion.spin_over_time = function_of(*spin.driven_rate);
   if (Dim == 3) motion.axis = to_vector<3>(spin.axis).normalized();
   motion.center += to_vector<Dim>(spin.about);
   return motion;

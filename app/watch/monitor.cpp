@@ -324,7 +324,8 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
     if (!scene.ranks->is_root()) continue;
     try {
       const Real value = evaluate_measure(measure, source, measures_);
-      measures_.push_back({name, value, deck::unit_of(measure), measure.reference, measure.exact});
+      measures_.push_back(
+          {name, value, deck::shown_unit_of(measure), measure.reference, measure.exact});
     } catch (const std::exception& error) {
       warnings_.push_back("measure '" + name + "': " + error.what());
     }

@@ -132,7 +132,8 @@ void Monitor<Dim>::load_state(const StateTables& tables,
   for (const auto& [index, value] : measured) {
     if (index >= deck_.measures.size()) throw StateError("the state 'measures' has one too many");
     const auto& [name, measure] = deck_.measures[index];
-    measures_.push_back({name, value, deck::unit_of(measure), measure.reference, measure.exact});
+    measures_.push_back(
+        {name, value, deck::shown_unit_of(measure), measure.reference, measure.exact});
   }
   std::vector<std::uint64_t> taken(measured_.size());
   load_rows(

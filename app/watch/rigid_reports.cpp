@@ -15,7 +15,7 @@ std::optional<RigidPlace<Dim>> rigid_place(const Scene<Dim>& scene, Label body, 
     for (const auto& motion : group.motions) {
       const bool held = &motion == &group.motions.back();
       if (held || motion.body != body) continue;
-      return RigidPlace<Dim>{motion.position(center->second, time),
+      return RigidPlace<Dim>{motion.position(center->second, motion.pose(time)),
                              motion.velocity_at(center->second, time)};
     }
   }
@@ -72,10 +72,11 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
     const auto place = reports.find(motion.body);
     const bool held = &motion == &rigid.motions.back();
     if (held || place == reports.end()) continue;
-    const Eigen::Quaternion<Real> turn(Eigen::AngleAxis<Real>(motion.spin * time, motion.axis));
+    const RigidPose<Dim> pose = motion.pose(time);
+    const Eigen::Quaternion<Real> turn(Eigen::AngleAxis<Real>(pose.angle, motion.axis));
     place->second.rotation = rotation_vector(turn);
-    place->second.spin = motion.spin * motion.axis;
-    about[motion.body] = in_space<Dim>(Vec<Dim>(motion.center + time * motion.velocity));
+    place->second.spin = motion.spin_of(time) * motion.axis;
+    about[motion.body] = in_space<Dim>(Vec<Dim>(motion.center + pose.shift));
   }
   std::vector<Sums> sums(number.size());
   const auto& points = *rigid.points;

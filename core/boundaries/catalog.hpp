@@ -21,10 +21,15 @@ namespace brunt {
 using BoundaryKinds =
     std::tuple<PrescribedMotion, AppliedForce, FollowerPressure, Nonreflecting, SurfaceHeat>;
 
-/// True for kinds that heat: rigid bodies take no others.
+/// True for kinds that heat: rigid bodies that are held or have a prescribed motion take no others.
 template <class Kind>
 constexpr bool heats() {
   return requires { Kind::kHeats; };
+}
+/// True for kinds that are forces, which rigid bodies take that follow them.
+template <class Kind>
+constexpr bool is_force() {
+  return requires { Kind::kIsForce; };
 }
 /// True where the kind may set a body in motion.
 template <class Kind>

@@ -13,11 +13,12 @@ void describe(Schema& s, AppliedForce& load) {
 
 template <int Dim>
 ForceLoad<Dim>::ForceLoad(const AppliedForce& load, Patch<Dim> on) : patch(std::move(on)) {
-  ExactSum mass;
-  for (std::size_t k = 0; k < patch.size(); ++k) mass.add(patch.points->mass[patch.point(k)]);
-  for (std::size_t k = 0; k < patch.size(); ++k) {
-    share.push_back(patch.points->mass[patch.point(k)] / mass.value());
-  }
+  const auto weight = [&](std::size_t k) {
+    return patch.weight.empty() ? patch.points->mass[patch.point(k)] : patch.weight[k];
+  };
+  ExactSum all;
+  for (std::size_t k = 0; k < patch.size(); ++k) all.add(weight(k));
+  for (std::size_t k = 0; k < patch.size(); ++k) share.push_back(weight(k) / all.value());
   for (std::size_t c = 0; c < load.force->size() && c < Dim; ++c) {
     if ((*load.force)[c]) force[c] = function_of(*(*load.force)[c]);
   }

@@ -12,9 +12,10 @@ namespace brunt {
 template <int Dim>
 struct ForceLoad;
 
-/// The deck's `force`: in total on all chosen points, shared by mass.
+/// The deck's `force`: in total on all chosen points, shared by mass, or by Patch::weight.
 struct AppliedForce {
   static constexpr const char* deck_keys = "force";
+  static constexpr bool kIsForce = true;
   template <int Dim>
   using Acting = ForceLoad<Dim>;
 

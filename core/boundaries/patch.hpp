@@ -21,8 +21,10 @@ struct Patch {
   std::vector<Facet<Dim>> facets;
   /// Places in `chosen` of the nodes of each facet; -1: of another rank, or no node.
   std::vector<std::array<LocalIndex, Facet<Dim>::kNodes>> corners;
-  std::vector<Real> spacing;           ///< [m] of each chosen particle; empty: points of elements
-  bool whole = false;                  ///< all points of the body are chosen
+  std::vector<Real> spacing;  ///< [m] of each chosen particle; empty: points of elements
+  bool whole = false;         ///< all points of the body are chosen
+  /// By which a force in total is shared among those chosen at time 0; empty: by their masses.
+  std::vector<Real> weight;
   const Material* material = nullptr;  ///< of the body
   Vec<Dim> origin = Vec<Dim>::Zero();  ///< [m] to which positions are relative
   Real depth = 1;                      ///< [m] of plane strain; 0: axisymmetric

@@ -12,6 +12,7 @@ struct PressureLoad;
 /// normals and over their present areas.
 struct FollowerPressure {
   static constexpr const char* deck_keys = "pressure";
+  static constexpr bool kIsForce = true;
   template <int Dim>
   using Acting = PressureLoad<Dim>;
 

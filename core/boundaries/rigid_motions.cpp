@@ -59,13 +59,20 @@ template <int Dim>
 void RigidMotions<Dim>::impose(Real time, Real dt) {
   for (auto& rigid : groups_) {
     auto& points = *rigid.points;
+    std::vector<RigidPose<Dim>> from, to;
+    for (auto& motion : rigid.motions) {
+      from.push_back(motion.pose(time - dt));
+      motion.advance(time, dt);
+      to.push_back(motion.pose(time));
+    }
     const LocalIndex n = points.size();  // copies have a prescribed motion too
     for_each(n, kPointsWorthThreads, [&](LocalIndex point) {
       const auto i = slot_of(point);
-      if (rigid.motion_of_point[i] == kFree) return;
-      const auto& motion = rigid.motions[rigid.motion_of_point[i]];
-      const Vec<Dim> now = motion.position(points.x_start[i], time);
-      const Vec<Dim> before = motion.position(points.x_start[i], time - dt);
+      const std::size_t which = rigid.motion_of_point[i];
+      if (which == kFree) return;
+      const auto& motion = rigid.motions[which];
+      const Vec<Dim> now = motion.position(points.x_start[i], to[which]);
+      const Vec<Dim> before = motion.position(points.x_start[i], from[which]);
       points.x[i] = now;
       points.x_rest[i].setZero();
       points.v[i] = (now - before) / dt;
@@ -97,6 +104,17 @@ namespace {
 std::string table_of(std::size_t group) {
   return group == 0 ? "rigid" : "rigid." + std::to_string(group);
 }
+
+/// Those whose rates are not constant: how far they have come follows from all steps.
+template <class Motions>
+auto varying(Motions& motions) {
+  std::vector<decltype(&motions.front())> found;
+  for (auto& motion : motions) {
+    if (motion.varies()) found.push_back(&motion);
+  }
+  return found;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -106,6 +124,12 @@ void RigidMotions<Dim>::save_state(std::vector<StateTable>& tables) const {
     save_rows(
         table_of(k), rigid.points->owned(), [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { rigid.visit_fields(rigid, saved_in(row, i)); }, tables);
+    const auto motions = varying(rigid.motions);
+    if (motions.empty()) continue;
+    save_rows(
+        table_of(k) + ".motions", motions.size(),
+        [&](std::size_t i) { return GlobalId{motions[i]->body}; },
+        [&](auto& row, std::size_t i) { visit_motion(*motions[i], saved_in(row)); }, tables);
   }
 }
 
@@ -116,6 +140,12 @@ void RigidMotions<Dim>::load_state(const StateTables& tables) {
     load_rows(
         table_of(k), rigid.points->owned(), [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { rigid.visit_fields(rigid, saved_in(row, i)); }, tables);
+    const auto motions = varying(rigid.motions);
+    if (motions.empty()) continue;
+    load_rows(
+        table_of(k) + ".motions", motions.size(),
+        [&](std::size_t i) { return GlobalId{motions[i]->body}; },
+        [&](auto& row, std::size_t i) { visit_motion(*motions[i], saved_in(row)); }, tables);
   }
 }
 

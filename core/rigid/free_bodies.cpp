@@ -83,7 +83,7 @@ bool is_at_rest(const FreeBody<Dim>& body) {
   const auto is_zero = [](Real value) { return value == 0 && !std::signbit(value); };
   const auto& v = body.state.v;
   if (!is_zero(v[0]) || !is_zero(v[1]) || !is_zero(v[2])) return false;
-  return body.turns ? body.state.momentum == Vec3::Zero() : body.prescribed.spin == 0;
+  return body.turns ? body.state.momentum == Vec3::Zero() : !body.prescribed.turns();
 }
 
 /// Arms as the bodies lie now; positions and velocities of the points with them. A body that was at
@@ -131,8 +131,9 @@ void FreeBodies<Dim>::start() {
 }
 
 template <int Dim>
-Vec3 FreeBodies<Dim>::prescribed_center(const FreeBody<Dim>& body, Real time) const {
-  return in_space<Dim>(body.prescribed.position(body.center.template head<Dim>(), time));
+Vec3 FreeBodies<Dim>::prescribed_center(const FreeBody<Dim>& body,
+                                        const RigidPose<Dim>& pose) const {
+  return in_space<Dim>(body.prescribed.position(body.center.template head<Dim>(), pose));
 }
 
 /// What is not free follows its prescribed motion: the acceleration at the start of the step
@@ -140,7 +141,11 @@ Vec3 FreeBodies<Dim>::prescribed_center(const FreeBody<Dim>& body, Real time) co
 template <int Dim>
 void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords) {
   auto& state = body.state;
-  const Vec3 now = prescribed_center(body, time), before = prescribed_center(body, time - dt);
+  auto& given = body.prescribed;
+  const RigidPose<Dim> from = given.pose(time - dt);
+  given.advance(time, dt);
+  const RigidPose<Dim> to = given.pose(time);
+  const Vec3 now = prescribed_center(body, to), before = prescribed_center(body, from);
   for (int c = 0; c < Dim; ++c) {
     if (body.is_free(c)) continue;
     const Real old = state.a[c];
@@ -153,11 +158,12 @@ void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chor
     state.x[c] = now[c];
   }
   if (body.turns) return;
-  const auto& given = body.prescribed;
-  state.turn = Eigen::AngleAxis<Real>(given.spin * time, given.axis);
+  state.turn = Eigen::AngleAxis<Real>(to.angle, given.axis);
   const Mat3 rotation = state.rotation();
-  state.momentum = rotation * (state.inertia * (rotation.transpose() * (given.spin * given.axis)));
-  chords = chord_rate(given.spin * dt, dt) * given.axis;
+  const Vec3 spin = given.spin_of(time) * given.axis;
+  state.momentum = rotation * (state.inertia * (rotation.transpose() * spin));
+  const Real angle = given.spin_over_time ? to.angle - from.angle : given.spin * dt;
+  chords = chord_rate(angle, dt) * given.axis;
 }
 
 template <int Dim>
@@ -238,11 +244,12 @@ void FreeBodies<Dim>::book_forces(const Sums& sums, Real time, Real dt, FreeBody
     taken += last_torque.dot(body.start_spin) + body.point_torque.dot(body.end_spin);
   }
   (body.turns ? body.integration : body.boundary) -= 0.5 * dt * taken;
-  const Vec3 place = prescribed_center(body, time);
-  const Vec3 about =
-      in_space<Dim>(Vec<Dim>(body.prescribed.center + time * body.prescribed.velocity));
-  const Vec3 given = in_space<Dim>(body.prescribed.velocity) +
-                     body.prescribed.spin * body.prescribed.axis.cross(place - about);
+  const auto& motion = body.prescribed;
+  const RigidPose<Dim> pose = motion.pose(time);
+  const Vec3 place = prescribed_center(body, pose);
+  const Vec3 about = in_space<Dim>(Vec<Dim>(motion.center + pose.shift));
+  const Vec3 given = in_space<Dim>(motion.velocity_of(time)) +
+                     motion.spin_of(time) * motion.axis.cross(place - about);
   for (int c = 0; c < Dim; ++c) {
     if (body.is_free(c)) continue;
     const Real needed = 2 * (given[c] - state.v[c]) / dt;
@@ -263,7 +270,8 @@ template <int Dim>
 StepLimit FreeBodies<Dim>::stable_step() const {
   StepLimit step_limit;
   for (const auto& body : bodies_) {
-    const Real rate = body.turns ? body.state.fastest_spin() : std::fabs(body.prescribed.spin);
+    const Real rate =
+        body.turns ? body.state.fastest_spin() : std::fabs(body.prescribed.spin_now());
     if (rate == 0) continue;
     step_limit.take({kLargestTurn / rate, "spin of a rigid body", body.body, body.piece});
   }
@@ -281,6 +289,15 @@ void visit_free_body(AnyBody& body, const F& f) {
   f(body.force, kSaved), f(body.torque, kSaved);
   f(body.point_force, kSaved), f(body.point_torque, kSaved), f(body.reaction, kSaved);
   f(body.integration, kSaved), f(body.boundary, kSaved);
+}
+/// Those that are moved in part, at rates that are not constant.
+template <class Bodies>
+auto varying_motions(Bodies& bodies) {
+  std::vector<decltype(&bodies.front())> found;
+  for (auto& body : bodies) {
+    if (body.prescribed.varies()) found.push_back(&body);
+  }
+  return found;
 }
 /// The same of one of its points.
 template <class Group, class F>
@@ -326,6 +343,13 @@ void FreeBodies<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
       [&](auto& row, std::size_t b) { visit_free_body(bodies_[b], saved_in(row)); }, tables);
+  if (const auto varying = varying_motions(bodies_); !varying.empty()) {
+    save_rows(
+        "rigid.bodies.motions", varying.size(),
+        [&](std::size_t k) { return GlobalId{varying[k]->piece}; },
+        [&](auto& row, std::size_t k) { visit_motion(varying[k]->prescribed, saved_in(row)); },
+        tables);
+  }
   for (const auto& group : groups_) {
     save_chosen(
         "rigid.points", *group.points, group.chosen,
@@ -338,6 +362,13 @@ void FreeBodies<Dim>::load_state(const StateTables& tables) {
   load_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
       [&](auto& row, std::size_t b) { visit_free_body(bodies_[b], saved_in(row)); }, tables);
+  if (const auto varying = varying_motions(bodies_); !varying.empty()) {
+    load_rows(
+        "rigid.bodies.motions", varying.size(),
+        [&](std::size_t k) { return GlobalId{varying[k]->piece}; },
+        [&](auto& row, std::size_t k) { visit_motion(varying[k]->prescribed, saved_in(row)); },
+        tables);
+  }
   for (auto& group : groups_) {
     load_chosen(
         "rigid.points", *group.points, group.chosen,

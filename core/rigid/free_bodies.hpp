@@ -93,7 +93,7 @@ class FreeBodies {
   void find_points(Group& group);
   static void add_forces(Real dt, Group& group, std::vector<Sums>& sums);
   void impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chords);
-  Vec3 prescribed_center(const FreeBody<Dim>& body, Real time) const;
+  Vec3 prescribed_center(const FreeBody<Dim>& body, const RigidPose<Dim>& pose) const;
   std::vector<Sums> sum_forces(const Communicator& ranks, Real dt);
   static void take_forces(const Sums& sums, FreeBody<Dim>& body);
   void book_forces(const Sums& sums, Real time, Real dt, FreeBody<Dim>& body);

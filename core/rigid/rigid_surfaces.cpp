@@ -5,24 +5,6 @@
 namespace brunt {
 
 template <int Dim>
-Vec<Dim> RigidMotion<Dim>::position(const Vec<Dim>& start, Real t) const {
-  Vec<Dim> arm = start - center;
-  if (spin != 0) {
-    Vec3 arm3 = Vec3::Zero();
-    arm3.template head<Dim>() = arm;
-    arm = (Eigen::AngleAxis<Real>(spin * t, axis) * arm3).eval().template head<Dim>();
-  }
-  return center + velocity * t + arm;
-}
-
-template <int Dim>
-Vec<Dim> RigidMotion<Dim>::velocity_at(const Vec<Dim>& start, Real t) const {
-  if (spin == 0) return velocity;
-  const Vec3 arm = Eigen::AngleAxis<Real>(spin * t, axis) * in_space<Dim>(start - center);
-  return velocity + (spin * axis.cross(arm)).template head<Dim>();
-}
-
-template <int Dim>
 RigidSurfaces<Dim>::RigidSurfaces(Points<Dim> points, std::vector<Facet<Dim>> facets)
     : points_(std::move(points)) {
   surface_.points = &points_;
@@ -106,8 +88,6 @@ BodyView RigidSurfaces<Dim>::view(Label body, const WantedFields& wanted) const 
   return view;
 }
 
-template struct RigidMotion<2>;
-template struct RigidMotion<3>;
 template class RigidSurfaces<2>;
 template class RigidSurfaces<3>;
 

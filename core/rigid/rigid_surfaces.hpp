@@ -4,24 +4,10 @@
 #include <vector>
 
 #include "core/points_state.hpp"
+#include "core/rigid/rigid_motion.hpp"
 #include "core/solid.hpp"
 
 namespace brunt {
-
-/// How a rigid body moves: it is held where both are zero.
-template <int Dim>
-struct RigidMotion {
-  Label body = 0;
-  Vec<Dim> velocity = Vec<Dim>::Zero();  ///< [m/s] of the centre of the spin
-  Vec3 axis = Vec3::UnitZ();             ///< unit vector; in 2D out of the plane
-  Real spin = 0;                         ///< [rad/s] about the axis
-  Vec<Dim> center = Vec<Dim>::Zero();    ///< [m] at time 0
-
-  /// Position at time t of a point that was at `start` at time 0.
-  Vec<Dim> position(const Vec<Dim>& start, Real t) const;
-  /// [m/s] its velocity then.
-  Vec<Dim> velocity_at(const Vec<Dim>& start, Real t) const;
-};
 
 /// The group of all rigid surfaces: points without mass that others move, and their facets.
 /// It updates no elements and bounds no step.

@@ -24,9 +24,9 @@ std::string quantity_text(const ParameterValue& value) {
 
 class Resolver {
  public:
-  Resolver(const Units& units, const std::function<bool(const std::string&)>& is_formula,
+  Resolver(const Units& units, const FormulaNames& formula_names,
            std::vector<DeckProblem>& problems)
-      : units_(units), is_formula_(is_formula), problems_(problems) {}
+      : units_(units), formula_names_(formula_names), problems_(problems) {}
 
   void declare(const Node& map) {
     for (const Entry& entry : map.entries) {
@@ -57,10 +57,8 @@ class Resolver {
     }
     for (Entry& entry : node.entries) substitute(entry.value, join_path(path, entry.key));
     if (!node.is_scalar() || node.text.find('$') == std::string::npos) return;
-    if (is_formula_(path)) {
-      for (const std::string& name : names_in(node.text)) {
-        if (find(name)) used_.insert(name);
-      }
+    if (const auto* own = formula_names_(path)) {
+      substitute_formula(node, *own);
     } else {
       substitute_scalar(node, path);
     }
@@ -94,6 +92,22 @@ class Resolver {
   }
 
  private:
+  /// own  names that are no parameters here
+  void substitute_formula(Node& node, const std::set<std::string>& own) {
+    ParameterValues numbers;
+    for (const std::string& name : names_in(node.text)) {
+      const Declared* declared = find(name);
+      if (declared == nullptr) continue;
+      used_.insert(name);
+      if (declared->parameter.value && !own.contains(name)) {
+        numbers[name] = *declared->parameter.value;
+      }
+    }
+    if (numbers.empty()) return;
+    node.written = node.text;
+    node.text = with_numbers(node.text, numbers);
+  }
+
   enum class State { waiting, busy, done };
   struct Declared {
     Parameter parameter;
@@ -306,7 +320,7 @@ class Resolver {
   }
 
   const Units& units_;
-  const std::function<bool(const std::string&)>& is_formula_;
+  const FormulaNames& formula_names_;
   std::vector<DeckProblem>& problems_;
   std::vector<Declared> declared_;
   std::map<std::string, std::size_t> index_;  ///< of a name in declared_
@@ -322,9 +336,9 @@ class Resolver {
 }  // namespace
 
 std::vector<Parameter> resolve_parameters(Node& root, const Units& units,
-                                          const std::function<bool(const std::string&)>& is_formula,
+                                          const FormulaNames& formula_names,
                                           std::vector<DeckProblem>& problems) {
-  Resolver resolver(units, is_formula, problems);
+  Resolver resolver(units, formula_names, problems);
   if (const Node* map = root.find("parameters")) {
     if (map->is_map()) {
       resolver.declare(*map);

@@ -2,6 +2,7 @@
 /// Parameters of a deck: `$speed` as a value, `-$speed`, in expressions, in texts.
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,15 @@ struct Parameter {
   std::vector<SourcePlace> used_at;     ///< outside of other parameters
 };
 
+/// Of a formula, in which `$name` may stand for more than parameters: those names, at a path of the
+/// deck. Null where no formula stands.
+using FormulaNames = std::function<const std::set<std::string>*(const std::string& path)>;
+
 /// Takes the key `parameters` out of the deck, and puts values in wherever a `$name` stands but in
-/// expressions and where `is_formula(path)`. Undeclared and unused ones are problems, each reported
-/// once. Undeclared ones come last.
+/// expressions; in formulas numbers in SI, but for what the formula knows itself. Undeclared and
+/// unused ones are problems, each reported once. Undeclared ones come last.
 std::vector<Parameter> resolve_parameters(Node& root, const Units& units,
-                                          const std::function<bool(const std::string&)>& is_formula,
+                                          const FormulaNames& formula_names,
                                           std::vector<DeckProblem>& problems);
 ParameterValues values_of(const std::vector<Parameter>& parameters);
 

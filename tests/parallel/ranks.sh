@@ -61,6 +61,8 @@ cases=(
   "decks/fast 30_us"
   "decks/fast 20_us contact.default.stiffness=30 contact.default.step__by__area=true time.end=40_us"
   "tumbling-blocks 0.55_ms parameters.speed=30_m/s parameters.end=0.6_ms bodies.plate.cells=[10,_10,_2] contact.default.stiffness=20 contact.default.step__by__area=true"
+  "strip-rolling 0.8_ms parameters.end=1.5_ms measures=null"
+  "decks/driven 30_us"
   "decks/tets 2_us"
   "decks/stressed 3_us"
   "decks/still 2_us"

@@ -262,6 +262,16 @@ TEST(Deck, SynonymsOfWords) {
   }
 }
 
+TEST(Deck, MeasuresKnowParameters) {
+  // `length` is a measure of the deck, which counts before the parameter.
+  const auto loaded = load_deck_text(
+      kTaylor, "deck",
+      {"parameters.length=7 m", "measures.twice={expression: \"= $size + 2 * $length / $speed\"}"});
+  const auto& measure = loaded.deck.measures.back();
+  EXPECT_EQ(std::get<deck::ExpressionMeasure>(measure.value.kind).formula,
+            "= (4e-04) + 2 * $length / (190)");
+}
+
 TEST(Deck, ChecksAcrossTheDeck) {
   const std::string problems = problems_of(
       kTaylor, {"bodies.bar.material=coper", "contact.pairs.again={between: [anvil, bar]}",

@@ -48,5 +48,42 @@ TEST(RigidMotions, BeginBehindFreeBodies) {
   EXPECT_EQ(first.v[3], Vec<2>(0, 0));
 }
 
+/// v = (3 t^2, -1), w = 4 t about the origin: it has come (t^3, -t) and turned by 2 t^2. Rates in
+/// the middle of steps give the turn exactly, the way to dt^2/4 of t.
+TEST(RigidMotions, RatesOverTime) {
+  Points<2> points = on_a_line({0, 0});
+  RigidMotion<2> driven;
+  driven.velocity = Vec<2>(0, -1);
+  driven.velocity_over_time[0] = [](Real t, const Vec3&) { return 3 * t * t; };
+  driven.spin_over_time = [](Real t, const Vec3&) { return 4 * t; };
+  RigidMotions<2> motions, resumed;
+  motions.add(points, {driven});
+  motions.start();
+  EXPECT_EQ(points.v[1], Vec<2>(0, -1));
+  Points<2> copy = points;
+  resumed.add(copy, {driven});
+  constexpr int kSteps = 1000;
+  constexpr Real kStep = 1e-3;  // [s]
+  for (int n = 1; n <= kSteps; ++n) {
+    motions.impose(n * kStep, kStep);
+    if (n == kSteps / 2) {
+      std::vector<StateTable> saved;
+      motions.save_state(saved);
+      resumed.load_state(StateTables(std::move(saved)));
+    } else if (n > kSteps / 2) {
+      resumed.impose(n * kStep, kStep);
+      ASSERT_EQ(copy.x[1], points.x[1]);
+      ASSERT_EQ(copy.v[1], points.v[1]);
+    }
+  }
+  EXPECT_LT((points.x[0] - Vec<2>(1, -1)).norm(), 0.3e-6);
+  EXPECT_LT((points.x[1] - Vec<2>(1 + std::cos(2), -1 + std::sin(2))).norm(), 0.3e-6);
+  const auto& motion = motions.all()[0].motions[0];
+  EXPECT_LT(
+      (motion.velocity_at(Vec<2>(1, 0), 1) - Vec<2>(3 - 4 * std::sin(2), -1 + 4 * std::cos(2)))
+          .norm(),
+      1e-9);
+}
+
 }  // namespace
 }  // namespace brunt

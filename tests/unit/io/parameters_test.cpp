@@ -13,10 +13,12 @@ class ParametersTest : public ::testing::Test {
     Node root = read_yaml(deck, "deck");
     problems_.clear();
     parameters_ = resolve_parameters(
-        root, units_, [](const std::string& path) { return path == "formula"; }, problems_);
+        root, units_, [&](const std::string& path) { return path == "formula" ? &own_ : nullptr; },
+        problems_);
     return to_yaml(root);
   }
   Units units_;
+  const std::set<std::string> own_{"other"};
   std::vector<Parameter> parameters_;
   std::vector<DeckProblem> problems_;
 };
@@ -57,8 +59,11 @@ TEST_F(ParametersTest, UndeclaredOnesAreToldOnce) {
             "deck:5:4: z: the parameter $gone is not declared; known are unused");
 }
 
-TEST_F(ParametersTest, FormulasAreLeftAlone) {
+TEST_F(ParametersTest, FormulasKeepTheirOwnNames) {
   EXPECT_EQ(resolved("formula: \"= $a / $b\"\n"), "formula: \"= $a / $b\"\n");
+  EXPECT_TRUE(problems_.empty());
+  EXPECT_EQ(resolved("parameters: {a: 3 mm, other: 2}\nformula: \"= $a / $other + $b\"\n"),
+            "formula: \"= (0.003) / $other + $b\"\n");
   EXPECT_TRUE(problems_.empty());
 }
 

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "core/boundaries/function.hpp"
+#include "core/field_use.hpp"
+#include "core/types.hpp"
+
+namespace brunt {
+
+/// How far a rigid body has come since time 0.
+template <int Dim>
+struct RigidPose {
+  Vec<Dim> shift = Vec<Dim>::Zero();  ///< [m] of the centre of its spin
+  Real angle = 0;                     ///< [rad] about the axis
+};
+
+/// The prescribed motion of a rigid body: it shifts, and turns about a centre that goes with it,
+/// at constant rates or at rates over time.
+template <int Dim>
+struct RigidMotion {
+  Label body = 0;
+  Vec<Dim> velocity = Vec<Dim>::Zero();  ///< [m/s] of the centre of the spin, at time 0
+  Vec3 axis = Vec3::UnitZ();             ///< unit vector; in 2D out of the plane
+  Real spin = 0;                         ///< [rad/s] about the axis, at time 0
+  Vec<Dim> center = Vec<Dim>::Zero();    ///< [m] at time 0
+  /// [m/s], by component, and [rad/s]: what is not constant.
+  std::array<std::optional<FunctionOfTimeAndPlace>, Dim> velocity_over_time{};
+  std::optional<FunctionOfTimeAndPlace> spin_over_time{};
+  /// Of what is not constant, by the end of the last step: part of the state.
+  RigidPose<Dim> travelled{};
+  Real last_spin = 0;  ///< [rad/s] then, where it is not constant
+
+  bool varies() const;
+  bool turns() const { return spin != 0 || spin_over_time; }
+  Vec<Dim> velocity_of(Real t) const;  ///< [m/s] of the centre of the spin at a time
+  Real spin_of(Real t) const;          ///< [rad/s]
+  /// [rad/s] as the last step ended.
+  Real spin_now() const { return spin_over_time ? last_spin : spin; }
+  /// Where it is at the end of the last step, which is time t.
+  RigidPose<Dim> pose(Real t) const;
+  /// A step of dt that ends at a time: what is not constant goes on at its rate in the middle of
+  /// the step, which is exact where rates are linear.
+  void advance(Real time, Real dt);
+  /// Position of a point that was at `start` at time 0.
+  Vec<Dim> position(const Vec<Dim>& start, const RigidPose<Dim>& at) const;
+  /// [m/s] its velocity at the end of the last step, which is time t.
+  Vec<Dim> velocity_at(const Vec<Dim>& start, Real t) const;
+};
+
+/// Hands what a motion at rates over time carries from step to step to f(value, use).
+template <class AnyMotion, class F>
+void visit_motion(AnyMotion& motion, const F& f) {
+  f(motion.travelled.shift, kSaved), f(motion.travelled.angle, kSaved);
+  f(motion.last_spin, kSaved);
+}
+
+}  // namespace brunt
+// Tested by tests/unit/core/rigid_motions_test.cpp.
