@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "io/mesh/catalog.hpp"
 
@@ -67,6 +68,12 @@ bool has_velocity_field(const Body& body) {
                               [](const auto& v) { return v && v->is_expression(); });
 }
 
+bool has_changing_velocity(const Body& body) {
+  if (!body.rigid || !body.motion || !body.motion->over_time) return false;
+  return std::any_of(body.motion->over_time->begin(), body.motion->over_time->end(),
+                     [](const auto& v) { return v && !v->is_constant(); });
+}
+
 bool follows_forces(const Body& body) {
   if (!body.rigid) return false;
   if (!body.motion) return !body.material.empty();
@@ -86,8 +93,14 @@ void describe(Schema& s, Spin& spin) {
 
 void describe(Schema& s, Motion& motion) {
   static constexpr std::array kOver{Varying::Over::time};
-  s.list({"velocity", "velocity, kept for ever; a component that is free follows its forces"},
-         motion.velocity, kVelocity, Schema::kVector, true);
+  s.components({"velocity",
+                "velocity, kept for ever, or each component a table over time; one that is free "
+                "follows its forces"},
+               motion.over_time, kVelocity, kOver);
+  motion.velocity.clear();
+  for (const auto& v : motion.over_time.value_or(std::vector<std::optional<Varying>>{})) {
+    motion.velocity.push_back(v ? v->at(0) : std::numeric_limits<Real>::quiet_NaN());
+  }
   s.object({"spin", "rotation, kept for ever; without it the body does not turn"}, motion.spin);
   s.varying({"temperature", "it is held at it, or its surface where it has no material"},
             motion.temperature, {"K", at_least(0), between(50, 5000)}, kOver);

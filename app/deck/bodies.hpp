@@ -25,7 +25,9 @@ struct Spin {
 
 /// The prescribed motion of a rigid body.
 struct Motion {
-  std::vector<Real> velocity;  ///< [m/s]; NaN: this component follows its forces; empty: none
+  /// [m/s] as read: constants or tables over time; no value: this component follows its forces
+  std::optional<std::vector<std::optional<Varying>>> over_time;
+  std::vector<Real> velocity;  ///< [m/s] that at time 0, NaN where it is free; empty: none
   std::optional<Spin> spin;
   std::optional<Varying> temperature;  ///< [K] at which it is held, constant or over time
 };
@@ -72,6 +74,9 @@ bool has_velocity_field(const Body& body);
 /// Velocity [m/s] at time 0, as prescribed or as given, three components; at rest without. Of a
 /// field of the place nothing.
 std::array<Real, 3> first_velocity(const Body& body);
+
+/// True for a rigid body whose prescribed velocity is not the same for ever.
+bool has_changing_velocity(const Body& body);
 
 /// True for a rigid body of which something follows its forces.
 bool follows_forces(const Body& body);

@@ -39,7 +39,7 @@ Flight<Dim> flight_of(const Deck& deck, const Named<deck::Body>& named, const Bo
   const bool prescribed = body.rigid && body.motion;
   const auto& spin = prescribed && body.motion->spin ? body.motion->spin : body.spin;
   flight.straight = !is_led(deck, named.name) && !(prescribed && spin) && !box.empty() &&
-                    !deck::has_velocity_field(body);
+                    !deck::has_velocity_field(body) && !deck::has_changing_velocity(body);
   const auto take = [&](const std::vector<Real>& velocity) {
     for (std::size_t c = 0; c < std::min<std::size_t>(Dim, velocity.size()); ++c) {
       if (!std::isnan(velocity[c])) flight.velocity[static_cast<int>(c)] = velocity[c];

@@ -146,8 +146,11 @@ RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& 
   motion.center = -origin;
   if (!body.motion) return motion;
   for (std::size_t c = 0; c < body.motion->velocity.size() && c < Dim; ++c) {
-    const Real prescribed = body.motion->velocity[c];
-    if (!std::isnan(prescribed)) motion.velocity[static_cast<int>(c)] = prescribed;
+    const auto& prescribed = (*body.motion->over_time)[c];
+    if (!prescribed) continue;
+    motion.velocity[static_cast<int>(c)] = prescribed->at(0);
+    if (prescribed->is_constant()) continue;
+    motion.over_time[c].emplace(prescribed->abscissa, prescribed->ordinate);
   }
   if (!body.motion->spin) return motion;
   const auto& spin = *body.motion->spin;

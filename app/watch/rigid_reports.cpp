@@ -75,7 +75,7 @@ void report_prescribed(const typename RigidMotions<Dim>::Group& rigid, const Sce
     const Eigen::Quaternion<Real> turn(Eigen::AngleAxis<Real>(motion.spin * time, motion.axis));
     place->second.rotation = rotation_vector(turn);
     place->second.spin = motion.spin * motion.axis;
-    about[motion.body] = in_space<Dim>(Vec<Dim>(motion.center + time * motion.velocity));
+    about[motion.body] = in_space<Dim>(motion.center_at(time));
   }
   std::vector<Sums> sums(number.size());
   const auto& points = *rigid.points;

@@ -239,9 +239,8 @@ void FreeBodies<Dim>::book_forces(const Sums& sums, Real time, Real dt, FreeBody
   }
   (body.turns ? body.integration : body.boundary) -= 0.5 * dt * taken;
   const Vec3 place = prescribed_center(body, time);
-  const Vec3 about =
-      in_space<Dim>(Vec<Dim>(body.prescribed.center + time * body.prescribed.velocity));
-  const Vec3 given = in_space<Dim>(body.prescribed.velocity) +
+  const Vec3 about = in_space<Dim>(body.prescribed.center_at(time));
+  const Vec3 given = in_space<Dim>(body.prescribed.center_velocity(time)) +
                      body.prescribed.spin * body.prescribed.axis.cross(place - about);
   for (int c = 0; c < Dim; ++c) {
     if (body.is_free(c)) continue;

@@ -5,6 +5,24 @@
 namespace brunt {
 
 template <int Dim>
+Vec<Dim> RigidMotion<Dim>::center_at(Real t) const {
+  Vec<Dim> travel = velocity * t;
+  for (std::size_t c = 0; c < over_time.size(); ++c) {
+    if (over_time[c]) travel[static_cast<int>(c)] = over_time[c]->travel(t);
+  }
+  return center + travel;
+}
+
+template <int Dim>
+Vec<Dim> RigidMotion<Dim>::center_velocity(Real t) const {
+  Vec<Dim> now = velocity;
+  for (std::size_t c = 0; c < over_time.size(); ++c) {
+    if (over_time[c]) now[static_cast<int>(c)] = over_time[c]->velocity(t);
+  }
+  return now;
+}
+
+template <int Dim>
 Vec<Dim> RigidMotion<Dim>::position(const Vec<Dim>& start, Real t) const {
   Vec<Dim> arm = start - center;
   if (spin != 0) {
@@ -12,14 +30,14 @@ Vec<Dim> RigidMotion<Dim>::position(const Vec<Dim>& start, Real t) const {
     arm3.template head<Dim>() = arm;
     arm = (Eigen::AngleAxis<Real>(spin * t, axis) * arm3).eval().template head<Dim>();
   }
-  return center + velocity * t + arm;
+  return center_at(t) + arm;
 }
 
 template <int Dim>
 Vec<Dim> RigidMotion<Dim>::velocity_at(const Vec<Dim>& start, Real t) const {
-  if (spin == 0) return velocity;
+  if (spin == 0) return center_velocity(t);
   const Vec3 arm = Eigen::AngleAxis<Real>(spin * t, axis) * in_space<Dim>(start - center);
-  return velocity + (spin * axis.cross(arm)).template head<Dim>();
+  return center_velocity(t) + (spin * axis.cross(arm)).template head<Dim>();
 }
 
 template <int Dim>

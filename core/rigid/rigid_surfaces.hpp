@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/points_state.hpp"
+#include "core/rigid/velocity_table.hpp"
 #include "core/solid.hpp"
 
 namespace brunt {
@@ -12,11 +15,16 @@ namespace brunt {
 template <int Dim>
 struct RigidMotion {
   Label body = 0;
-  Vec<Dim> velocity = Vec<Dim>::Zero();  ///< [m/s] of the centre of the spin
+  Vec<Dim> velocity = Vec<Dim>::Zero();  ///< [m/s] of the centre of the spin, where it is constant
   Vec3 axis = Vec3::UnitZ();             ///< unit vector; in 2D out of the plane
   Real spin = 0;                         ///< [rad/s] about the axis
   Vec<Dim> center = Vec<Dim>::Zero();    ///< [m] at time 0
+  /// Components of the velocity that change; none: constant.
+  std::array<std::optional<VelocityTable>, static_cast<std::size_t>(Dim)> over_time{};
 
+  /// Where the centre is at time t [m], and its velocity then [m/s].
+  Vec<Dim> center_at(Real t) const;
+  Vec<Dim> center_velocity(Real t) const;
   /// Position at time t of a point that was at `start` at time 0.
   Vec<Dim> position(const Vec<Dim>& start, Real t) const;
   /// [m/s] its velocity then.
