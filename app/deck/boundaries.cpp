@@ -4,34 +4,6 @@
 
 namespace brunt::deck {
 
-void describe(Schema&, WhereAll&) {}
-void describe(Schema&, WhereSurface&) {}
-
-void describe(Schema& s, WherePlane& where) {
-  s.choice({"axis", "axis that the plane cuts", Need::required}, where.axis, s.axes());
-  s.real({"at", "where it cuts the axis", Need::required}, where.at, {"m"});
-}
-
-void describe(Schema& s, WhereBox& where) {
-  s.list({"min", "lowest corner", Need::required}, where.min, {"m"}, Schema::kVector);
-  s.list({"max", "highest corner", Need::required}, where.max, {"m"}, Schema::kVector);
-  bool ordered = true;  // a box without thickness may hold a plane of points
-  for (std::size_t c = 0; c < where.min.size() && c < where.max.size(); ++c) {
-    ordered = ordered && where.min[c] <= where.max[c];
-  }
-  s.require(ordered, "max", "must not be below min along any axis");
-}
-
-void describe(Schema& s, WhereSide& where) {
-  static constexpr const char* kSides[] = {"min-x", "max-x", "min-y", "max-y", "min-z", "max-z"};
-  const std::size_t count = s.geometry() == Geometry::three_d ? 6 : 4;
-  s.value(where.side, std::span(kSides, count), "a side of the body");
-}
-
-void describe(Schema& s, WhereSet& where) {
-  s.value(where.name, "name of a set of cells, faces or nodes");
-}
-
 namespace {
 /// "fix, velocity or force": the keys of all kinds.
 std::string all_keys(const BoundaryKinds& kinds) {

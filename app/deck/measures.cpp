@@ -26,6 +26,12 @@ void describe_field(Schema& s, std::string& body, std::string& field) {
   s.require(unit_of_field(field) != nullptr, "field", field_problem(field));
 }
 
+void describe_part(Schema& s, std::string& body, std::string& field, WhereInside& where) {
+  describe_field(s, body, field);
+  s.one_of({"where", "which part, by place at time 0: points, or elements by their centres"},
+           where);
+}
+
 struct UnitOfKind {
   const char* operator()(const ExtentMeasure&) const { return "m"; }
   const char* operator()(const MinMeasure& m) const { return field(m.field); }
@@ -84,9 +90,15 @@ void describe(Schema& s, ExtentMeasure& measure) {
   s.text({"body", "name of a body", Need::required}, measure.body);
   s.choice({"axis", "axis along which it is measured", Need::required}, measure.axis, s.axes());
 }
-void describe(Schema& s, MinMeasure& measure) { describe_field(s, measure.body, measure.field); }
-void describe(Schema& s, MaxMeasure& measure) { describe_field(s, measure.body, measure.field); }
-void describe(Schema& s, MeanMeasure& measure) { describe_field(s, measure.body, measure.field); }
+void describe(Schema& s, MinMeasure& measure) {
+  describe_part(s, measure.body, measure.field, measure.where);
+}
+void describe(Schema& s, MaxMeasure& measure) {
+  describe_part(s, measure.body, measure.field, measure.where);
+}
+void describe(Schema& s, MeanMeasure& measure) {
+  describe_part(s, measure.body, measure.field, measure.where);
+}
 
 void describe(Schema& s, PointMeasure& measure) {
   describe_field(s, measure.body, measure.field);

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "app/deck/speed_measure.hpp"
+#include "app/deck/where.hpp"
 #include "core/schema.hpp"
 
 namespace brunt::deck {
-
-enum class Axis : int { x, y, z };
 
 /// Largest minus smallest coordinate of a body's points.
 struct ExtentMeasure {
@@ -20,21 +19,25 @@ struct ExtentMeasure {
   Axis axis = Axis::x;
 };
 
-/// A field over a body: "temperature", "stress.xx", "velocity.magnitude".
+/// A field over a body, or a part of it at time 0: "temperature", "stress.xx",
+/// "velocity.magnitude".
 struct MinMeasure {
   static constexpr const char* deck_name = "min";
   static constexpr const char* deck_help = "smallest value of a field in a body";
   std::string body, field;
+  WhereInside where;
 };
 struct MaxMeasure {
   static constexpr const char* deck_name = "max";
   static constexpr const char* deck_help = "largest value of a field in a body";
   std::string body, field;
+  WhereInside where;
 };
 struct MeanMeasure {
   static constexpr const char* deck_name = "mean";
   static constexpr const char* deck_help = "mean by mass (point fields) or volume (cell fields)";
   std::string body, field;
+  WhereInside where;
 };
 
 /// The field at the place that is `at` at time 0, between points or of the cell that holds it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "app/setup/materials.hpp"
 #include "app/setup/rigid.hpp"
@@ -29,6 +30,14 @@ struct Choose {
     return chosen;
   }
 
+  template <class Part>
+  std::vector<LocalIndex> inside(const Part& part) const {
+    return where([&](LocalIndex i) {
+      const Vec<Dim> x = place(i);
+      return part.holds(std::span<const Real>(x.data(), Dim), tolerance);
+    });
+  }
+
   std::vector<LocalIndex> operator()(const deck::WhereAll&) const {
     return where([](LocalIndex) { return true; });
   }
@@ -43,16 +52,9 @@ struct Choose {
     const int c = static_cast<int>(plane.axis);
     return where([&](LocalIndex i) { return std::fabs(place(i)[c] - plane.at) <= tolerance; });
   }
-  std::vector<LocalIndex> operator()(const deck::WhereBox& box) const {
-    return where([&](LocalIndex i) {
-      bool inside = true;
-      for (int c = 0; c < Dim; ++c) {
-        const auto k = slot_of(c);
-        inside = inside && place(i)[c] >= box.min[k] - tolerance &&
-                 place(i)[c] <= box.max[k] + tolerance;
-      }
-      return inside;
-    });
+  std::vector<LocalIndex> operator()(const deck::WhereBox& box) const { return inside(box); }
+  std::vector<LocalIndex> operator()(const deck::WhereCylinder& cylinder) const {
+    return inside(cylinder);
   }
   std::vector<LocalIndex> operator()(const deck::WhereSide& side) const {
     const int c = static_cast<int>(side.side) / 2;

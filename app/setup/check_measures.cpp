@@ -4,6 +4,7 @@
 
 #include "app/setup/scene_checks.hpp"
 #include "app/watch/history_columns.hpp"
+#include "app/watch/parts.hpp"
 #include "io/deck/column_expression.hpp"
 #include "io/deck/suggest.hpp"
 
@@ -157,6 +158,20 @@ std::string reason_for(const std::string& field) {
   return "";
 }
 
+/// What is wrong with a part of a body that nothing of it is in; "": nothing.
+template <class Kind, int Dim>
+std::string part_problem(const Scene<Dim>& scene, const Kind& kind) {
+  if (std::holds_alternative<deck::WhereAll>(kind.where)) return "";
+  if (!contains(scene.body_names, kind.body)) return "";
+  const std::string name = kind.field.substr(0, kind.field.find('.'));
+  const BodyView view = scene.view(label_of(scene, kind.body), WantedFields{{{name}}});
+  const bool cells = field_named(view.point_fields, name) == nullptr && view.n_cells() > 0;
+  const auto held = held_at_start(kind.where, view, cells);
+  if (std::find(held.begin(), held.end(), 1) != held.end()) return "";
+  return std::string("holds no ") + (cells ? "centre of an element" : "point") + " of '" +
+         kind.body + "' at time 0";
+}
+
 /// Columns that `stop.when` names and history.csv does not have, and its form.
 void check_stop(const LoadedDeck& loaded, const Names& columns, bool wrong_elsewhere,
                 std::vector<DeckProblem>& problems) {
@@ -203,6 +218,10 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
           const std::string path =
               "measures." + named.name + "." + std::remove_cvref_t<decltype(kind)>::deck_name;
           if constexpr (requires { kind.field; }) check_field(path, kind);
+          if constexpr (requires { kind.where; }) {
+            const auto part = part_problem(scene, kind);
+            if (!part.empty()) problems.push_back(loaded.places.problem(path + ".where", part));
+          }
           const auto problem = weights_problem(loaded, scene, kind, wrong_elsewhere);
           if (!problem.empty()) problems.push_back(loaded.places.problem(path + ".body", problem));
           if constexpr (requires { kind.column; }) {

@@ -149,12 +149,12 @@ RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& 
     const Real prescribed = body.motion->velocity[c];
     if (!std::isnan(prescribed)) motion.velocity[static_cast<int>(c)] = prescribed;
     const auto& driven = (*body.motion->driven_velocity)[c];
-    if (driven && !driven->is_constant()) motion.velocity_over_time[c] = function_of(*driven);
+    if (driven) motion.velocity_over_time[c] = driven_rate_of(*driven);
   }
   if (!body.motion->spin) return motion;
   const auto& spin = *body.motion->spin;
   motion.spin = motion.last_spin = spin.rate;
-  if (!spin.driven_rate->is_constant()) motion.spin_over_time = function_of(*spin.driven_rate);
+  motion.spin_over_time = driven_rate_of(*spin.driven_rate);
   if (Dim == 3) motion.axis = to_vector<3>(spin.axis).normalized();
   motion.center += to_vector<Dim>(spin.about);
   return motion;

@@ -8,6 +8,7 @@
 
 #include "app/scene/field_values.hpp"
 #include "app/scene/place.hpp"
+#include "app/watch/parts.hpp"
 #include "io/deck/expression.hpp"
 
 namespace brunt {
@@ -85,6 +86,13 @@ std::optional<Place> place_now(Place place, const BodyView& start, const BodyVie
   return place;
 }
 
+/// True where a field such as "stress.xx" is of cells; what is of points too counts as theirs.
+bool has_cell_field(const BodyView& view, const std::string& field) {
+  const std::string name = field.substr(0, field.find('.'));
+  return field_named(view.point_fields, name) == nullptr &&
+         field_named(view.cell_fields, name) != nullptr;
+}
+
 struct Evaluate {
   const MeasureSource& source;
   const std::vector<MeasureValue>& before;
@@ -92,17 +100,36 @@ struct Evaluate {
   Real operator()(const deck::ExtentMeasure& m) const {
     return extent(source.view(m.body), static_cast<int>(m.axis));
   }
+  /// Values of a part of the body, or of all of it.
+  template <class M>
+  std::vector<Real> values_of(const M& m, std::vector<Real>* weights = nullptr) const {
+    const BodyView& view = source.view(m.body);
+    auto values = field_values(view, m.field, weights);
+    if (std::holds_alternative<deck::WhereAll>(m.where)) return values;
+    const auto held =
+        held_now(m.where, source.start->at(m.body), view, has_cell_field(view, m.field));
+    const auto leave_out = [&](std::vector<Real>& all) {
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        if (held[i] != 0) all[n++] = all[i];
+      }
+      all.resize(n);
+    };
+    leave_out(values);
+    if (weights != nullptr) leave_out(*weights);
+    return values;
+  }
   Real operator()(const deck::MinMeasure& m) const {
-    const auto values = field_values(source.view(m.body), m.field);
+    const auto values = values_of(m);
     return values.empty() ? kNone : *std::min_element(values.begin(), values.end());
   }
   Real operator()(const deck::MaxMeasure& m) const {
-    const auto values = field_values(source.view(m.body), m.field);
+    const auto values = values_of(m);
     return values.empty() ? kNone : *std::max_element(values.begin(), values.end());
   }
   Real operator()(const deck::MeanMeasure& m) const {
     std::vector<Real> weights;
-    const auto values = field_values(source.view(m.body), m.field, &weights);
+    const auto values = values_of(m, &weights);
     Real sum = 0, total = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
       sum += weights[i] * values[i], total += weights[i];
@@ -111,8 +138,7 @@ struct Evaluate {
   }
   Real operator()(const deck::PointMeasure& m) const {
     const BodyView& view = source.view(m.body);
-    const auto dot = m.field.find('.');
-    const bool cells = field_named(view.cell_fields, m.field.substr(0, dot)) != nullptr;
+    const bool cells = has_cell_field(view, m.field);
     const BodyView& start = source.start->at(m.body);
     const auto place = place_now(find_place(start, m.at), start, view, cells);
     return place ? value_at(*place, field_values(view, m.field), cells) : kNone;
@@ -148,10 +174,11 @@ std::optional<MeasureReads> reads_of(const deck::Measure& measure) {
           } else if constexpr (requires { Kind::reads; }) {
             reads.fields = {{{Kind::reads}}};
           }
-          if constexpr (requires { Kind::reads_start; }) {
-            reads.at_start = true;
-            reads.fields.names->push_back("id");  // by which entries are found again
+          if constexpr (requires { Kind::reads_start; }) reads.at_start = true;
+          if constexpr (requires { kind.where; }) {
+            reads.at_start = !std::holds_alternative<deck::WhereAll>(kind.where);
           }
+          if (reads.at_start) reads.fields.names->push_back("id");  // to find entries again
           return reads;
         } else {
           return std::nullopt;

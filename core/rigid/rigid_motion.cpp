@@ -1,8 +1,27 @@
 #include "core/rigid/rigid_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brunt {
+
+Real DrivenRate::over(Real a, Real b) const {
+  static const Real kGauss = 1 / std::sqrt(3.0);
+  Real sum = 0;
+  auto kink = std::upper_bound(kinks.begin(), kinks.end(), a);
+  for (Real from = a; from < b;) {
+    const Real to = kink != kinks.end() && *kink < b ? *kink++ : b;
+    const Real half = 0.5 * (to - from), middle = from + half;
+    sum += half * (at(middle - kGauss * half) + at(middle + kGauss * half));
+    from = to;
+  }
+  return sum;
+}
+
+std::optional<DrivenRate> driven_rate_of(const Varying& varying) {
+  if (varying.is_constant()) return std::nullopt;
+  return DrivenRate{function_of(varying), varying.abscissa};
+}
 
 template <int Dim>
 bool RigidMotion<Dim>::varies() const {
@@ -14,14 +33,14 @@ template <int Dim>
 Vec<Dim> RigidMotion<Dim>::velocity_of(Real t) const {
   Vec<Dim> now = velocity;
   for (std::size_t c = 0; c < Dim; ++c) {
-    if (velocity_over_time[c]) now[static_cast<int>(c)] = (*velocity_over_time[c])(t, Vec3::Zero());
+    if (velocity_over_time[c]) now[static_cast<int>(c)] = velocity_over_time[c]->at(t);
   }
   return now;
 }
 
 template <int Dim>
 Real RigidMotion<Dim>::spin_of(Real t) const {
-  return spin_over_time ? (*spin_over_time)(t, Vec3::Zero()) : spin;
+  return spin_over_time ? spin_over_time->at(t) : spin;
 }
 
 template <int Dim>
@@ -37,9 +56,12 @@ RigidPose<Dim> RigidMotion<Dim>::pose(Real t) const {
 
 template <int Dim>
 void RigidMotion<Dim>::advance(Real time, Real dt) {
-  if (!varies()) return;
-  travelled.shift += dt * velocity_of(time - 0.5 * dt);
-  travelled.angle += dt * spin_of(time - 0.5 * dt);
+  for (std::size_t c = 0; c < Dim; ++c) {
+    const auto& rate = velocity_over_time[c];
+    if (rate) travelled.shift[static_cast<int>(c)] += rate->over(time - dt, time);
+  }
+  if (!spin_over_time) return;
+  travelled.angle += spin_over_time->over(time - dt, time);
   last_spin = spin_of(time);
 }
 

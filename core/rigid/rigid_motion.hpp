@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/boundaries/function.hpp"
 #include "core/field_use.hpp"
@@ -15,6 +16,18 @@ struct RigidPose {
   Real angle = 0;                     ///< [rad] about the axis
 };
 
+/// A rate of a prescribed motion that is not constant: a table over time or an expression of it.
+struct DrivenRate {
+  FunctionOfTimeAndPlace value;  ///< [m/s] or [rad/s]; the place says nothing
+  std::vector<Real> kinks;       ///< [s] ascending times at which a table bends
+
+  Real at(Real t) const { return value(t, Vec3::Zero()); }
+  /// Its integral from a to b: exact for tables, and for expressions to h^4 by Gauss's two points.
+  Real over(Real a, Real b) const;
+};
+/// Of a value of the deck; none where it is constant.
+std::optional<DrivenRate> driven_rate_of(const Varying& varying);
+
 /// The prescribed motion of a rigid body: it shifts, and turns about a centre that goes with it,
 /// at constant rates or at rates over time.
 template <int Dim>
@@ -25,8 +38,8 @@ struct RigidMotion {
   Real spin = 0;                         ///< [rad/s] about the axis, at time 0
   Vec<Dim> center = Vec<Dim>::Zero();    ///< [m] at time 0
   /// [m/s], by component, and [rad/s]: what is not constant.
-  std::array<std::optional<FunctionOfTimeAndPlace>, Dim> velocity_over_time{};
-  std::optional<FunctionOfTimeAndPlace> spin_over_time{};
+  std::array<std::optional<DrivenRate>, Dim> velocity_over_time{};
+  std::optional<DrivenRate> spin_over_time{};
   /// Of what is not constant, by the end of the last step: part of the state.
   RigidPose<Dim> travelled{};
   Real last_spin = 0;  ///< [rad/s] then, where it is not constant
@@ -39,8 +52,7 @@ struct RigidMotion {
   Real spin_now() const { return spin_over_time ? last_spin : spin; }
   /// Where it is at the end of the last step, which is time t.
   RigidPose<Dim> pose(Real t) const;
-  /// A step of dt that ends at a time: what is not constant goes on at its rate in the middle of
-  /// the step, which is exact where rates are linear.
+  /// A step of dt that ends at a time: what is not constant goes on by its integral.
   void advance(Real time, Real dt);
   /// Position of a point that was at `start` at time 0.
   Vec<Dim> position(const Vec<Dim>& start, const RigidPose<Dim>& at) const;

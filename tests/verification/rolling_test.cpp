@@ -88,8 +88,8 @@ TEST(Rolling, ForceAndTorqueAreThoseOfTheSlab) {
 
 /// Where friction is less than the tangent of the bite angle, 0.1415, the strip is not drawn in.
 TEST(Rolling, TooLittleFrictionDoesNotBite) {
-  const auto run = simulate_shipped(
-      "strip-rolling", {"parameters.mu=0.05", "measures=null", "parameters.end=6 ms"});
+  const auto run = simulate_shipped("strip-rolling",
+                                    {"parameters.mu=0.05", "measures=null", "parameters.end=6 ms"});
   ASSERT_EQ(run.failure, "");
   EXPECT_LT(run.column("body.strip.velocity.x").back(), 0.01);
 }

@@ -79,7 +79,7 @@ bodies:
     rigid: true
     shape: {polygon: {points: [[0, 0], [1, 0], [0, 1]], thickness: 1}}
     motion:
-      velocity: [0, 0, 1]
+      velocity: [0, {table: [[0, 0], [1, 1]], over: time}, 1]
       spin: {axis: z, rate: 1 rpm, about: [0, 0, 0]}
       temperature: 300
   f: {rigid: true, shape: {plane: {origin: [0, 0, -9], normal: z, extent: 4}}}
@@ -132,6 +132,7 @@ boundaries:
   surface: {body: a, where: surface, velocity: [0, free, "= t"], from: 1 us, to: 2 us}
   plane: {body: a, where: {plane: {axis: x, at: 1}}, force: [0, 0, 1]}
   box: {body: a, where: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, fix: [x]}
+  bolt: {body: a, where: {cylinder: {radius: 1, length: 1, base: [0, 0, 0], axis: z}}, fix: [x]}
   side: {body: a, where: {side: min-x}, fix: [x], pressure: 1000, nonreflecting: true}
   set: {body: k, where: {set: foot}, fix: [x]}
   hot: {body: a, where: {side: max-x}, temperature: 400}
@@ -143,9 +144,24 @@ gravity: [0, 0, -9.81]
 damping: {rate: 100, until: 1 ms}
 measures:
   m_extent: {extent: {body: a, axis: x}, reference: 1, exact: 1, at: 1 us}
-  m_min: {min: {body: a, field: pressure}}
-  m_max: {max: {body: a, field: stress.xx}}
-  m_mean: {mean: {body: a, field: velocity.x}}
+  m_min: {min: {body: a, field: pressure, where: all}}
+  m_min_box: {min: {body: a, field: pressure, where: {box: {min: [0, 0, 0], max: [1, 1, 1]}}}}
+  m_min_hole:
+    min:
+      {body: a, field: pressure,
+       where: {cylinder: {radius: 1, length: 1, base: [0, 0, 0], axis: z}}}
+  m_max: {max: {body: a, field: stress.xx, where: all}}
+  m_max_box: {max: {body: a, field: stress.xx, where: {box: {min: [0, 0, 0], max: [1, 1, 1]}}}}
+  m_max_hole:
+    max:
+      {body: a, field: stress.xx,
+       where: {cylinder: {radius: 1, length: 1, base: [0, 0, 0], axis: z}}}
+  m_mean: {mean: {body: a, field: velocity.x, where: all}}
+  m_mean_box: {mean: {body: a, field: velocity.x, where: {box: {min: [0, 0, 0], max: [1, 1, 1]}}}}
+  m_mean_hole:
+    mean:
+      {body: a, field: velocity.x,
+       where: {cylinder: {radius: 1, length: 1, base: [0, 0, 0], axis: z}}}
   m_point: {point: {body: a, field: temperature, at: [0, 0, 0]}}
   m_history: {history: {column: energy.total, from: 1 us, to: 2 us}}
   m_restitution: {restitution: {body: a}}

@@ -36,10 +36,10 @@ struct Measures : testing::Test {
 
 TEST_F(Measures, ReadBodies) {
   EXPECT_EQ(value(deck::ExtentMeasure{"dust", deck::Axis::x}), 3);  // radii count
-  EXPECT_EQ(value(deck::MaxMeasure{"dust", "velocity.magnitude"}), 5);
-  EXPECT_EQ(value(deck::MinMeasure{"dust", "velocity.x"}), 0);
-  EXPECT_EQ(value(deck::MeanMeasure{"dust", "temperature"}), 375);
-  EXPECT_EQ(value(deck::MaxMeasure{"dust", "stress.xz"}), 6);
+  EXPECT_EQ(value(deck::MaxMeasure{"dust", "velocity.magnitude", {}}), 5);
+  EXPECT_EQ(value(deck::MinMeasure{"dust", "velocity.x", {}}), 0);
+  EXPECT_EQ(value(deck::MeanMeasure{"dust", "temperature", {}}), 375);
+  EXPECT_EQ(value(deck::MaxMeasure{"dust", "stress.xz", {}}), 6);
   EXPECT_EQ(value(deck::PointMeasure{"dust", "temperature", {1.9, 0}}), 400);
   EXPECT_EQ(unit_of(deck::Measure{deck::SpeedMeasure{"dust"}, {}, {}, {}}), std::string("m/s"));
   view.point_fields[0].values = {3, 0, 4, 3, 0, 4};
@@ -51,7 +51,7 @@ TEST_F(Measures, ReadBodies) {
 
 TEST(MeasureReads, NameTheBodyAndItsField) {
   const auto reads = [](deck::MeasureKind kind) { return reads_of({std::move(kind), {}, {}, {}}); };
-  const auto stress = reads(deck::MaxMeasure{"dust", "stress.xz"});
+  const auto stress = reads(deck::MaxMeasure{"dust", "stress.xz", {}});
   EXPECT_EQ(stress->body, "dust");
   EXPECT_EQ(*stress->fields.names, std::vector<std::string>{"stress"});
   EXPECT_FALSE(stress->at_start);
@@ -78,8 +78,8 @@ TEST_F(Measures, CombineMeasures) {
   const std::vector<MeasureValue> before{{"a", 6, "m", {}, {}}, {"b", 3, "m", {}, {}}};
   EXPECT_EQ(value(deck::ExpressionMeasure{"= $a / $b"}, before), 2);
   EXPECT_THROW(value(deck::ExpressionMeasure{"= $a / $c"}, before), std::invalid_argument);
-  EXPECT_THROW(value(deck::MaxMeasure{"dust", "porosity"}), std::invalid_argument);
-  EXPECT_THROW(value(deck::MaxMeasure{"dust", "velocity.w"}), std::invalid_argument);
+  EXPECT_THROW(value(deck::MaxMeasure{"dust", "porosity", {}}), std::invalid_argument);
+  EXPECT_THROW(value(deck::MaxMeasure{"dust", "velocity.w", {}}), std::invalid_argument);
 }
 
 }  // namespace
