@@ -97,8 +97,8 @@ class Communicator {
   mutable Traffic traffic_;
 };
 
-/// Joins the ranks that mpirun started, if it did; leaves them at its end. One at a time; another one
-/// within its life, or within that of a program that called MPI_Init itself, leaves nothing.
+/// Joins the ranks that mpirun started, if it did; leaves them at its end. One at a time; another
+/// one within its life, or within that of a program that called MPI_Init itself, leaves nothing.
 class ParallelSession {
  public:
   ParallelSession(int& argc, char**& argv);
