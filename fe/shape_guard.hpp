@@ -22,7 +22,7 @@ struct ShapeGuard {
   static constexpr Real kClosing = 0.05;
   /// The stiffness bounds steps of places up to so many h already, two of whose steps end below h
   /// at the soonest: met with the longer step before it, it would throw what comes slowly back
-  /// fifty times as fast, again and again.
+  /// much faster, again and again.
   static constexpr Real kNear = 1.1;
   /// So much farther from flat than where the guard may begin to act an element is not looked at:
   /// no step takes it from there to where it acts, or back.

@@ -180,7 +180,7 @@ TEST(ShapeGuard, StepsStayStable) {
 
 /// A corner that comes slowly to where it feels the guard has the short step before it is there:
 /// at (t, t) its height is that of J + kFlat^2/J, J = 1 - 2 t: 0.0244, 0.0204 and 0.0195 here. With
-/// the long step it was thrown back fifty times as fast as it had come.
+/// the long step it was thrown back much faster than it had come.
 TEST(ShapeGuard, StepsAreShortBeforeItActs) {
   const Material material = fluid();
   const auto bound_at = [&](Real t) {
