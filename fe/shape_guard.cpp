@@ -150,7 +150,7 @@ V height_of(const Square<Dim, V>& inverse_start, const Square<Dim, V>& a) {
 }
 
 /// What one place with dx/dxi = a adds, over V0 k/places: slopes by a [1/m] and a bound of its
-/// stiffness [1/m^2].
+/// stiffness [1/m^2], where it is near already.
 template <int Dim>
 struct PlaceGuard {
   Square<Dim> slope{};
@@ -161,8 +161,9 @@ struct PlaceGuard {
     const Square<Dim> F = product(a, inverse_start), cof = cofactors_of(F);
     const Real square = double_dot(cof, cof);
     const PositivePart<Real> positive(determinant(F, cof));
-    const Real excess = 2 * std::log(ShapeGuard::kHeight / (positive.value / std::sqrt(square)));
-    if (!(excess > 0)) return;
+    const Real height = positive.value / std::sqrt(square);
+    if (!(height < ShapeGuard::kNear * ShapeGuard::kHeight)) return;
+    const Real excess = std::max(0.0, 2 * std::log(ShapeGuard::kHeight / height));
     const Square<Dim> of_cof = cofactor_slope(F);
     Square<Dim> by_F;
     for (std::size_t i = 0; i < Dim; ++i) {
@@ -220,8 +221,11 @@ struct Heights {
     }
     return most;
   }
-  /// True where the energy may not be 0.
-  bool may_act(int p) const { return now[p] < ShapeGuard::kHeight || old[p] < ShapeGuard::kHeight; }
+  /// True where the energy may not be 0, or the next step may find it so.
+  bool may_act(int p) const {
+    constexpr Real near = ShapeGuard::kNear * ShapeGuard::kHeight;
+    return now[p] < near || old[p] < near;
+  }
 };
 
 /// Adds to an element's corner forces what a place gives by `slope`, times `scale`.

@@ -20,6 +20,10 @@ struct ShapeGuard {
   /// Part of its height, or of h where that is less, that a place may lose in a step: what comes
   /// faster would be through the energy before its steepness bounds the step.
   static constexpr Real kClosing = 0.05;
+  /// The stiffness bounds steps of places up to so many h already, two of whose steps end below h
+  /// at the soonest: met with the longer step before it, it would throw what comes slowly back
+  /// much faster, again and again.
+  static constexpr Real kNear = 1.1;
   /// So much farther from flat than where the guard may begin to act an element is not looked at:
   /// no step takes it from there to where it acts, or back.
   static constexpr Real kOpen = 3;

@@ -27,8 +27,9 @@ Real relative_speed(const Body& a, const Body& b) {
 }
 
 /// What a sudden speed [m/s] does to a body at first: a wave of stress sqrt(E rho) v.
-void warn_of_jump(const Deck& deck, const Named<Body>& body, const std::string& path, Real speed,
-                  Findings& findings) {
+/// path, advice: of what is sudden, and what else than a lower process_speed there is
+void warn_of_jump(const Deck& deck, const Named<Body>& body, const std::string& path,
+                  const std::string& advice, Real speed, Findings& findings) {
   const auto* material = deck.material_named(body.value.material);
   if (material == nullptr || !findings.sound("materials")) return;
   const Real stepped = deck.time.process_speed * speed;
@@ -42,8 +43,8 @@ void warn_of_jump(const Deck& deck, const Named<Body>& body, const std::string& 
                           " m/s as it is stepped (time.process_speed): the wave that it sends "
                           "through " +
                           body.name + " has " + short_text(1e-6 * stress) +
-                          " MPa, where it yields at " + short_text(1e-6 * flow) +
-                          " MPa; let the velocity grow from 0, or lower process_speed");
+                          " MPa, where it yields at " + short_text(1e-6 * flow) + " MPa; " +
+                          advice + ", or lower process_speed");
 }
 
 /// Velocities that begin with a jump, each against what it acts on: of rigid tools on any body.
@@ -53,12 +54,13 @@ void warn_of_jumps(const Deck& deck, Findings& findings) {
     for (const auto& [name, tool] : deck.bodies) {
       if (!tool.rigid || !tool.motion || tool.motion->velocity.empty()) continue;
       warn_of_jump(deck, body, "bodies." + name + ".motion.velocity",
+                   "give " + body.name + " the `velocity` of its flow at time 0",
                    relative_speed(tool, body.value), findings);
     }
     for (const auto& [name, boundary] : deck.boundaries) {
       const auto& motion = boundary.of<PrescribedMotion>();
       if (boundary.body != body.name || !motion.velocity) continue;
-      warn_of_jump(deck, body, "boundaries." + name + ".velocity",
+      warn_of_jump(deck, body, "boundaries." + name + ".velocity", "let the velocity grow from 0",
                    sudden_speed(*motion.velocity, body.value), findings);
     }
   }

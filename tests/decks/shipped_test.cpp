@@ -119,7 +119,10 @@ INSTANTIATE_TEST_SUITE_P(
         Shipped{"perforation", {"parameters.size=2.5 mm", "time.end=20 us"}},
         Shipped{"perforation/converted", {"parameters.size=2.5 mm", "time.end=20 us"}},
         Shipped{"perforation/particles", {"parameters.size=2.5 mm", "time.end=20 us"}},
-        Shipped{"brick-wall-2d", {"parameters.size=12.5 mm", "time.end=0.1 ms"}}),
+        Shipped{"brick-wall-2d", {"parameters.size=12.5 mm", "time.end=0.1 ms"}},
+        Shipped{"ring-compression",
+                {"parameters.size=0.75 mm", "parameters.m=1", "time.process_speed=400",
+                 "time.end=90 ms"}}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (auto& c : name) c = c == '-' || c == '/' ? '_' : c;

@@ -79,6 +79,7 @@ cases=(
   "decks/fails 5_us"
   "decks/concrete 12_us"
   "concrete-cylinder 20_us time.end=40_us parameters.size=1_mm"
+  "ring-compression 40_ms time.end=60_ms parameters.size=0.75_mm parameters.m=1 time.process__speed=400"
 )
 # On four ranks and more besides: what the cases above have in other decks.
 more=(
