@@ -54,7 +54,8 @@ void warn_of_jumps(const Deck& deck, Findings& findings) {
     for (const auto& [name, tool] : deck.bodies) {
       if (!tool.rigid || !tool.motion || tool.motion->velocity.empty()) continue;
       warn_of_jump(deck, body, "bodies." + name + ".motion.velocity",
-                   "give " + body.name + " the `velocity` of its flow at time 0",
+                   "let the velocity grow from 0, give " + body.name +
+                       " the `velocity` of its flow at time 0",
                    relative_speed(tool, body.value), findings);
     }
     for (const auto& [name, boundary] : deck.boundaries) {

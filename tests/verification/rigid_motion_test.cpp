@@ -11,7 +11,7 @@
 namespace brunt::test {
 namespace {
 
-const std::string kDeck = R"(
+const std::string kDeck = R"yaml(
 geometry: 3d
 time: {end: 5 ms}
 materials:
@@ -29,7 +29,7 @@ bodies:
         - 0.5 m/s
       spin: {axis: z, rate: "= 2e4*t", about: [25 mm, 5 mm, 5 mm]}
 output: {history: 0.1 ms}
-)";
+)yaml";
 
 void expect_way(const Simulation& run) {
   ASSERT_EQ(run.failure, "");
