@@ -17,7 +17,10 @@ time: {end: 5 ms}
 materials:
   soft: {density: 1000, elastic: {E: 1 GPa, nu: 0.3}}
 bodies:
-  other: {material: soft, shape: {box: {min: [0, 0, 0], max: [10 mm, 10 mm, 10 mm]}}, cells: [2, 2, 2]}
+  other:
+    material: soft
+    shape: {box: {min: [0, 0, 0], max: [10 mm, 10 mm, 10 mm]}}
+    cells: [2, 2, 2]
   tool:
     rigid: true
     material: soft
