@@ -105,16 +105,8 @@ std::string table_of(std::size_t group) {
   return group == 0 ? "rigid" : "rigid." + std::to_string(group);
 }
 
-/// Those whose rates are not constant: how far they have come follows from all steps.
-template <class Motions>
-auto varying(Motions& motions) {
-  std::vector<decltype(&motions.front())> found;
-  for (auto& motion : motions) {
-    if (motion.varies()) found.push_back(&motion);
-  }
-  return found;
-}
-
+/// How far those have come whose rates are not constant follows from all steps.
+constexpr auto kItself = [](const auto& motion) -> auto& { return motion; };
 }  // namespace
 
 template <int Dim>
@@ -124,7 +116,7 @@ void RigidMotions<Dim>::save_state(std::vector<StateTable>& tables) const {
     save_rows(
         table_of(k), rigid.points->owned(), [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { rigid.visit_fields(rigid, saved_in(row, i)); }, tables);
-    const auto motions = varying(rigid.motions);
+    const auto motions = varying_of(rigid.motions, kItself);
     if (motions.empty()) continue;
     save_rows(
         table_of(k) + ".motions", motions.size(),
@@ -140,7 +132,7 @@ void RigidMotions<Dim>::load_state(const StateTables& tables) {
     load_rows(
         table_of(k), rigid.points->owned(), [&](std::size_t i) { return rigid.points->id[i]; },
         [&](auto& row, std::size_t i) { rigid.visit_fields(rigid, saved_in(row, i)); }, tables);
-    const auto motions = varying(rigid.motions);
+    const auto motions = varying_of(rigid.motions, kItself);
     if (motions.empty()) continue;
     load_rows(
         table_of(k) + ".motions", motions.size(),

@@ -159,7 +159,7 @@ void FreeBodies<Dim>::impose(FreeBody<Dim>& body, Real time, Real dt, Vec3& chor
   }
   if (body.turns) return;
   const auto turning = [&] { return 0.5 * state.momentum.dot(state.spin()); };
-  const Real had = turning();
+  const Real had = given.spin_over_time ? turning() : 0.0;
   state.turn = Eigen::AngleAxis<Real>(to.angle, given.axis);
   const Mat3 rotation = state.rotation();
   const Vec3 spin = given.spin_of(time) * given.axis;
@@ -293,15 +293,7 @@ void visit_free_body(AnyBody& body, const F& f) {
   f(body.point_force, kSaved), f(body.point_torque, kSaved), f(body.reaction, kSaved);
   f(body.integration, kSaved), f(body.boundary, kSaved);
 }
-/// Those that are moved in part, at rates that are not constant.
-template <class Bodies>
-auto varying_motions(Bodies& bodies) {
-  std::vector<decltype(&bodies.front())> found;
-  for (auto& body : bodies) {
-    if (body.prescribed.varies()) found.push_back(&body);
-  }
-  return found;
-}
+constexpr auto kPrescribed = [](const auto& body) -> auto& { return body.prescribed; };
 /// The same of one of its points.
 template <class Group, class F>
 void visit_point_of_body(Group& group, std::size_t k, const F& f) {
@@ -346,7 +338,7 @@ void FreeBodies<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
       [&](auto& row, std::size_t b) { visit_free_body(bodies_[b], saved_in(row)); }, tables);
-  if (const auto varying = varying_motions(bodies_); !varying.empty()) {
+  if (const auto varying = varying_of(bodies_, kPrescribed); !varying.empty()) {
     save_rows(
         "rigid.bodies.motions", varying.size(),
         [&](std::size_t k) { return GlobalId{varying[k]->piece}; },
@@ -365,7 +357,7 @@ void FreeBodies<Dim>::load_state(const StateTables& tables) {
   load_rows(
       "rigid.bodies", bodies_.size(), [&](std::size_t b) { return GlobalId{bodies_[b].piece}; },
       [&](auto& row, std::size_t b) { visit_free_body(bodies_[b], saved_in(row)); }, tables);
-  if (const auto varying = varying_motions(bodies_); !varying.empty()) {
+  if (const auto varying = varying_of(bodies_, kPrescribed); !varying.empty()) {
     load_rows(
         "rigid.bodies.motions", varying.size(),
         [&](std::size_t k) { return GlobalId{varying[k]->piece}; },

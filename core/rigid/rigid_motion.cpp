@@ -5,14 +5,32 @@
 
 namespace brunt {
 
-Real DrivenRate::over(Real a, Real b) const {
+namespace {
+/// Two points of Gauss: exact to the third power.
+Real gauss(const DrivenRate& rate, Real from, Real to) {
   static const Real kGauss = 1 / std::sqrt(3.0);
+  const Real half = 0.5 * (to - from), middle = from + half;
+  return half * (rate.at(middle - kGauss * half) + rate.at(middle + kGauss * half));
+}
+
+/// Halves the interval until that changes nothing: a step of heat may be as long as many swings.
+Real refined(const DrivenRate& rate, Real from, Real to, Real whole, int depth) {
+  constexpr Real kSmall = 1e-12;
+  const Real middle = from + 0.5 * (to - from);
+  const Real left = gauss(rate, from, middle), right = gauss(rate, middle, to);
+  const Real change = std::fabs(left + right - whole);
+  if (depth == 0 || !(change > kSmall * (std::fabs(left) + std::fabs(right)))) return left + right;
+  return refined(rate, from, middle, left, depth - 1) + refined(rate, middle, to, right, depth - 1);
+}
+}  // namespace
+
+Real DrivenRate::over(Real a, Real b) const {
+  constexpr int kDepth = 14;  // 16,384 parts
   Real sum = 0;
   auto kink = std::upper_bound(kinks.begin(), kinks.end(), a);
   for (Real from = a; from < b;) {
     const Real to = kink != kinks.end() && *kink < b ? *kink++ : b;
-    const Real half = 0.5 * (to - from), middle = from + half;
-    sum += half * (at(middle - kGauss * half) + at(middle + kGauss * half));
+    sum += refined(*this, from, to, gauss(*this, from, to), kDepth);
     from = to;
   }
   return sum;

@@ -22,7 +22,8 @@ struct DrivenRate {
   std::vector<Real> kinks;       ///< [s] ascending times at which a table bends
 
   Real at(Real t) const { return value(t, Vec3::Zero()); }
-  /// Its integral from a to b: exact for tables, and for expressions to h^4 by Gauss's two points.
+  /// Its integral from a to b: exact for tables, to 1e-12 of itself for expressions that are
+  /// smooth.
   Real over(Real a, Real b) const;
 };
 /// Of a value of the deck; none where it is constant.
@@ -59,6 +60,16 @@ struct RigidMotion {
   /// [m/s] its velocity at the end of the last step, which is time t.
   Vec<Dim> velocity_at(const Vec<Dim>& start, Real t) const;
 };
+
+/// Of some things those whose motion is not constant; motion_of(thing)  its RigidMotion
+template <class Things, class MotionOf>
+auto varying_of(Things& things, const MotionOf& motion_of) {
+  std::vector<decltype(&things.front())> found;
+  for (auto& thing : things) {
+    if (motion_of(thing).varies()) found.push_back(&thing);
+  }
+  return found;
+}
 
 /// Hands what a motion at rates over time carries from step to step to f(value, use).
 template <class AnyMotion, class F>

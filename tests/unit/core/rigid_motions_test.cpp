@@ -59,6 +59,10 @@ TEST(DrivenRate, Integrals) {
   EXPECT_NEAR(rate->over(0, 9), 2 + 4 + 6, 1e-14);
   const DrivenRate cubic{[](Real t, const Vec3&) { return t * t * t; }, {}};
   EXPECT_NEAR(cubic.over(1, 3), (81 - 1) / 4.0, 1e-13);
+  // Over many swings, as of a torch in steps of heat: 0.05 (1 - cos 4 pi t).
+  const DrivenRate swings{[](Real t, const Vec3&) { return 0.2 * kPi * std::sin(4 * kPi * t); },
+                          {}};
+  EXPECT_NEAR(swings.over(0.3, 9.7), 0.05 * (std::cos(1.2 * kPi) - std::cos(38.8 * kPi)), 1e-10);
   EXPECT_FALSE(driven_rate_of(Varying{}));
 }
 
