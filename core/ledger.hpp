@@ -53,11 +53,12 @@ struct HeatSums {
 /// Exact sums of one body; what history.csv prints in body.NAME.*.
 /// heat: taken up since time 0, by plastic work, compression and, in bodies that conduct, from
 /// elsewhere. stress_work: internal and plastic heat. viscosity, artificial_stress, integration:
-/// its share of the columns of that name, for the watch over energy that nobody put in.
+/// its share of the columns of that name, for the watch over energy that nobody put in; absorbed:
+/// of viscosity, what equations of state take up, whose pressure gives it back.
 template <int Dim>
 struct BodySums {
   ExactSum mass, kinetic, internal, hourglass, heat;
-  ExactSum stress_work, viscosity, artificial_stress, integration;
+  ExactSum stress_work, viscosity, absorbed, artificial_stress, integration;
   std::array<ExactSum, Dim> mass_position, momentum;
   ExactSum eroded, eroded_mass;  ///< [1], [kg] elements that have eroded
   /// [J] volume times principal stresses in tension, of particles with artificial stress; and minus
@@ -69,6 +70,7 @@ struct BodySums {
     mass.add(part.mass), kinetic.add(part.kinetic), internal.add(part.internal);
     hourglass.add(part.hourglass), heat.add(part.heat);
     stress_work.add(part.stress_work), viscosity.add(part.viscosity);
+    absorbed.add(part.absorbed);
     artificial_stress.add(part.artificial_stress), integration.add(part.integration);
     tension.add(part.tension), artificial_tension.add(part.artificial_tension);
     thin_mass.add(part.thin_mass);

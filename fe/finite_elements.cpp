@@ -204,7 +204,7 @@ class ElementSums {
   }
 
   template <int Dim>
-  void give(Label body, bool conducts, Totals<Dim>& totals) {
+  void give(Label body, bool conducts, bool absorbs, Totals<Dim>& totals) {
     const ExactSum &stress_work = sums_.sum(0), &hourglass = sums_.sum(1), &viscous = sums_.sum(2);
     const ExactSum &heat = sums_.sum(3), &compression = sums_.sum(4), &expansion = sums_.sum(5);
     const auto column = [&](Column which) -> ExactSum& { return totals.columns[slot_of(which)]; };
@@ -222,6 +222,7 @@ class ElementSums {
     add_to(own.internal, own.hourglass);
     own.stress_work.add(stress_work), own.stress_work.add(expansion);
     own.viscosity.add(viscous);
+    if (absorbs) own.absorbed.add(viscous);
     if (!conducts)
       own.heat.add(heat),
           own.heat.add(compression);  // else its points carry it, and what is conducted
@@ -242,7 +243,7 @@ void add_elements(const ElementBlock<Dim>& block, std::size_t first, std::size_t
       sums.add(block, static_cast<LocalIndex>(e));
       if (totals.hashes) totals.state_hash += element_hash(block, static_cast<LocalIndex>(e));
     }
-    sums.give(body, block.conducts, totals);
+    sums.give(body, block.conducts, block.material->eos->needs_energy(), totals);
   }
 }
 }  // namespace

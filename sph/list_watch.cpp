@@ -18,9 +18,9 @@ constexpr Real kSpare = 1e-6;
 }  // namespace
 
 template <int Dim>
-void ListWatch<Dim>::start(const Points<Dim>& points, std::span<const Label> label,
+void ListWatch<Dim>::start(std::span<const Vec<Dim>> x, std::span<const Label> label,
                            std::vector<Real> reach, Real skin) {
-  x_ = points.x;
+  x_.assign(x.begin(), x.end());
   reach_ = std::move(reach);
   skin_ = skin;
   longest_ = reach_.empty() ? 0 : *std::max_element(reach_.begin(), reach_.end());
@@ -85,9 +85,9 @@ void ListWatch<Dim>::link_zones() {
 
 template <int Dim>
 std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
-    const Points<Dim>& points, std::span<const Real> reach) const {
+    std::span<const Vec<Dim>> x, std::span<const Real> reach) const {
   std::vector<Extent> extents(zones_.size());
-  on_threads(points.x.size() >= 4096, [&] {
+  on_threads(x.size() >= 4096, [&] {
 #pragma omp for schedule(static)
     for (std::size_t z = 0; z < zones_.size(); ++z) {
       Real lower[Dim], upper[Dim], growth = 0;  // in registers
@@ -95,7 +95,7 @@ std::vector<typename ListWatch<Dim>::Extent> ListWatch<Dim>::extents(
       for (const LocalIndex i : members(z)) {
         const auto k = slot_of(i);
         for (int d = 0; d < Dim; ++d) {
-          const Real u = points.x[k][d] - x_[k][d];
+          const Real u = x[k][d] - x_[k][d];
           lower[d] = vmin(lower[d], u);  // takes in what is not a number
           upper[d] = vmax(upper[d], u);
         }
@@ -141,8 +141,8 @@ bool ListWatch<Dim>::far_zones_hold(const std::vector<Extent>& extents) const {
 }
 
 template <int Dim>
-bool ListWatch<Dim>::covers(const Points<Dim>& points, std::span<const Real> reach) const {
-  const auto moved = extents(points, reach);
+bool ListWatch<Dim>::covers(std::span<const Vec<Dim>> x, std::span<const Real> reach) const {
+  const auto moved = extents(x, reach);
   return touching_zones_hold(moved) && far_zones_hold(moved);
 }
 

@@ -17,11 +17,12 @@ class ListWatch {
  public:
   /// Remembers a list that holds all pairs within reach_i + reach_j + skin.
   /// label  only particles of one label are neighbours; reach  smoothing lengths [m]; skin  [m]
-  void start(const Points<Dim>& points, std::span<const Label> label, std::vector<Real> reach,
+  /// x  [m]
+  void start(std::span<const Vec<Dim>> x, std::span<const Label> label, std::vector<Real> reach,
              Real skin);
   /// True if the list still holds all pairs within reach_i + reach_j of the same label.
-  /// points, reach [m]  of now
-  bool covers(const Points<Dim>& points, std::span<const Real> reach) const;
+  /// x, reach [m]  of now
+  bool covers(std::span<const Vec<Dim>> x, std::span<const Real> reach) const;
 
   /// Positions [m] and reaches [m] when the list was built.
   std::span<const Vec<Dim>> x() const { return x_; }
@@ -47,7 +48,7 @@ class ListWatch {
     Vec<Dim> lower, upper;  // [m]
     Real growth;            // [m]
   };
-  std::vector<Extent> extents(const Points<Dim>& points, std::span<const Real> reach) const;
+  std::vector<Extent> extents(std::span<const Vec<Dim>> x, std::span<const Real> reach) const;
   bool touching_zones_hold(const std::vector<Extent>& extents) const;
   bool far_zones_hold(const std::vector<Extent>& extents) const;
   void link_zones();

@@ -36,5 +36,16 @@ void visit_particle(State& state, Spacing& spacing, Artificial&& artificial, con
   f(state.viscous_power, kState);
 }
 
+/// The same of what one of formulation: total carries beside it.
+template <class Total, class F>
+void visit_total(Total& total, const F& f) {
+  auto* const gradient = total.gradient.data();
+  for (Eigen::Index c = 0; c < total.gradient.size(); ++c) f(gradient[c], kState);
+  f(total.volume, kSaved);
+  f(total.stretch, kSaved);
+  f(total.stiffness_sum, kSaved);
+  f(total.damping_sum, kSaved);
+}
+
 }  // namespace brunt
 // Tested by tests/unit/sph/state_test.cpp.

@@ -38,7 +38,9 @@ void SphParticles<Dim>::hold(std::size_t n) {
   smoothing_length_.resize(n);
   motion_.resize(n);
   stress_.resize(n);
-  if (any_artificial()) artificial_.resize(n), channel_.resize(n);
+  if (any_artificial()) artificial_.resize(n);
+  if (any_artificial() || wants_total()) channel_.resize(n);
+  if (wants_total()) total_.resize(n), total_record_.resize(n), place_.resize(n);
   if (!any_single()) return;
   single_motion_.resize(n);
   single_stress_.resize(n);
@@ -83,6 +85,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
     for (const LocalIndex i : blocks_.back().set.particle) set_size(slot_of(i));
   }
   hold(n_owned());  // what the sets need
+  if (any_total()) start_total();
 }
 
 /// docs/theory/sph.md (S5).
@@ -93,22 +96,25 @@ void SphParticles<Dim>::set_size(std::size_t i) {
   const SphOptions& options = blocks_[block_of_[i]].set.options;
   const Real ratio = state_[i].ratio;
   Real size = spacing_[i];
-  if (options.adaptive_h) size *= Dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
+  if (options.adaptive_h && options.formulation == SphFormulation::updated) size *= Dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
   smoothing_length_[i] = options.smoothing * size;
 }
 
 template <int Dim>
 void SphParticles<Dim>::refresh_motion() {
   using Record = MotionRecord<Dim>;
+  refresh_places();
+  const std::span<const Vec<Dim>> place = places();
   for_each(state_.size(), [&](std::size_t i) {
     Real* record = motion_[i].data;
     for (int d = 0; d < Dim; ++d) {
-      record[d] = points_.x[i][d];
+      record[d] = place[i][d];
       record[Record::kVelocity + d] = points_.v[i][d];
     }
+    const Real volume = is_total(i) ? total_[i].volume : state_[i].volume;
     record[Record::kInverse] = 1.0 / smoothing_length_[i];
-    record[Record::kVolume] = state_[i].volume / depth_;
-    stress_[i].data[StressRecord<Dim>::kDensity] = weighed_mass(i) / state_[i].volume;
+    record[Record::kVolume] = volume / depth_;
+    stress_[i].data[StressRecord<Dim>::kDensity] = weighed_mass(i) / volume;
     if (!single_motion_.empty()) set_single_motion(i);
   });
 }
@@ -167,6 +173,7 @@ void SphParticles<Dim>::update_state(Real dt) {
   move_with_neighbours(dt);
   if (!rides()) still_.look(watch_, points_);
   refresh_gradients();
+  if (any_total()) advance_total(dt);
   if (surface_.needs_spin) publish_spins();
   for (auto& block : blocks_) {
     const std::size_t n_tiles = block.state.size() / kTile;
@@ -176,6 +183,7 @@ void SphParticles<Dim>::update_state(Real dt) {
       update_tile(block, first, dt);
     });
   }
+  if (any_total()) refresh_total_records();
   if (surface_.needs_material || rides()) publish_materials();
 }
 

@@ -18,6 +18,7 @@
 #include "sph/spread.hpp"
 #include "sph/still_zones.hpp"
 #include "sph/thin_moment.hpp"
+#include "sph/total.hpp"
 
 namespace brunt {
 
@@ -66,7 +67,8 @@ struct alignas(64) ParticleState {
 
 static_assert(sizeof(ParticleState<3>) == 256 && sizeof(ParticleState<2>) == 192);
 
-/// The third channel of forces, of particles with artificial stress.
+/// The third channel of forces: of artificial stress, or of what keeps total-Lagrangian particles
+/// from motions that strain nothing.
 template <int Dim>
 struct ArtificialChannel {
   Vec<Dim> force = Vec<Dim>::Zero();  ///< [N] last added
@@ -152,6 +154,9 @@ class SphParticles final : public Solid<Dim> {
   void set_search(SearchMode mode) { search_ = mode; }
   std::span<ParticleBlock> blocks() { return blocks_; }
   std::span<const ParticleState<Dim>> states() const { return state_; }
+  /// A particle of formulation: total whose gradients are not known along all axes; -1: none. It
+  /// would have to keep its shape without them for ever.
+  LocalIndex thin_total() const;
   /// Of a particle; nothing where none has artificial stress.
   ArtificialChannel<Dim> artificial_of(std::size_t i) const {
     return channel_.empty() ? ArtificialChannel<Dim>{} : channel_[i];
@@ -173,6 +178,25 @@ class SphParticles final : public Solid<Dim> {
   void follow_nodes();
   void give_forces_to_nodes();
   void give_heat_to_nodes();
+  bool any_total() const { return !total_.empty(); }
+  bool wants_total() const;
+  std::vector<LocalIndex> total_particles() const;
+  bool is_total(std::size_t i) const { return !total_.empty() && total_[i].volume > 0; }
+  /// Where gradients are taken.
+  std::span<const Vec<Dim>> places() const { return total_.empty() ? points_.x : place_; }
+  void refresh_places();
+  void start_total();
+  void advance_total(Real dt);
+  void set_total_volumes(const ParticleBlock& block, std::size_t first, TileStress<Dim>& stress,
+                         MaterialTile& tile) const;
+  void form_total_stress(const ParticleBlock& block, std::size_t first,
+                         TileStress<Dim>& tile) const;
+  void refresh_total_records();
+  void refresh_total_ghosts();
+  void place_total_records();
+  void add_total_sums(const ParticleBlock& block, LocalIndex i, const MonaghanViscosity& viscosity,
+                      ForceSums<Dim>& sums);
+  Real bound_of_total(std::size_t i, Real step) const;
   std::size_t n_owned() const { return points_.owned(); }
   void hold(std::size_t n);
   void label_sums();
@@ -246,6 +270,11 @@ class SphParticles final : public Solid<Dim> {
   Real depth_;                                   // [m]
   std::vector<Label> sum_of_piece_;              // empty: a body is one sum
   std::vector<Label> sum_;                       // of each particle, copies too
+
+  std::vector<TotalState<Dim>> total_;          // empty: all are updated
+  std::vector<TotalRecord<Dim>> total_record_;  // the same
+  std::vector<Vec<Dim>> place_;                 // [m] where gradients are taken; the same
+  bool keeps_total_rows_ = false;               // their rows are of these lists
 
   std::vector<MotionRecord<Dim>> motion_;
   std::vector<StressRecord<Dim>> stress_;

@@ -41,7 +41,7 @@ Real least_of_acceleration(Real step, Real h, Real square) {
 /// copies every particle that they need. One reduction.
 template <int Dim>
 bool SphParticles<Dim>::lists_hold() const {
-  const bool mine_hold = watch_.covers(points_, smoothing_length_);
+  const bool mine_hold = watch_.covers(places(), smoothing_length_);
   return ranks_->alone() ? mine_hold : sums_hold(mine_hold);
 }
 
@@ -52,6 +52,7 @@ void SphParticles<Dim>::renew_lists() {
   if (held_) return;
   const bool woken = rides() && take_over();
   if (rides()) follow_nodes();
+  refresh_places();
   if (woken || !lists_hold()) rearrange();
 }
 
@@ -73,18 +74,19 @@ void SphParticles<Dim>::label_sums() {
 
 template <int Dim>
 void SphParticles<Dim>::rearrange() {
-  settled_ = false;
+  settled_ = keeps_total_rows_ = false;
   Real longest = 0;
   for (std::size_t i = 0; i < n_owned(); ++i) longest = std::max(longest, smoothing_length_[i]);
   longest = ranks_->max(longest);
   const Real skin = skin_ratio_ * longest;
   if (!ranks_->alone()) renew_ghosts(skin);
   label_sums();
+  refresh_places();
   rows_.forget();
-  rows_.assign(shared_neighbours<Dim>(points_.x, smoothing_length_, sum_, skin, points_.n_owned,
+  rows_.assign(shared_neighbours<Dim>(places(), smoothing_length_, sum_, skin, points_.n_owned,
                                       NeighbourRows<Dim>::kShare, search_));
   if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);
-  watch_.start(points_, sum_, smoothing_length_, skin);
+  watch_.start(places(), sum_, smoothing_length_, skin);
   still_.start(watch_, n_owned());
   ++n_searches_;
 }
@@ -146,7 +148,8 @@ StepLimit SphParticles<Dim>::stable_step() const {
       const Real stiffness = state.spread.stiffness(shear_share(material, state));
       length = std::min(length, 2 * kThinFactor / std::sqrt(stiffness));
     }
-    return least_of_acceleration(length / speed, h, dot<Dim>(a, a));
+    const Real step = is_total(i) ? bound_of_total(i, length / speed) : length / speed;
+    return least_of_acceleration(step, h, dot<Dim>(a, a));
   };
   return over_chunks(
       n_owned(), StepLimit{},

@@ -114,7 +114,8 @@ void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
 template <int Dim>
 void SphParticles<Dim>::find_neighbours(Wanted wanted) {
   const auto wants = [&](const ParticleBlock& block, LocalIndex i) {
-    return wanted == Wanted::of_xsph ? block.set.options.xsph != 0 : !is_left_out(block, i);
+    if (wanted == Wanted::of_xsph) return block.set.options.xsph != 0;
+    return !is_left_out(block, i) && !(keeps_total_rows_ && is_total(slot_of(i)));
   };
   const auto find = [&]<class P>(P) {
     const auto* motion = pair_records<P>().motion;
@@ -134,6 +135,7 @@ void SphParticles<Dim>::find_neighbours(Wanted wanted) {
   } else {
     find(DoublePairs{});
   }
+  keeps_total_rows_ = wanted == Wanted::computed;
 }
 
 /// Particle by particle, as they lie in memory: members of a group do not lie side by side there.
@@ -257,10 +259,13 @@ void SphParticles<Dim>::seed_step_limits() {
   refresh_motion();
   refresh_gradients();
   if (any_single()) refresh_single_stress();
+  if (any_total()) refresh_total_records(), refresh_total_ghosts(), place_total_records();
   for (const auto& block : blocks_) {
     sum_block_forces(block, {0, 0}, [&](LocalIndex i, const ForceSums<Dim>& sums) {
-      state_[i].speed = sums.speed;
-      state_[i].mu = sums.mu;
+      ForceSums<Dim> all = sums;
+      if (is_total(slot_of(i))) add_total_sums(block, i, {0, 0}, all);
+      state_[i].speed = all.speed;
+      state_[i].mu = all.mu;
       find_spread(block, i);
     });
   }
@@ -293,10 +298,20 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
   if (held_) return;
   if (!rides()) still_.look_again(watch_);
   if (any_single()) refresh_single_stress();
+  if (any_total()) place_total_records();
   for (const auto& block : blocks_) {
-    sum_block_forces(
-        block, block.set.options.viscosity,
-        [&](LocalIndex i, const ForceSums<Dim>& sums) { take_forces(block, i, sums, dt); });
+    const MonaghanViscosity& viscosity = block.set.options.viscosity;
+    if (block.set.options.formulation == SphFormulation::total) {
+      sum_block_forces(block, {0, 0}, [&](LocalIndex i, const ForceSums<Dim>& sums) {
+        ForceSums<Dim> all = sums;
+        add_total_sums(block, i, viscosity, all);
+        take_forces(block, i, all, dt);
+      });
+      continue;
+    }
+    sum_block_forces(block, viscosity, [&](LocalIndex i, const ForceSums<Dim>& sums) {
+      take_forces(block, i, sums, dt);
+    });
   }
   if (rides()) give_forces_to_nodes();
 }

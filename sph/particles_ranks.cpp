@@ -15,6 +15,8 @@ struct Visitor {
   Label body, piece;
   Real mass, h, volume;  // [kg], [m], [m^3]
   Real x[Dim], v[Dim];   // [m], [m/s]
+  Real start[Dim];       // [m] position at time 0
+  Real start_volume;     // [m^3] at time 0, of formulation: total; else 0
 };
 
 }  // namespace
@@ -99,7 +101,7 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
   for (std::size_t i = 0; i < n; ++i) {
     if (sleeps(i)) continue;
     awake.push_back(i);
-    boxes.push_back(SearchBox<Dim>::about(points_.x[i], smoothing_length_[i] + 0.5 * skin));
+    boxes.push_back(SearchBox<Dim>::about(places()[i], smoothing_length_[i] + 0.5 * skin));
   }
   auto send = who_wants<Dim>(*ranks_, boxes, boxes);
   std::vector<Bytes> to;
@@ -115,8 +117,11 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
                        smoothing_length_[k],
                        state_[k].volume,
                        {},
-                       {}};
+                       {},
+                       {},
+                       is_total(k) ? total_[k].volume : 0};
       for (int d = 0; d < Dim; ++d) one.x[d] = points_.x[k][d], one.v[d] = points_.v[k][d];
+      for (int d = 0; d < Dim; ++d) one.start[d] = points_.x_start[k][d];
       visitors.push_back(one);
     }
     to.push_back((Packer() << visitors).take());
@@ -136,6 +141,8 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
     fill[arrived[k].rank][arrived[k].index] = static_cast<LocalIndex>(n + k);
     points_.append_ghost(one.id, one.body, one.piece, one.mass, Vec<Dim>(one.x), Vec<Dim>(one.v));
     smoothing_length_[n + k] = one.h;
+    points_.x_start[n + k] = Vec<Dim>(one.start);
+    if (!total_.empty()) total_[n + k].volume = one.start_volume;
     state_[n + k].volume = one.volume;
   }
   for (std::size_t r = 0; r < from.size(); ++r) {
@@ -167,6 +174,7 @@ void SphParticles<Dim>::refresh_state() {
   constexpr std::size_t n_stress = std::size(StressRecord<Dim>{}.data);
   constexpr std::size_t n_artificial = std::size(ArtificialRecord<Dim>{}.data);
   const bool has_artificial = !artificial_.empty();  // of this rank: others may have some
+  refresh_total_ghosts();
   refresh_ghosts(
       *ranks_, ghosts_, n_stress + n_artificial + 2,
       [&](std::size_t i, Real* out) {
@@ -200,7 +208,7 @@ bool SphParticles<Dim>::sums_hold(bool mine_hold) const {
     const auto sum = std::lower_bound(sums_.begin(), sums_.end(), sum_[i]);
     Real* own = extremes.data() + slot_of(sum - sums_.begin()) * width;
     for (int c = 0; c < Dim; ++c) {
-      const Real u = points_.x[i][c] - watch_.x()[i][c];
+      const Real u = places()[i][c] - watch_.x()[i][c];
       own[2 * c] = std::max(own[2 * c], -u);
       own[2 * c + 1] = std::max(own[2 * c + 1], u);
     }

@@ -50,6 +50,7 @@ std::uint64_t SphParticles<Dim>::slot_hash(const ParticleBlock& block, std::size
   };
   visit_slot(block, slot, add);
   visit_particle(state_[i], spacing_[i], artificial_of(i), add);
+  if (is_total(i)) visit_total(total_[i], add);
   return hash.value();
 }
 
@@ -87,13 +88,17 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
   };
   give(Column::internal, internal), give(Column::plastic_heat, plastic);
   totals.columns[slot_of(Column::expansion)].subtract(sums.sum(expanded));
-  give(Column::viscosity, viscous), give(Column::artificial_stress, artificial);
+  const bool total = block.set.options.formulation == SphFormulation::total;
+  give(Column::viscosity, viscous);
+  give(total ? Column::hourglass : Column::artificial_stress, artificial);
   if (points_.conducts) {
     totals.heat.plastic.add(sums.sum(plastic)), totals.heat.compression.add(sums.sum(compressed));
   }
   if (!body) return;
   body->internal.add(sums.sum(internal)), body->stress_work.add(sums.sum(stress_work));
-  body->viscosity.add(sums.sum(viscous)), body->artificial_stress.add(sums.sum(artificial));
+  body->viscosity.add(sums.sum(viscous));
+  if (block.set.material->eos->needs_energy()) body->absorbed.add(sums.sum(viscous));
+  (total ? body->hourglass : body->artificial_stress).add(sums.sum(artificial));
   if (!points_.conducts) body->heat.add(sums.sum(plastic)), body->heat.add(sums.sum(compressed));
 }
 

@@ -6,6 +6,8 @@
 namespace brunt {
 namespace {
 
+constexpr const char* kTotalTable = "particles.total";
+
 /// A name for all blocks whose material points have rows of the same columns, and as many of them.
 std::string table_of(const ParticleBlock& block) {
   StateCounter values;
@@ -16,6 +18,16 @@ std::string table_of(const ParticleBlock& block) {
 
 }  // namespace
 
+/// Those of formulation: total, ascending.
+template <int Dim>
+std::vector<LocalIndex> SphParticles<Dim>::total_particles() const {
+  std::vector<LocalIndex> total;
+  for (std::size_t i = 0; i < n_owned(); ++i) {
+    if (is_total(i)) total.push_back(static_cast<LocalIndex>(i));
+  }
+  return total;
+}
+
 template <int Dim>
 void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
   save_points(points_, tables);
@@ -25,6 +37,10 @@ void SphParticles<Dim>::save_state(std::vector<StateTable>& tables) const {
         visit_particle(state_[i], spacing_[i], artificial_of(i), saved_in(row));
       },
       tables);
+  const std::vector<LocalIndex> total = total_particles();
+  save_rows(
+      kTotalTable, total.size(), [&](std::size_t k) { return points_.id[total[k]]; },
+      [&](auto& row, std::size_t k) { visit_total(total_[total[k]], saved_in(row)); }, tables);
   for (const auto& block : blocks_) {
     const auto& particle = block.set.particle;  // of owned ones: copies are in no block
     save_rows(
@@ -45,6 +61,10 @@ void SphParticles<Dim>::load_state(const StateTables& tables) {
         if (!channel_.empty()) channel_[i] = artificial;
       },
       tables);
+  const std::vector<LocalIndex> total = total_particles();
+  load_rows(
+      kTotalTable, total.size(), [&](std::size_t k) { return points_.id[total[k]]; },
+      [&](auto& row, std::size_t k) { visit_total(total_[total[k]], saved_in(row)); }, tables);
   for (auto& block : blocks_) {
     const auto& particle = block.set.particle;
     load_rows(

@@ -41,19 +41,6 @@ bool is_stressed(const MaterialState& state, std::size_t at) {
                                                 [&](const auto& s) { return s[at] != 0; });
 }
 
-/// The same of one point.
-template <int Dim>
-Eigen::Matrix<Real, Dim, Dim> stress_of(const MaterialState& state, std::size_t at) {
-  Eigen::Matrix<Real, Dim, Dim> sigma;
-  for (int a = 0; a < Dim; ++a) {
-    for (int b = 0; b < Dim; ++b) {
-      const auto component = slot_of(Dim == 3 ? symmetric_place<3>(a, b) : a == b ? a : xy);
-      sigma(a, b) = state.deviator[component][at] - (a == b ? state.pressure[at] : 0.0);
-    }
-  }
-  return sigma;
-}
-
 }  // namespace
 
 /// dt L of a particle [1].
@@ -175,6 +162,8 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
   } else {
     strain_points<Dim, Pack>(points, soon, stress, tile);
   }
+  const bool total = block.set.options.formulation == SphFormulation::total;
+  if (total) set_total_volumes(block, first, stress, tile);
   material.update(tile, dt);
   if (wide) {
     stress_points_by<Dim, Wide>(points, block.set.options, tile.ratio, later, stress);
@@ -182,6 +171,7 @@ void SphParticles<Dim>::update_tile(ParticleBlock& block, std::size_t first, Rea
     stress_points<Dim, Pack>(points, block.set.options, tile.ratio, later, stress);
   }
   if (!thin_.empty()) form_thin_stress(block, first, dt, stress);
+  if (total) form_total_stress(block, first, stress);
   publish(block, first, stress);
 }
 

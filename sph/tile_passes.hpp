@@ -78,6 +78,19 @@ BRUNT_INLINE void load_stress(const TilePoints& points, int i, V (&sigma)[Dim][D
   }
 }
 
+/// The same of one point.
+template <int Dim>
+Eigen::Matrix<Real, Dim, Dim> stress_of(const MaterialState& state, std::size_t at) {
+  Eigen::Matrix<Real, Dim, Dim> sigma;
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      const auto component = slot_of(Dim == 3 ? symmetric_place<3>(a, b) : a == b ? a : xy);
+      sigma(a, b) = state.deviator[component][at] - (a == b ? state.pressure[at] : 0.0);
+    }
+  }
+  return sigma;
+}
+
 /// product <- a b, b by its symmetric components in a tile.
 template <int Dim, class V, class Rows>
 BRUNT_INLINE void times_symmetric(const V (&a)[Dim][Dim], const Rows& b, int i,

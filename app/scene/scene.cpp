@@ -186,7 +186,7 @@ void visit_sums(Totals<Dim>& totals, const Visit& visit) {
   for (auto& body : totals.bodies) {
     for (auto* sum :
          {&body.mass, &body.kinetic, &body.internal, &body.hourglass, &body.heat, &body.stress_work,
-          &body.viscosity, &body.artificial_stress, &body.integration}) {
+          &body.viscosity, &body.absorbed, &body.artificial_stress, &body.integration}) {
       visit(*sum);
     }
     visit(body.tension), visit(body.artificial_tension), visit(body.thin_mass);

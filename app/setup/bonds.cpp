@@ -77,6 +77,8 @@ std::string difference(const SphOptions& a, const SphOptions& b) {
   const bool viscosity =
       a.viscosity.alpha == b.viscosity.alpha && a.viscosity.beta == b.viscosity.beta;
   if (!viscosity) return "viscosity";
+  if (a.formulation != b.formulation) return "formulation";
+  if (a.hourglass != b.hourglass) return "hourglass";
   return a.xsph == b.xsph ? "" : "xsph";
 }
 

@@ -199,17 +199,22 @@ std::unique_ptr<Solid<Dim>> make_elements(const LoadedDeck& loaded, const Scene<
 }
 
 namespace {
-bool same_sph(const SphOptions& a, const SphOptions& b) {
-  return a.kernel == b.kernel && a.smoothing == b.smoothing && a.adaptive_h == b.adaptive_h &&
-         a.correction == b.correction && a.artificial_stress == b.artificial_stress &&
-         a.viscosity.alpha == b.viscosity.alpha && a.viscosity.beta == b.viscosity.beta &&
-         a.xsph == b.xsph;
-}
-
 /// Spacing [m] of the cubic lattice that a body's particles stand for: volume a particle.
 template <int Dim>
 Real mean_spacing(const BodyGeometry<Dim>& body) {
   return std::pow(body.volume / static_cast<Real>(body.points.size()), 1.0 / Dim);
+}
+
+/// Particles of formulation: total keep the neighbours of time 0, and a sheet would be one for ever.
+template <int Dim>
+void require_thick_total(const LoadedDeck& loaded, const SphParticles<Dim>& particles) {
+  const LocalIndex thin = particles.thin_total();
+  if (thin < 0) return;
+  const auto& name = loaded.deck.bodies[particles.points().body[slot_of(thin)]].name;
+  throw DeckError({loaded.places.problem(
+      "bodies." + name + ".formulation",
+      "total takes two particles through the thickness of '" + name +
+          "' at the least: it has one layer or row; try a smaller `size`, or updated")});
 }
 }  // namespace
 
@@ -232,7 +237,7 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
     const InitialStress* stress = scene.initial_stress[geometry.label].get();
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
-             s.stress == stress && same_sph(s.options, body.sph);
+             s.stress == stress && s.options == body.sph;
     });
     if (set == sets.end()) {
       set = sets.insert(
@@ -253,6 +258,7 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
                                                        std::move(sets), Dim == 2 ? scene.depth : 1,
                                                        sums_of_pieces(loaded.deck, bodies));
   particles->set_search(loaded.deck.contact.search);
+  require_thick_total(loaded, *particles);
   return particles;
 }
 

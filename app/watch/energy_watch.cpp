@@ -43,7 +43,7 @@ EnergyLook energy_look(const Totals<Dim>& totals, const std::vector<Label>& sum_
     all.kinetic += body.kinetic.value(), all.stress_work += body.stress_work.value();
     all.hourglass += body.hourglass.value(), all.viscosity += body.viscosity.value();
     all.artificial_stress += body.artificial_stress.value();
-    all.integration += body.integration.value();
+    all.integration += body.integration.value(), all.absorbed += body.absorbed.value();
   }
   return look;
 }
@@ -80,7 +80,7 @@ std::vector<CreatedEnergy> EnergyWatch::created(const EnergyLook& look) const {
     add(EnergySource::integration, label, most_[b].integration - body.integration);
     add(EnergySource::hourglass, label, -body.hourglass);
     add(EnergySource::viscosity, label, most_[b].viscosity - body.viscosity);
-    add(EnergySource::stress_work, label, -body.stress_work);
+    add(EnergySource::stress_work, label, -(body.stress_work + std::max(body.absorbed, 0.0)));
   }
   for (std::size_t k = 0; k < kTakers.size(); ++k) {
     add(kTakers[k].second, {}, taken_[k] - look.column(kTakers[k].first));

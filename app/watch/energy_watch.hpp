@@ -13,7 +13,7 @@ namespace brunt {
 struct EnergyLook {
   struct Body {
     Real kinetic = 0, stress_work = 0, hourglass = 0, viscosity = 0, artificial_stress = 0;
-    Real integration = 0;
+    Real integration = 0, absorbed = 0;
   };
   std::array<Real, kColumns> columns{};
   std::vector<Body> bodies;
@@ -59,7 +59,8 @@ struct CreatedShare {
 ///
 /// Of each body, and never set off against another body or another source:
 ///   artificial_stress, hourglass, stress_work  what they are below zero: they have given more than
-///     they took. What they hold and give back, as springs do, is theirs.
+///     they took; stresses of materials whose pressure depends on energy may give what viscosity
+///     has heated them by. What they hold and give back, as springs do, is theirs.
 ///   viscosity, integration  what they have given since they were largest: they hold nothing that
 ///     they could give back.
 /// Of the scene: contact.pairs, contact.damping, contact.friction and damping, as viscosity.

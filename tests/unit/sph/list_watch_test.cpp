@@ -19,7 +19,7 @@ TEST(ListWatch, LetsNoPairThrough) {
     const std::vector<Real> reach(points.x.size(), 1.2);
     const Real skin = 0.3;
     ListWatch<2> watch;
-    watch.start(points, points.body, reach, skin);
+    watch.start(points.x, points.body, reach, skin);
     const auto start = points.x;
     const auto kick = test::lattice<2>({16, 12}, 1.0, 1.0, 0.5, 1000 + seed).x;
     const Real strength = 0.01 * seed, shear = 0.002 * seed;
@@ -27,7 +27,7 @@ TEST(ListWatch, LetsNoPairThrough) {
       points.x[i] += strength * (kick[i] - test::lattice<2>({16, 12}, 1.0, 1.0).x[i]);
       points.x[i] += Vec<2>(shear * start[i][1] + 3.0, 0.05 * shear * start[i][0]);
     }
-    if (!watch.covers(points, reach)) {
+    if (!watch.covers(points.x, reach)) {
       ++refused;
       continue;
     }
@@ -48,7 +48,7 @@ TEST(ListWatch, FarPartsMayTurnAgainstEachOther) {
   auto points = test::lattice<2>({200, 4}, 1.0, 1.0);
   const std::vector<Real> reach(points.x.size(), 1.2);
   ListWatch<2> watch;
-  watch.start(points, points.body, reach, 0.3);
+  watch.start(points.x, points.body, reach, 0.3);
   const auto start = points.x;
   const auto turn = [&](Real angle) {  // [rad], and far away
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -57,13 +57,13 @@ TEST(ListWatch, FarPartsMayTurnAgainstEachOther) {
   };
   // 0.01 rad: the ends move by 2 against each other, zones (10 wide for two) by 0.1
   turn(0.01);
-  EXPECT_TRUE(watch.covers(points, reach));
+  EXPECT_TRUE(watch.covers(points.x, reach));
   turn(0.04);
-  EXPECT_FALSE(watch.covers(points, reach));
+  EXPECT_FALSE(watch.covers(points.x, reach));
   points.x = start;
-  EXPECT_TRUE(watch.covers(points, reach));
+  EXPECT_TRUE(watch.covers(points.x, reach));
   const std::vector<Real> grown(points.x.size(), 1.36);
-  EXPECT_FALSE(watch.covers(points, grown));
+  EXPECT_FALSE(watch.covers(points.x, grown));
 }
 
 }  // namespace

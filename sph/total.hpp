@@ -1,0 +1,147 @@
+#pragma once
+/// Total-Lagrangian particles: gradients at the places of time 0, whose neighbours stay neighbours.
+/// docs/theory/sph.md, section 13.
+#include <Eigen/Dense>
+
+#include "sph/force_sums.hpp"
+
+namespace brunt {
+
+/// What a particle of formulation: total carries beside its ParticleState.
+template <int Dim>
+struct TotalState {
+  using Matrix = Eigen::Matrix<Real, Dim, Dim, Eigen::RowMajor>;
+  Matrix gradient = Matrix::Identity();  ///< [1] F = dx/dX
+  Real volume = 0;                       ///< [m^3] at time 0; 0: formulation: updated
+  Real stretch = 1;                      ///< [1] least principal stretch of F
+  Real stiffness_sum = 0;                ///< [Pa/m^2] sum of w_ij (c_i + c_j), for the step limit
+  Real damping_sum = 0;                  ///< [Pa s/m^2] of w_ij (eta_i + eta_j)
+};
+
+/// What neighbours read: its place now, what of x_j - x_i and v_j - v_i its own gradients would
+/// have, and how stiffly it keeps to them.
+template <int Dim>
+struct alignas(64) TotalRecord {
+  static constexpr int kAffine = Dim;                    ///< [Pa] c F + eta dF/dt, by rows
+  static constexpr int kStiffness = Dim + Dim * Dim;     ///< [Pa] c
+  static constexpr int kDamping = Dim + Dim * Dim + 1;   ///< [Pa s] eta
+  static constexpr int kSize = Dim == 3 ? 16 : 8;
+  Real data[kSize] = {};  ///< first the position [m]
+};
+
+/// Sums over the pairs of a particle; forces and powers are to be multiplied by its volume.
+template <int Dim>
+struct TotalSums {
+  Real viscosity[Dim];   ///< [N/m^3] by Monaghan viscosity
+  Real hourglass[Dim];   ///< [N/m^3] against motions that strain nothing
+  Real viscosity_power;  ///< [W/m^3] half of what the pairs dissipate
+  Real hourglass_power;  ///< [W/m^3] minus half the power of the pairs' forces
+  Real speed;            ///< [m/s] max |v_ij|
+  Real mu;               ///< [m/s] max |mu_ij|
+  Real stiffness;        ///< [Pa/m^2] sum w_ij (c_i + c_j)
+  Real damping;          ///< [Pa s/m^2] sum w_ij (eta_i + eta_j)
+};
+
+/// The sums of packs of pairs (i, j): X the arm at time 0, y that of now, v the relative velocity.
+template <int Dim>
+struct TotalPart {
+  Pack viscosity[Dim], hourglass[Dim];
+  Pack viscosity_power = {}, hourglass_power = {}, speed2 = {}, mu = {};
+  Pack stiffness = {}, damping = {};
+
+  BRUNT_INLINE TotalPart() {
+    clear(viscosity);
+    clear(hourglass);
+  }
+
+  /// (S33): w [(c_i + c_j) y + (eta_i + eta_j) v - (M_i + M_j) X], M = c F + eta dF/dt.
+  BRUNT_INLINE void add_hourglass(const PairPack<Dim>& pair, const Pack (&y)[Dim], const Real* own,
+                                  const Pack* other) {
+    using Record = TotalRecord<Dim>;
+    const Pack c = other[Record::kStiffness] + own[Record::kStiffness];
+    const Pack eta = other[Record::kDamping] + own[Record::kDamping];
+    for (int a = 0; a < Dim; ++a) {
+      Pack push = vfma(c, y[a], eta * pair.velocity[a]);
+      for (int b = 0; b < Dim; ++b) {
+        const int k = Record::kAffine + Dim * a + b;
+        push = push - (other[k] + own[k]) * pair.arm[b];
+      }
+      push = pair.weight * push;
+      hourglass[a] = hourglass[a] + push;
+      hourglass_power = vfma(push, pair.velocity[a], hourglass_power);
+    }
+    // what fills the row up is i itself
+    const Pack weight = select(0.0 < pair.q2, pair.weight, broadcast<Pack>(0.0));
+    stiffness = vfma(weight, c, stiffness);
+    damping = vfma(weight, eta, damping);
+  }
+
+  /// Monaghan's, as in (S15), (S16), along y: w (X^2/(y^2 + 0.01 h^2)) y stands for the gradient at
+  /// the present places.
+  BRUNT_INLINE void add_viscosity(const PairPack<Dim>& pair, const Pack (&y)[Dim],
+                                  const Real* own_stress, Pack sound_speed, Pack density,
+                                  const SphPairOptions& options) {
+    using Record = StressRecord<Dim>;
+    Pack approach = pair.velocity[0] * y[0], square = y[0] * y[0];
+    Pack fast = pair.velocity[0] * pair.velocity[0];
+    for (int a = 1; a < Dim; ++a) {
+      approach = vfma(pair.velocity[a], y[a], approach);
+      square = vfma(y[a], y[a], square);
+      fast = vfma(pair.velocity[a], pair.velocity[a], fast);
+    }
+    const Real own_density = own_stress[Record::kDensity];
+    const Pack ratio2 = vfma(square, pair.inverse_h * pair.inverse_h, broadcast<Pack>(0.01));
+    const Pack inverse = 1.0 / ratio2;
+    const Pack least = vmin(pair.inverse_h * approach * inverse, broadcast<Pack>(0.0));
+    const Pack mean_density = (2 * own_density) * density / (density + own_density);
+    const Pack c = 0.5 * (sound_speed + own_stress[Record::kSoundSpeed]);
+    const Pack push = (mean_density * pair.weight) * (pair.q2 * inverse) *
+                      (least * (options.alpha * c - options.beta * least));
+    for (int a = 0; a < Dim; ++a) viscosity[a] = vfma(push, y[a], viscosity[a]);
+    viscosity_power = vfma(push, approach, viscosity_power);
+    mu = vmin(mu, least);
+    speed2 = vmax(speed2, fast);
+  }
+};
+
+/// Forces of a particle that are not those of its stress. Packs are of four on any processor.
+/// docs/theory/sph.md (S33), (S34).
+/// weights  [1/m^2] that the first pass gave to the row, in the plane
+template <int Dim, class Kernel>
+TotalSums<Dim> sum_total(const ForceRecords<Dim>& records, const TotalRecord<Dim>* total,
+                         LocalIndex i, std::span<const LocalIndex> row, const Real* weights,
+                         const SphPairOptions& options) {
+  using Record = StressRecord<Dim>;
+  constexpr int g = Record::kScalars;
+  const Real* own = total[i].data;
+  TotalPart<Dim> part;
+  for (std::size_t k = 0; k < row.size(); k += kLanes) {
+    const LocalIndex* j = row.data() + k;
+    PairPack<Dim> pair;
+    set_pair<Dim, Kernel>(records, i, j, Dim == 2 ? weights + k : nullptr, pair);
+    Pack other[TotalRecord<Dim>::kSize], stress[4], y[Dim];
+    for (int n = 0; n < TotalRecord<Dim>::kSize; n += 4) {
+      load_four<DoublePairs>(total, j, n, other + n);
+    }
+    load_four<DoublePairs>(records.stress, j, g, stress);
+    for (int a = 0; a < Dim; ++a) y[a] = other[a] - own[a];
+    part.add_hourglass(pair, y, own, other);
+    part.add_viscosity(pair, y, records.stress[i].data, stress[Record::kSoundSpeed - g],
+                       stress[Record::kDensity - g], options);
+  }
+  TotalSums<Dim> sums;
+  for (int a = 0; a < Dim; ++a) {
+    sums.viscosity[a] = sum_lanes(part.viscosity[a]);
+    sums.hourglass[a] = sum_lanes(part.hourglass[a]);
+  }
+  sums.viscosity_power = 0.5 * sum_lanes(part.viscosity_power);
+  sums.hourglass_power = 0.5 * sum_lanes(part.hourglass_power);
+  sums.speed = std::sqrt(max_lanes(part.speed2));
+  sums.mu = max_lanes(-part.mu);
+  sums.stiffness = sum_lanes(part.stiffness);
+  sums.damping = sum_lanes(part.damping);
+  return sums;
+}
+
+}  // namespace brunt
+// Tested by tests/unit/sph/total_test.cpp.
