@@ -42,6 +42,7 @@ void visit_total(Total& total, const F& f) {
   auto* const gradient = total.gradient.data();
   for (Eigen::Index c = 0; c < total.gradient.size(); ++c) f(gradient[c], kState);
   f(total.volume, kSaved);
+  f(total.seen, kState);
   f(total.stretch, kSaved);
   f(total.stiffness_sum, kSaved);
   f(total.damping_sum, kSaved);

@@ -96,7 +96,8 @@ void SphParticles<Dim>::set_size(std::size_t i) {
   const SphOptions& options = blocks_[block_of_[i]].set.options;
   const Real ratio = state_[i].ratio;
   Real size = spacing_[i];
-  if (options.adaptive_h && options.formulation == SphFormulation::updated) size *= Dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
+  if (options.adaptive_h && options.formulation == SphFormulation::updated)
+    size *= Dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
   smoothing_length_[i] = options.smoothing * size;
 }
 
@@ -111,10 +112,11 @@ void SphParticles<Dim>::refresh_motion() {
       record[d] = place[i][d];
       record[Record::kVelocity + d] = points_.v[i][d];
     }
-    const Real volume = is_total(i) ? total_[i].volume : state_[i].volume;
+    const bool total = is_total(i);
     record[Record::kInverse] = 1.0 / smoothing_length_[i];
-    record[Record::kVolume] = volume / depth_;
-    stress_[i].data[StressRecord<Dim>::kDensity] = weighed_mass(i) / volume;
+    record[Record::kVolume] = (total ? total_[i].seen : state_[i].volume) / depth_;
+    stress_[i].data[StressRecord<Dim>::kDensity] =
+        weighed_mass(i) / (total ? total_[i].volume : state_[i].volume);
     if (!single_motion_.empty()) set_single_motion(i);
   });
 }

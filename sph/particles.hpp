@@ -182,6 +182,7 @@ class SphParticles final : public Solid<Dim> {
   bool wants_total() const;
   std::vector<LocalIndex> total_particles() const;
   bool is_total(std::size_t i) const { return !total_.empty() && total_[i].volume > 0; }
+  bool is_crushed(std::size_t i) const { return is_total(i) && total_[i].seen == 0; }
   /// Where gradients are taken.
   std::span<const Vec<Dim>> places() const { return total_.empty() ? points_.x : place_; }
   void refresh_places();

@@ -155,7 +155,7 @@ StepLimit SphParticles<Dim>::stable_step() const {
       n_owned(), StepLimit{},
       [&](StepLimit& own, std::size_t i) {
         fetch_line(state_[std::min(i + kFetchAhead, n_owned() - 1)].start_volume);
-        if (sleeps(i)) return;
+        if (sleeps(i) || is_crushed(i)) return;
         const Real step = bound(i);  // a step that is not a number collapses the run at once
         own.take({step > 0 ? step : 0.0, "particle", points_.body[i], points_.id[i]});
       },

@@ -17,6 +17,7 @@ struct Visitor {
   Real x[Dim], v[Dim];   // [m], [m/s]
   Real start[Dim];       // [m] position at time 0
   Real start_volume;     // [m^3] at time 0, of formulation: total; else 0
+  Real seen;             // [m^3] of that, once it is crushed 0
 };
 
 }  // namespace
@@ -119,7 +120,8 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
                        {},
                        {},
                        {},
-                       is_total(k) ? total_[k].volume : 0};
+                       is_total(k) ? total_[k].volume : 0,
+                       is_total(k) ? total_[k].seen : 0};
       for (int d = 0; d < Dim; ++d) one.x[d] = points_.x[k][d], one.v[d] = points_.v[k][d];
       for (int d = 0; d < Dim; ++d) one.start[d] = points_.x_start[k][d];
       visitors.push_back(one);
@@ -142,7 +144,7 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
     points_.append_ghost(one.id, one.body, one.piece, one.mass, Vec<Dim>(one.x), Vec<Dim>(one.v));
     smoothing_length_[n + k] = one.h;
     points_.x_start[n + k] = Vec<Dim>(one.start);
-    if (!total_.empty()) total_[n + k].volume = one.start_volume;
+    if (any_total()) total_[n + k].volume = one.start_volume, total_[n + k].seen = one.seen;
     state_[n + k].volume = one.volume;
   }
   for (std::size_t r = 0; r < from.size(); ++r) {

@@ -42,16 +42,17 @@ template <int Dim>
 void SphParticles<Dim>::start_total() {
   for (const auto& block : blocks_) {
     if (!is_total_block(block)) continue;
-    for (const LocalIndex i : block.set.particle) total_[i].volume = state_[i].volume;
+    for (const LocalIndex i : block.set.particle) {
+      total_[i].volume = total_[i].seen = state_[i].volume;
+    }
   }
 }
 
 template <int Dim>
 void SphParticles<Dim>::refresh_places() {
   if (total_.empty()) return;
-  for_each(points_.x.size(), [&](std::size_t i) {
-    place_[i] = is_total(i) ? points_.x_start[i] : points_.x[i];
-  });
+  for_each(points_.x.size(),
+           [&](std::size_t i) { place_[i] = is_total(i) ? points_.x_start[i] : points_.x[i]; });
 }
 
 template <int Dim>
@@ -62,7 +63,8 @@ LocalIndex SphParticles<Dim>::thin_total() const {
   return -1;
 }
 
-/// F(n+1) = F(n) + dt dF/dt, and L = (dF/dt) F^-1 at the end of the step in place of dF/dt.
+/// F(n+1) = F(n) + dt dF/dt, and L = (dF/dt) F^-1 at the end of the step in place of dF/dt. What is
+/// crushed stays as it is, and goes from the sums of the next step on.
 /// docs/theory/sph.md (S30), (S31).
 template <int Dim>
 void SphParticles<Dim>::advance_total(Real dt) {
@@ -73,9 +75,15 @@ void SphParticles<Dim>::advance_total(Real dt) {
       if (is_left_out(block, i)) return;
       Eigen::Map<RowMatrix<Dim>> rate(state_[slot_of(i)].velocity_gradient);
       auto& total = total_[slot_of(i)];
-      total.gradient += dt * rate;
-      rate = (rate * total.gradient.inverse()).eval();
-      total.stretch = least_stretch<Dim>(total.gradient);
+      const RowMatrix<Dim> gradient = total.gradient + dt * rate;
+      const Real stretch = gradient.determinant() > 0 ? least_stretch<Dim>(gradient) : 0;
+      if (is_crushed(slot_of(i)) || !(stretch > kCrushed) || is_thin_[slot_of(i)]) {
+        total.seen = 0;
+        rate.setZero();
+        return;
+      }
+      total.gradient = gradient, total.stretch = stretch;
+      rate = (rate * gradient.inverse()).eval();
     });
   }
 }
@@ -93,7 +101,8 @@ void SphParticles<Dim>::set_total_volumes(const ParticleBlock& block, std::size_
   }
 }
 
-/// P K = J sigma F^-T K of each, which neighbours read with the volumes of time 0.
+/// P K = J sigma F^-T K of each, which neighbours read with the volumes of time 0; of what is
+/// crushed nothing, as it takes part in no strain.
 /// docs/theory/sph.md (S32).
 template <int Dim>
 void SphParticles<Dim>::form_total_stress(const ParticleBlock& block, std::size_t first,
@@ -104,7 +113,8 @@ void SphParticles<Dim>::form_total_stress(const ParticleBlock& block, std::size_
     const RowMatrix<Dim>& F = total_[i].gradient;
     const RowMatrix<Dim> cofactor = F.determinant() * F.inverse().transpose();
     const RowMatrix<Dim> sigma = stress_of<Dim>(block.state, first + slot);
-    const RowMatrix<Dim> pair = sigma * (cofactor * full_matrix<Dim>(state_[i].correction));
+    RowMatrix<Dim> pair = sigma * (cofactor * full_matrix<Dim>(state_[i].correction));
+    if (is_crushed(i)) pair.setZero();
     for (int c = 0; c < Dim * Dim; ++c) tile.corrected[c][slot] = pair(c / Dim, c % Dim);
   }
 }
@@ -139,9 +149,15 @@ void SphParticles<Dim>::refresh_total_ghosts() {
   if (ranks_->alone() || !any_total()) return;
   constexpr std::size_t width = Dim * Dim + 2;
   refresh_ghosts(
-      *ranks_, ghosts_, width,
-      [&](std::size_t i, Real* out) { std::copy_n(total_record_[i].data + Dim, width, out); },
-      [&](std::size_t i, const Real* in) { std::copy_n(in, width, total_record_[i].data + Dim); });
+      *ranks_, ghosts_, width + 1,
+      [&](std::size_t i, Real* out) {
+        out = std::copy_n(total_record_[i].data + Dim, width, out);
+        *out = total_[i].seen;
+      },
+      [&](std::size_t i, const Real* in) {
+        std::copy_n(in, width, total_record_[i].data + Dim);
+        total_[i].seen = in[width];
+      });
 }
 
 /// Where particles are now, copies too.
@@ -155,8 +171,7 @@ void SphParticles<Dim>::place_total_records() {
 /// What of the forces on a particle is not of stress, in place of that of formulation: updated.
 template <int Dim>
 void SphParticles<Dim>::add_total_sums(const ParticleBlock& block, LocalIndex i,
-                                       const MonaghanViscosity& viscosity,
-                                       ForceSums<Dim>& sums) {
+                                       const MonaghanViscosity& viscosity, ForceSums<Dim>& sums) {
   const ForceRecords<Dim> records{motion_.data(), stress_.data(), nullptr};
   const auto row = rows_.row(i);
   const TotalSums<Dim> own = with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
@@ -181,21 +196,21 @@ Real SphParticles<Dim>::bound_of_total(std::size_t i, Real step) const {
               total.damping_sum / density);
 }
 
-#define BRUNT_TOTAL(Dim)                                                                          \
-  template bool SphParticles<Dim>::wants_total() const;                                           \
-  template void SphParticles<Dim>::start_total();                                                 \
-  template void SphParticles<Dim>::refresh_places();                                              \
-  template LocalIndex SphParticles<Dim>::thin_total() const;                                      \
-  template void SphParticles<Dim>::advance_total(Real);                                           \
-  template void SphParticles<Dim>::set_total_volumes(const ParticleBlock&, std::size_t,           \
-                                                     TileStress<Dim>&, MaterialTile&) const;      \
-  template void SphParticles<Dim>::form_total_stress(const ParticleBlock&, std::size_t,           \
-                                                     TileStress<Dim>&) const;                     \
-  template void SphParticles<Dim>::refresh_total_records();                                       \
-  template void SphParticles<Dim>::refresh_total_ghosts();                                        \
-  template void SphParticles<Dim>::place_total_records();                                         \
-  template void SphParticles<Dim>::add_total_sums(const ParticleBlock&, LocalIndex,               \
-                                                  const MonaghanViscosity&, ForceSums<Dim>&);     \
+#define BRUNT_TOTAL(Dim)                                                                      \
+  template bool SphParticles<Dim>::wants_total() const;                                       \
+  template void SphParticles<Dim>::start_total();                                             \
+  template void SphParticles<Dim>::refresh_places();                                          \
+  template LocalIndex SphParticles<Dim>::thin_total() const;                                  \
+  template void SphParticles<Dim>::advance_total(Real);                                       \
+  template void SphParticles<Dim>::set_total_volumes(const ParticleBlock&, std::size_t,       \
+                                                     TileStress<Dim>&, MaterialTile&) const;  \
+  template void SphParticles<Dim>::form_total_stress(const ParticleBlock&, std::size_t,       \
+                                                     TileStress<Dim>&) const;                 \
+  template void SphParticles<Dim>::refresh_total_records();                                   \
+  template void SphParticles<Dim>::refresh_total_ghosts();                                    \
+  template void SphParticles<Dim>::place_total_records();                                     \
+  template void SphParticles<Dim>::add_total_sums(const ParticleBlock&, LocalIndex,           \
+                                                  const MonaghanViscosity&, ForceSums<Dim>&); \
   template Real SphParticles<Dim>::bound_of_total(std::size_t, Real) const;
 BRUNT_TOTAL(2)
 BRUNT_TOTAL(3)

@@ -13,18 +13,23 @@ struct TotalState {
   using Matrix = Eigen::Matrix<Real, Dim, Dim, Eigen::RowMajor>;
   Matrix gradient = Matrix::Identity();  ///< [1] F = dx/dX
   Real volume = 0;                       ///< [m^3] at time 0; 0: formulation: updated
+  Real seen = 0;                         ///< [m^3] what sums count of it: 0 once it is crushed
   Real stretch = 1;                      ///< [1] least principal stretch of F
   Real stiffness_sum = 0;                ///< [Pa/m^2] sum of w_ij (c_i + c_j), for the step limit
   Real damping_sum = 0;                  ///< [Pa s/m^2] of w_ij (eta_i + eta_j)
 };
 
+/// Least stretch [1] of what is no neighbourhood any more: a particle that is crushed beyond goes
+/// from all sums, and flies on as a free point.
+inline constexpr Real kCrushed = 0.02;
+
 /// What neighbours read: its place now, what of x_j - x_i and v_j - v_i its own gradients would
 /// have, and how stiffly it keeps to them.
 template <int Dim>
 struct alignas(64) TotalRecord {
-  static constexpr int kAffine = Dim;                    ///< [Pa] c F + eta dF/dt, by rows
-  static constexpr int kStiffness = Dim + Dim * Dim;     ///< [Pa] c
-  static constexpr int kDamping = Dim + Dim * Dim + 1;   ///< [Pa s] eta
+  static constexpr int kAffine = Dim;                   ///< [Pa] c F + eta dF/dt, by rows
+  static constexpr int kStiffness = Dim + Dim * Dim;    ///< [Pa] c
+  static constexpr int kDamping = Dim + Dim * Dim + 1;  ///< [Pa s] eta
   static constexpr int kSize = Dim == 3 ? 16 : 8;
   Real data[kSize] = {};  ///< first the position [m]
 };

@@ -138,6 +138,7 @@ void warn_of_clumping(const LoadedDeck& loaded, const std::string& name, const d
   const Real least = least_smoothing(body.sph.kernel);
   if (body.lattice != deck::Lattice::cubic || body.sph.smoothing >= least) return;
   if (body.sph.artificial_stress != 0 || material->shear_modulus() == 0) return;
+  if (body.sph.formulation == SphFormulation::total) return;
   if (is_held(loaded.deck, name)) return;
   warn("bodies." + name + ".smoothing",
        "particles clump where they are pulled, and carry less than their material: this kernel "
@@ -174,6 +175,17 @@ void warn_of_sheets(const LoadedDeck& loaded, const Scene<Dim>& scene, const War
              " in one layer, which bends and folds without resistance and may clump where it is "
              "pulled: half the size gives two layers, and so may `lattice: hexagonal`");
   }
+}
+
+/// Bodies whose heat flows between the neighbours of time 0, however far they are apart.
+void warn_of_total_conduction(const LoadedDeck& loaded, const std::string& name,
+                              const deck::Body& body, const Warn& warn) {
+  if (body.method != deck::Method::sph || body.sph.formulation != SphFormulation::total) return;
+  if (heat_mode(loaded.deck, body, name) != HeatMode::conducts) return;
+  warn(
+      "bodies." + name + ".formulation",
+      "total conducts heat between the places of time 0: where the body is stretched by a tenth, a "
+      "fifth too much flows along it; `heat: adiabatic` conducts none");
 }
 
 /// Contact that is to pass heat between bodies none of which conducts.
@@ -225,6 +237,7 @@ void warn_of_sizes(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn
     warn_of_size("bodies." + deck.bodies[b].name, deck.bodies[b].value, boxes[b], warn);
     warn_of_scale(loaded, boxes, b, warn);
     warn_of_clumping(loaded, deck.bodies[b].name, deck.bodies[b].value, warn);
+    warn_of_total_conduction(loaded, deck.bodies[b].name, deck.bodies[b].value, warn);
   }
   warn_of_sheets(loaded, scene, warn);
   Places<Dim> places(loaded, scene, boxes, warn);

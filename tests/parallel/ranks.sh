@@ -63,6 +63,7 @@ cases=(
   "tumbling-blocks 0.55_ms parameters.speed=30_m/s parameters.end=0.6_ms bodies.plate.cells=[10,_10,_2] contact.default.stiffness=20 contact.default.step__by__area=true"
   "strip-rolling 0.8_ms parameters.end=1.5_ms measures=null"
   "decks/driven 30_us"
+  "decks/total 0.15_ms"
   "decks/tets 2_us"
   "decks/stressed 3_us"
   "decks/still 2_us"

@@ -254,6 +254,10 @@ class Writer {
 
   std::string particle_options() {
     std::string options;
+    if (draws(0.2)) {
+      return ", formulation: total" + std::string(draws(0.3) ? ", hourglass: 5" : "") +
+             (draws(0.3) ? ", lattice: hexagonal, smoothing: 1.4" : "");
+    }
     if (dice_.chance(0.3)) options += ", lattice: hexagonal";
     if (dice_.chance(0.2)) options += ", kernel: " + dice_.word({"wendland-c2", "quadratic"});
     if (dice_.chance(0.1)) options += ", artificial_stress: 0.3, smoothing: 1.2";

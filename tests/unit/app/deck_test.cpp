@@ -319,8 +319,8 @@ TEST(Deck, ZeroIsNoImplausibleValue) {
 }
 
 TEST(Deck, KeysThatComeLaterSaySo) {
-  expect_problem(problems_of(kTaylor, {"bodies.cloud.formulation=total"}),
-                 "--set #1: bodies.cloud.formulation: is not in this version of brunt yet");
+  expect_problem(problems_of(kTaylor, {"materials.copper.thermal={cp: 383, T_melt: 1356 K}"}),
+                 "--set #1: materials.copper.thermal.T_melt: is not in this version of brunt yet");
 }
 
 TEST(Deck, TwoDimensionsHaveTwoComponents) {

@@ -98,7 +98,9 @@ bodies:
     scale: 1 mm
     rotate: {axis: y, angle: 10 deg, about: [0, 0, 0]}
     translate: [30, 0, 0]
-  k: {method: sph, material: ta, file: part.msh, part: plate, size: 0.1}
+  k:
+    {method: sph, material: ta, file: part.msh, part: plate, size: 0.1, formulation: total,
+     hourglass: 30}
   i:
     material: za
     shape:

@@ -1,0 +1,153 @@
+// Particles of formulation: total: gradients at the places of time 0 (docs/theory/sph.md, section
+// 13).
+// - A bar without Poisson's ratio carries E A strain, as that of particle_tension_test.cpp: 1 %.
+// - A strip that hardens (300 MPa + 900 MPa eps_p, no neck below 0.62) is pulled by half of its
+//   length; the force of elements is the reference. Updated particles tear at less.
+// - A rubber ring that meets a wall (rubber_ring_test.cpp) comes back whole with the defaults, at
+//   the speed of elements, 0.80, to 2 %: tension takes no neighbour away.
+// - A free block that spins keeps its energy and momenta; drawn out by the spin by rho w^2 L^2/E =
+//   4e-4 at most, it swings by as much.
+// - A block that is given a checkerboard of velocities, which strains nothing, swings back: with
+//   hourglass: 0 nothing holds it, and neighbours fly apart for ever.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/deck/deck.hpp"
+#include "tests/support/simulate.hpp"
+#include "tests/support/source_path.hpp"
+
+namespace brunt::test {
+namespace {
+
+TEST(TotalParticles, ModulusIsThatOfTheMaterial) {
+  for (const std::string v : {"1 m/s", "-1 m/s"}) {
+    auto run = simulate(load_deck(source_path("tests/cases/sph-modulus.yaml"),
+                                  {"parameters.v=" + v, "bodies.a.formulation=total"}));
+    ASSERT_EQ(run.failure, "");
+    const Real area = 8e-3, force = run.measures.at("F");
+    const Real strain = (run.measures.at("uq") - run.measures.at("up")) / 20e-3;
+    EXPECT_NEAR(force / (200e9 * area * strain), 1, 0.01) << v;
+  }
+}
+
+std::string strip(const std::string& method) {
+  return R"(
+title: a strip that hardens
+geometry: plane-strain
+time: {end: 400 us}
+heat: off
+damping: {rate: 1e5 1/s}
+materials:
+  m: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3},
+    strength: {johnson-cook: {A: 300 MPa, B: 900 MPa, n: 1}}}
+bodies:
+  a: {material: m, shape: {box: {min: [0, 0], max: [4 mm, 20 mm]}}, size: 0.5 mm, )" +
+         method + R"(}
+boundaries:
+  l: {body: a, where: {box: {min: [-1 mm, -1 mm], max: [9 mm, 1.5 mm]}}, fix: [y]}
+  r: {body: a, where: {box: {min: [-1 mm, 18.5 mm], max: [9 mm, 21 mm]}},
+    velocity: [free, {table: [[0, 0], [20 us, 24 m/s], [380 us, 24 m/s], [400 us, 0]], over: time}]}
+sections: {s: {body: a, plane: {axis: y, at: 10 mm}}}
+measures: {F: {history: {column: section.s.force.y, reduce: last}}}
+output: {every: 400 us, history: 5 us}
+)";
+}
+
+TEST(TotalParticles, AStripIsPulledByHalfOfItsLength) {
+  const auto reference = simulate_text(strip("method: fe"));
+  const auto run = simulate_text(strip("method: sph, formulation: total"));
+  ASSERT_EQ(run.failure, "");
+  EXPECT_NEAR(run.measures.at("F") / reference.measures.at("F"), 1, 0.03);
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+TEST(TotalParticles, ARubberRingComesBackWhole) {
+  const auto run = simulate_text(R"(
+title: A rubber ring meets a wall
+geometry: plane-strain
+time: {end: 1.6 ms}
+materials: {rubber: {density: 1010 kg/m^3, elastic: {E: 0.4508 GPa, nu: 0.3975}}}
+bodies:
+  ring:
+    material: rubber
+    method: sph
+    formulation: total
+    shape: {tube: {inner: 30 mm, outer: 40 mm, length: 1 mm, base: [-41 mm, 0]}}
+    size: 1 mm
+    velocity: [50.27 m/s, 0]
+  wall: {rigid: true, shape: {plane: {origin: [0, 0], normal: [-1, 0], extent: 300 mm}}}
+contact: {default: {friction: 0}}
+output: {history: 20 us}
+)");
+  ASSERT_EQ(run.failure, "");
+  EXPECT_NEAR(run.last("body.ring.velocity.x"), -0.80 * 50.27, 0.02 * 50.27);
+  EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+TEST(TotalParticles, AFreeBlockKeepsSpinning) {
+  const auto run = simulate_text(R"(
+title: a block that spins
+geometry: 3d
+parameters: {w: 628.3 rad/s}
+time: {end: 20 ms}
+materials: {stuff: {density: 1000 kg/m^3, elastic: {E: 1 GPa, nu: 0.3}}}
+output: {history: 1 ms}
+bodies:
+  block:
+    method: sph
+    formulation: total
+    material: stuff
+    size: 4 mm
+    viscosity: {alpha: 0, beta: 0}
+    shape: {box: {min: [-12 mm, -8 mm, -4 mm], max: [12 mm, 8 mm, 4 mm]}}
+    spin: {axis: [0, 0, 1], rate: $w, about: [0, 0, 0]}
+)");
+  ASSERT_EQ(run.failure, "");
+  EXPECT_NEAR(run.last("body.block.kinetic"), run.first("body.block.kinetic"),
+              1e-3 * run.first("body.block.kinetic"));
+  EXPECT_LT(run.worst_drift, 1e-10);
+  EXPECT_LT(run.created, 1e-3);
+}
+
+/// Of a block of 10 x 10 whose neighbours move against each other at 1 m/s.
+Simulation checkerboard(const std::string& hourglass) {
+  const std::string sign = "cos(3.14159265358979*(x+y)/1e-3)";
+  return simulate_text(R"(
+title: a checkerboard
+geometry: plane-strain
+time: {end: 4 us}
+materials: {steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}}
+output: {history: 0.05 us}
+bodies:
+  block:
+    method: sph
+    formulation: total
+    material: steel
+    size: 1 mm
+    viscosity: {alpha: 0, beta: 0}
+    shape: {box: {min: [0, 0], max: [10 mm, 10 mm]}}
+    velocity: ["= )" + sign +
+                       R"(", 0]
+    hourglass: )" + hourglass +
+                       "\n");
+}
+
+TEST(TotalParticles, MotionsThatStrainNothingSwingBack) {
+  const auto largest = [](const Simulation& run) {
+    const auto energy = run.column("energy.hourglass");
+    return *std::max_element(energy.begin(), energy.end());
+  };
+  const auto held = checkerboard("20"), free = checkerboard("0");
+  ASSERT_EQ(held.failure, "");
+  EXPECT_GT(largest(held), 0.5 * held.first("energy.kinetic"));
+  EXPECT_EQ(largest(free), 0);
+  const auto kinetic = held.column("energy.kinetic");
+  EXPECT_LT(*std::min_element(kinetic.begin(), kinetic.end()), 0.3 * kinetic.front());
+  EXPECT_LT(*std::max_element(kinetic.begin(), kinetic.end()), 1.01 * kinetic.front());
+  EXPECT_LT(held.worst_drift, 1e-10);
+}
+
+}  // namespace
+}  // namespace brunt::test
