@@ -73,7 +73,8 @@ inline void describe(Schema& s, SphOptions& sph) {
   s.choice(
       {"pair_precision", "numbers of the sums over pairs: single is faster, and wrong by 1e-6"},
       sph.pair_precision, kPrecisions);
-  s.section(sph.formulation == SphFormulation::total, "only for formulation: total", [&](Schema& of) {
+  const bool total = sph.formulation == SphFormulation::total;
+  s.section(total, "only for formulation: total", [&](Schema& of) {
     of.real({"hourglass",
              "stiffness or, where the material yields, viscosity against motions of particles that "
              "strain nothing, as a share of the material's [%]"},

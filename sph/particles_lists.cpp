@@ -79,6 +79,7 @@ void SphParticles<Dim>::rearrange() {
   for (std::size_t i = 0; i < n_owned(); ++i) longest = std::max(longest, smoothing_length_[i]);
   longest = ranks_->max(longest);
   const Real skin = skin_ratio_ * longest;
+  refresh_places();
   if (!ranks_->alone()) renew_ghosts(skin);
   label_sums();
   refresh_places();

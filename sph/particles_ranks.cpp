@@ -13,12 +13,22 @@ template <int Dim>
 struct Visitor {
   GlobalId id;
   Label body, piece;
-  Real mass, h, volume;  // [kg], [m], [m^3]
-  Real x[Dim], v[Dim];   // [m], [m/s]
-  Real start[Dim];       // [m] position at time 0
-  Real start_volume;     // [m^3] at time 0, of formulation: total; else 0
-  Real seen;             // [m^3] of that, once it is crushed 0
+  Real mass, h, volume;     // [kg], [m], [m^3]
+  Real x[Dim], v[Dim];      // [m], [m/s]
+  Real start[Dim];          // [m] position at time 0
+  Real start_volume, seen;  // [m^3] of formulation: total, at time 0 and in sums; else 0
 };
+
+/// One with what its point knows.
+template <int Dim>
+Visitor<Dim> visitor(const Points<Dim>& points, std::size_t k) {
+  Visitor<Dim> one{};
+  one.id = points.id[k], one.body = points.body[k], one.piece = points.piece[k];
+  for (int d = 0; d < Dim; ++d) {
+    one.x[d] = points.x[k][d], one.v[d] = points.v[k][d], one.start[d] = points.x_start[k][d];
+  }
+  return one;
+}
 
 }  // namespace
 
@@ -111,19 +121,9 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
     for (LocalIndex& place : list) {
       const std::size_t k = awake[place];
       place = static_cast<LocalIndex>(k);
-      Visitor<Dim> one{points_.id[k],
-                       points_.body[k],
-                       points_.piece[k],
-                       weighed_mass(k),
-                       smoothing_length_[k],
-                       state_[k].volume,
-                       {},
-                       {},
-                       {},
-                       is_total(k) ? total_[k].volume : 0,
-                       is_total(k) ? total_[k].seen : 0};
-      for (int d = 0; d < Dim; ++d) one.x[d] = points_.x[k][d], one.v[d] = points_.v[k][d];
-      for (int d = 0; d < Dim; ++d) one.start[d] = points_.x_start[k][d];
+      Visitor<Dim> one = visitor<Dim>(points_, k);
+      one.mass = weighed_mass(k), one.h = smoothing_length_[k], one.volume = state_[k].volume;
+      if (is_total(k)) one.start_volume = total_[k].volume, one.seen = total_[k].seen;
       visitors.push_back(one);
     }
     to.push_back((Packer() << visitors).take());

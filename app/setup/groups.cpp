@@ -205,7 +205,7 @@ Real mean_spacing(const BodyGeometry<Dim>& body) {
   return std::pow(body.volume / static_cast<Real>(body.points.size()), 1.0 / Dim);
 }
 
-/// Particles of formulation: total keep the neighbours of time 0, and a sheet would be one for ever.
+/// Particles of formulation: total keep the neighbours of time 0: a sheet would be one for ever.
 template <int Dim>
 void require_thick_total(const LoadedDeck& loaded, const SphParticles<Dim>& particles) {
   const LocalIndex thin = particles.thin_total();
