@@ -85,6 +85,7 @@ Copies find_copies(const BodyView& view, const Partition& partition, const Commu
 }  // namespace
 
 void add_owner(BodyView& view, int rank) {
+  if (view.position.empty()) return;  // a piece without points has no fields
   const auto owner = [&](std::size_t n) {
     return Field{kOwnerField.name, 1, std::vector<Real>(n, static_cast<Real>(rank))};
   };

@@ -89,8 +89,11 @@ void describe(Schema& s, Wedge& shape) {
          shape.rake, {"rad", kSharp, between(-kPi / 3, kPi / 3)});
   s.real({"clearance", "of the lower face to x, over which the tool goes", Need::required},
          shape.clearance, {"rad", kOpen, between(0, kPi / 4)});
-  s.real({"edge_radius", "of the rounded edge between the faces; 0: sharp"}, shape.edge_radius,
-         {"m", at_least(0), between(0, 0.01)});
+  s.real({"edge_radius",
+          "of the rounded edge between the faces; 0: sharp. A tool of elements, one that conducts, "
+          "has "
+          "edges as fine as its size"},
+         shape.edge_radius, {"m", at_least(0), between(0, 0.01)});
   s.real({"height", "along y from the tip", Need::required}, shape.height, kLength);
   s.real({"length", "along x from the tip", Need::required}, shape.length, kLength);
   s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {

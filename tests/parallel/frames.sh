@@ -85,6 +85,10 @@ for out, n in zip(sys.argv[1:], (3, 1)):
         seen.add(rank) if grid.GetNumberOfCells() else None
     assert len(seen) == n, (out, seen)
 END
+# A body that is on one rank alone has a piece without points on the other.
+expect 0 "$brunt" run "$2/decks/cutting-2d/conducting.yaml" --quiet --oversubscribe --ranks 2 --out alone \
+  --set "parameters.spacing=0.05 mm" --set "parameters.travel=0.01 mm" --set "output.fields=[pressure, rank]"
+"$brunt" render alone --frames last --field rank >out.txt || fail "a picture of ranks"
 cmp owners/history.csv three/history.csv || fail "a history that knows ranks"
 
 # The disk of one rank is full at one file, or the root's at what joins the pieces: all ranks end with

@@ -48,6 +48,9 @@ TEST(FramePiece, TellsTheRankOfAllThatItHas) {
   add_owner(particles, 1);
   EXPECT_EQ(field_named(particles.point_fields, "rank")->values, std::vector<Real>(1, 1.0));
   EXPECT_TRUE(particles.cell_fields.empty());
+  BodyView none;
+  add_owner(none, 1);
+  EXPECT_TRUE(none.point_fields.empty());
 }
 
 }  // namespace
