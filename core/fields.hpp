@@ -38,6 +38,12 @@ inline constexpr std::array kFields{
 /// Of bodies of particles, in frames alone.
 inline constexpr FieldInfo kRadiusField{"radius", 1, "m", "of a particle: half the spacing"};
 
+/// Of bodies, in frames alone, and there only where `output.fields` names it: results of a run, its
+/// measures and its probes do not know how many ranks it has.
+inline constexpr FieldInfo kOwnerField{
+    "rank", 1, "1",
+    "number of the rank that has the node, element or particle, where it is asked for"};
+
 /// Of the common planes and particle contacts of a frame.
 inline constexpr std::array kContactFields{
     FieldInfo{"normal", 3, "1",

@@ -258,8 +258,6 @@ class Schema {
   /// Keys that mean something only where `applies`: elsewhere they are refused with `when`,
   /// as in "only with method: sph".
   virtual void section(bool applies, const char* when, std::function<void(Schema&)> members) = 0;
-  /// Keys of the contract that this version does not have yet.
-  virtual void later(std::span<const char* const> keys) = 0;
   /// A rule across keys, tested once they are read: message when it does not hold. `at` is the
   /// key to which the message points.
   virtual void require(bool holds, const char* at, const std::string& message) = 0;

@@ -77,7 +77,7 @@ std::string columns_page() {
   std::string text = kIntroduction + column_tables() + kFrames;
   text += std::string("\n### Of a body\n") + kHead;
   for (const FieldInfo& field : kFields) text += field_row(field);
-  text += field_row(kRadiusField);
+  text += field_row(kRadiusField) + field_row(kOwnerField);
   text += std::string("\n### Of contacts\n") + kHead;
   for (const FieldInfo& field : kContactFields) text += field_row(field);
   text += std::string("\n### Of a run of several ranks\n") + kHead;

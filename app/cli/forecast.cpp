@@ -18,9 +18,10 @@ Real stopping_strain(const deck::Material& material, Real speed) {
     return std::min(kMostStrain, speed * std::sqrt(material.density / modulus));
   }
   constexpr Real kStep = 1e-3;
+  const StrengthLaw law = material.melting_strength();
   Real taken = 0, strain = 0;
   for (; taken < energy && strain < kMostStrain; strain += kStep) {
-    taken += kStep * deck::slow_flow_stress(material.strength, strain + 0.5 * kStep);
+    taken += kStep * deck::slow_flow_stress(law, strain + 0.5 * kStep);
   }
   return strain;
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/deck/checks.hpp"
+#include "core/geometry/wedge.hpp"
 #include "fe/elements/catalog.hpp"
 #include "sph/pair_precision.hpp"
 
@@ -42,6 +43,7 @@ struct Lengths {
     if (!flat()) lengths.push_back(polygon.thickness);
     return lengths;
   }
+  std::vector<Real> operator()(const Wedge& wedge) const { return (*this)(polygon_of(wedge)); }
   std::vector<Real> operator()(const Plane& plane) const {
     return std::vector<Real>(flat() ? 1 : 2, plane.extent);
   }
@@ -253,9 +255,20 @@ void check_polygon(const std::string& path, const Body& body, Findings& findings
 }
 
 void check_gravity(const Deck& deck, Findings& findings) {
-  if (deck.geometry != Geometry::axisymmetric || deck.gravity.empty()) return;
-  if (deck.gravity[0] != 0) {
-    findings.wrong("gravity", "x is the radius: gravity acts along the axis, [0, g]");
+  if (!deck.gravity || !findings.sound("gravity") || !findings.sound("time")) return;
+  for (const Real time : gravity_times(deck.gravity, deck.time.end)) {
+    const auto now = gravity_at(deck.gravity, time);
+    if (deck.geometry == Geometry::axisymmetric && now[0] != 0) {
+      findings.wrong("gravity", "x is the radius: gravity acts along the axis, [0, g]");
+      return;
+    }
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      if (std::isfinite(now[c])) continue;
+      findings.wrong("gravity." + std::to_string(c),
+                     (std::isnan(now[c]) ? "is not a number at t = " : "is infinite at t = ") +
+                         time_text(time) + "; t is in s");
+      return;
+    }
   }
 }
 

@@ -2,16 +2,49 @@
 #include <cmath>
 
 #include "app/deck/checks.hpp"
+#include "io/number.hpp"
 
 namespace brunt::deck {
 
 namespace {
 
 std::string kelvin(Real temperature) { return short_text(temperature) + " K"; }
+std::string exactly(Real temperature) { return rounded(temperature, 9) + " K"; }
+
+/// A material melts once: where `thermal` and laws say it, they agree; what asks for it has it.
+void check_melting_point(const Named<Material>& material, Findings& findings) {
+  const std::string path = "materials." + material.name;
+  const auto& thermal = material.value.thermal;
+  const auto* strength = std::get_if<JohnsonCook>(&material.value.strength);
+  const auto* damage = std::get_if<JohnsonCookDamage>(&material.value.damage);
+  const std::optional<Real> melting = thermal ? thermal->T_melt : std::nullopt;
+  if (damage && damage->D5 != 0 && !damage->T_melt && !melting) {
+    findings.wrong(path + ".damage.johnson-cook",
+                   "needs T_melt where D5 is not 0, here or as thermal.T_melt");
+  }
+  if (!melting) return;
+  const std::string key = path + ".thermal.T_melt";
+  const auto agree = [&](const char* law, const std::optional<Real>& own, Real reference) {
+    if (own && *own != *melting) {
+      findings.wrong(key, "is " + exactly(*melting) + ", and " + law + ".johnson-cook.T_melt is " +
+                              exactly(*own) + ": a material melts once, leave one of them out");
+    } else if (!own && !(*melting > reference)) {
+      findings.wrong(key, "must be above T_ref = " + kelvin(reference) + " of " + law);
+    }
+  };
+  if (strength) agree("strength", strength->T_melt, strength->T_ref);
+  if (damage) agree("damage", damage->T_melt, damage->T_ref);
+  if (!strength && !damage) {
+    findings.warn(key,
+                  "changes nothing: of all laws johnson-cook's alone, of strength or of "
+                  "damage, know melting");
+  }
+}
 
 /// A body that starts at or above the melting of its material has no strength from the start.
 void check_melting(const Deck& deck, const Named<Material>& material, Findings& findings) {
-  const auto* law = std::get_if<JohnsonCook>(&material.value.strength);
+  const StrengthLaw strength = material.value.melting_strength();
+  const auto* law = std::get_if<JohnsonCook>(&strength);
   if (!law || !law->T_melt) return;
   for (const auto& [name, body] : deck.bodies) {
     const std::string path = "bodies." + name + ".temperature";
@@ -30,18 +63,22 @@ void check_melting(const Deck& deck, const Named<Material>& material, Findings& 
 void check_softening(const Named<Material>& material, Findings& findings) {
   constexpr Real kNarrow = 50;  // [K]
   const auto look = [&](const std::string& key, Real reference, Real melting) {
-    const std::string path = "materials." + material.name + key;
-    if (!findings.sound(path) || !(melting - reference < kNarrow)) return;
+    const std::string at = "materials." + material.name;
+    const std::string path = findings.stands(at + key + ".T_melt") ? at + key : at + ".thermal";
+    if (!findings.sound(path) || melting <= reference) return;
+    if (melting - reference >= kNarrow) return;
     findings.warn(path + ".T_melt",
                   "heat acts in full within the " + kelvin(melting - reference) +
                       " from T_ref = " + kelvin(reference) + " to T_melt = " + kelvin(melting) +
                       "; in metals that takes hundreds of kelvins: check both, and their units");
   };
-  if (const auto* law = std::get_if<JohnsonCook>(&material.value.strength); law && law->T_melt) {
+  const StrengthLaw strength = material.value.melting_strength();
+  const DamageChoice damage = material.value.melting_damage();
+  if (const auto* law = std::get_if<JohnsonCook>(&strength); law && law->T_melt) {
     look(".strength.johnson-cook", law->T_ref, *law->T_melt);
   }
-  if (const auto* law = std::get_if<JohnsonCookDamage>(&material.value.damage)) {
-    if (law->D5 != 0) look(".damage.johnson-cook", law->T_ref, law->T_melt);
+  if (const auto* law = std::get_if<JohnsonCookDamage>(&damage); law && law->T_melt) {
+    if (law->D5 != 0) look(".damage.johnson-cook", law->T_ref, *law->T_melt);
   }
 }
 
@@ -205,6 +242,7 @@ void check_sound_speed(const Named<Material>& material, Findings& findings) {
 void check_materials(const Deck& deck, Findings& findings) {
   for (const auto& material : deck.materials) {
     if (!findings.sound("materials." + material.name)) continue;
+    check_melting_point(material, findings);
     check_melting(deck, material, findings);
     check_softening(material, findings);
     check_heat(deck, material, findings);

@@ -81,6 +81,7 @@ inline constexpr std::array kHistoryColumns{
     ColumnInfo{"contact.NAME.temperature.mean", "K", "mean of both sides over the area"},
 
     ColumnInfo{"boundary.NAME.reaction.AXIS", "N", "force of the support on what it holds"},
+    ColumnInfo{"boundary.NAME.torque.AXIS", "N m", "of the reaction, about the origin"},
     ColumnInfo{"boundary.NAME.force.AXIS", "N", "resultant of the boundary's forces"},
     ColumnInfo{"boundary.NAME.heat_rate", "W", "heat that the boundary lets in"},
 

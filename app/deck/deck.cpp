@@ -105,9 +105,10 @@ void describe(Schema& s, Stop& stop) {
 
 void describe(Schema& s, Output& output) {
   static constexpr auto kNames = [] {
-    std::array<const char*, kFields.size()> names{};
+    std::array<const char*, kFields.size() + 1> names{};
     std::transform(kFields.begin(), kFields.end(), names.begin(),
                    [](const FieldInfo& field) { return field.name; });
+    names.back() = kOwnerField.name;
     return names;
   }();
   s.real({"every",
@@ -127,7 +128,8 @@ void describe(Schema& s, Output& output) {
   s.real({"to", "frames only until this time, besides the first and the last"}, output.to,
          {"s", at_least(0)});
   s.words(
-      {"fields", "fields in frames; default: all. Several ranks add id, which joins their pieces"},
+      {"fields",
+       "fields in frames; default: all but rank. Several ranks add id, which joins their pieces"},
       output.fields, kNames);
   s.names({"bodies", "bodies in frames; default: all"}, output.bodies, 0);
   s.flag({"pictures", "writes pictures at the end"}, output.pictures);
@@ -187,8 +189,7 @@ void describe(Schema& s, Deck& deck) {
   s.named({"boundaries", "supports and loads by name"}, deck.boundaries, true);
   s.object({"symmetry", "planes of symmetry: what lies on them at time 0 moves along them"},
            deck.symmetry);
-  s.list({"gravity", "acceleration of all that is free"}, deck.gravity,
-         {"m/s^2", {}, between(-1e4, 1e4)}, Schema::kVector);
+  deck::describe_gravity(s, deck.gravity);
   s.object({"damping", "mass-proportional, to settle"}, deck.damping);
   s.named({"measures", "numbers that the run is asked for, by name"}, deck.measures);
   s.named({"probes", "fields of one point or element in history.csv, by name"}, deck.probes);

@@ -9,6 +9,7 @@
 
 #include "app/deck/bodies.hpp"
 #include "app/deck/boundaries.hpp"
+#include "app/deck/gravity.hpp"
 #include "app/deck/materials.hpp"
 #include "app/deck/measures.hpp"
 #include "app/deck/probes.hpp"
@@ -123,7 +124,7 @@ struct Deck {
   deck::Contact contact;
   std::vector<Named<deck::Boundary>> boundaries;
   std::optional<deck::Symmetry> symmetry;
-  std::vector<Real> gravity;  ///< [m/s^2]; empty: none
+  deck::Gravity gravity;
   std::optional<deck::Damping> damping;
   std::vector<Named<deck::Measure>> measures;
   std::vector<Named<deck::Probe>> probes;
@@ -135,10 +136,7 @@ struct Deck {
 
   /// The material of that name; null: there is none.
   const deck::Material* material_named(const std::string& name) const;
-  /// True where gravity pulls: a vector of zeros is none.
-  bool has_gravity() const {
-    return std::any_of(gravity.begin(), gravity.end(), [](Real g) { return g != 0; });
-  }
+  bool has_gravity() const { return deck::pulls(gravity); }
 };
 
 void describe(Schema& s, Deck& deck);

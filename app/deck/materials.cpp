@@ -21,6 +21,20 @@ Real Material::shear_modulus() const {
   return own ? own->shear : 0;
 }
 
+StrengthLaw Material::melting_strength() const {
+  StrengthLaw law = strength;
+  auto* melts = std::get_if<JohnsonCook>(&law);
+  if (melts && !melts->T_melt && thermal) melts->T_melt = thermal->T_melt;
+  return law;
+}
+
+DamageChoice Material::melting_damage() const {
+  DamageChoice law = damage;
+  auto* melts = std::get_if<JohnsonCookDamage>(&law);
+  if (melts && !melts->T_melt && thermal) melts->T_melt = thermal->T_melt;
+  return law;
+}
+
 bool Material::heats_itself() const {
   if (!thermal) return false;
   return !std::holds_alternative<NoStrength>(strength) ||
@@ -39,7 +53,6 @@ void describe(Schema& s, ElasticConstants& elastic) {
 }
 
 void describe(Schema& s, Thermal& thermal) {
-  static constexpr const char* kLater[] = {"T_melt"};
   static constexpr std::array kOver{Varying::Over::temperature};
   s.varying({"cp", "specific heat; a peak holds latent heat", Need::required}, thermal.cp,
             {"J/kg/K", positive(), between(50, 1e6)}, kOver);
@@ -51,7 +64,8 @@ void describe(Schema& s, Thermal& thermal) {
       {"expansion",
        "linear thermal expansion: free of stress it is as long as its heat since time 0 makes it"},
       thermal.expansion, {"1/K", between(-1e-3, 1e-3)});
-  s.later(kLater);
+  s.real({"T_melt", "temperature of melting, of johnson-cook's laws that do not say it themselves"},
+         thermal.T_melt, {"K", positive(), between(200, 5000)});
 }
 
 void describe(Schema& s, Material& material) {

@@ -20,10 +20,11 @@ struct ElasticConstants {
 };
 
 struct Thermal {
-  std::optional<Varying> cp;  ///< [J/kg/K] specific heat, a constant or a table over temperature
-  std::optional<Varying> k;   ///< [W/m/K] conductivity, a constant or a table over temperature
-  Real taylor_quinney = 0.9;  ///< share of plastic work that becomes heat
-  Real expansion = 0;         ///< [1/K] linear
+  std::optional<Varying> cp;   ///< [J/kg/K] specific heat, a constant or a table over temperature
+  std::optional<Varying> k;    ///< [W/m/K] conductivity, a constant or a table over temperature
+  Real taylor_quinney = 0.9;   ///< share of plastic work that becomes heat
+  Real expansion = 0;          ///< [1/K] linear
+  std::optional<Real> T_melt;  ///< [K] of laws that do not say their own
 };
 
 struct Material {
@@ -34,6 +35,8 @@ struct Material {
   DamageChoice damage;
   std::optional<Real> tensile_cutoff;  ///< [Pa] positive: pressure never below minus this
   std::optional<Thermal> thermal;
+  StrengthLaw melting_strength() const;  ///< with thermal.T_melt where it has none of its own
+  DamageChoice melting_damage() const;   ///< likewise
   Real bulk_modulus() const;   ///< [Pa] of the elastic constants, or of the equation of state
   Real shear_modulus() const;  ///< [Pa] 0: a fluid
   /// It is thermal, and plastic work or an equation of state with an energy raises its temperature.

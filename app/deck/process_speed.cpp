@@ -91,7 +91,6 @@ class FasterDeck final : public Schema {
   void names(const Key&, std::vector<std::string>&, int) override {}
   void value(int&, std::span<const char* const>, const char*) override {}
   void value(std::string&, const char*) override {}
-  void later(std::span<const char* const>) override {}
   void require(bool, const char*, const std::string&) override {}
 
  protected:
@@ -179,7 +178,8 @@ Deck stepped_deck(const Deck& given) {
   if (!(speed > 1)) return deck;  // of half a deck it may be anything
   FasterDeck visitor(given.geometry, speed);
   describe(visitor, deck);
-  deck.gravity = given.gravity;
+  deck.gravity = given.gravity;  // its own values, sooner
+  visitor.components({"gravity", ""}, deck.gravity, {"1"}, {});
   deck.output.checkpoint = given.output.checkpoint;  // wall time
   for (std::size_t m = 0; m < deck.materials.size(); ++m) {
     deck.materials[m].value.eos = given.materials[m].value.eos;  // sound speeds are stiffness

@@ -18,7 +18,9 @@ ContactOptions named_options(const Deck& deck) {
   options.search = deck.contact.search;
   options.skin = deck.contact.skin;
   options.safety = deck.time.safety;
-  if (deck.has_gravity()) options.gravity = deck.gravity;
+  if (deck.has_gravity()) {
+    options.gravity = deck::largest_gravity(deck.gravity, deck.time.end);
+  }
   for (const auto& [name, pair] : deck.contact.pairs) {
     const Label first = *label_of(deck, pair.between[0]);
     const bool any = pair.between[1] == "any";

@@ -240,9 +240,15 @@ void add_boundaries(const LoadedDeck& loaded, Scene<Dim>& scene,
   }
   add_symmetry(loaded, scene, problems);
   if (deck.has_gravity()) {
-    Vec<Dim> g;
-    for (int c = 0; c < Dim; ++c) g[c] = deck.gravity[c];
-    scene.loads.gravity(g);
+    const auto at = [gravity = deck.gravity](Real time) {
+      const auto now = deck::gravity_at(gravity, time);
+      return Vec<Dim>(Eigen::Map<const Vec<Dim>>(now.data()));
+    };
+    if (deck::is_over_time(deck.gravity)) {
+      scene.loads.gravity(at);
+    } else {
+      scene.loads.gravity(at(0));
+    }
   }
   if (deck.damping) scene.loads.damp(deck.damping->rate, deck.damping->until);
   if (scene.loads.empty()) return;

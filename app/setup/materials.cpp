@@ -25,10 +25,10 @@ std::vector<std::unique_ptr<Material>> make_materials(const Deck& deck) {
       if (cp.varies()) strength.specific_heat = &cp, strength.density = given.density;
       strength.taylor_quinney = given.thermal->taylor_quinney;
     }
-    material->strength = make_strength(given.strength, strength);
+    material->strength = make_strength(given.melting_strength(), strength);
     material->eos = make_eos(given.eos, EosInputs{given.density, given.bulk_modulus()});
     material->bulk = material->eos->bulk_modulus();
-    material->damage = make_damage(given.damage, {material->shear});
+    material->damage = make_damage(given.melting_damage(), {material->shear});
     materials.push_back(std::move(material));
   }
   return materials;

@@ -57,7 +57,7 @@ LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& 
   keep(deck.sections, [&](const auto& section) {
     return kept.contains(section.value.body) && !is_wrong("sections." + section.name, wrong);
   });
-  if (is_wrong("gravity", wrong)) deck.gravity.clear();
+  if (is_wrong("gravity", wrong)) deck.gravity.reset();
   deck.damping.reset();
   return part;
 }

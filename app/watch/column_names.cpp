@@ -116,6 +116,8 @@ ColumnNames column_names(const Scene<Dim>& scene) {
       boundary.visit_reports([&](const char* what, const auto& values) {
         const bool vector = !std::is_same_v<decltype(values), const std::vector<Real>&>;
         to.add_report<Dim>(std::string("boundary.NAME.") + what, vector, boundary.patch.name);
+        if (!is_reaction(what)) return;
+        to.add_components("boundary.NAME.torque.AXIS", torque, 3, boundary.patch.name);
       });
     }
   });

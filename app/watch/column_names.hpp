@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/scene/scene.hpp"
@@ -21,5 +22,8 @@ int first_torque(const Scene<Dim>& scene) {
   if (scene.geometry == Geometry::axisymmetric) return 3;
   return Dim == 3 ? 0 : 2;
 }
+
+/// True of what a boundary reports whose moment is a column too.
+inline bool is_reaction(std::string_view report) { return report == "reaction"; }
 
 }  // namespace brunt

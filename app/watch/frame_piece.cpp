@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fields.hpp"
 #include "core/parallel/ghosts.hpp"
 #include "core/parallel/packing.hpp"
 
@@ -82,6 +83,15 @@ Copies find_copies(const BodyView& view, const Partition& partition, const Commu
 }
 
 }  // namespace
+
+void add_owner(BodyView& view, int rank) {
+  if (view.position.empty()) return;  // a piece without points has no fields
+  const auto owner = [&](std::size_t n) {
+    return Field{kOwnerField.name, 1, std::vector<Real>(n, static_cast<Real>(rank))};
+  };
+  view.point_fields.push_back(owner(view.position.size() / 3));
+  if (view.n_cells() > 0) view.cell_fields.push_back(owner(view.n_cells()));
+}
 
 BodyView frame_piece(BodyView view, const Partition& partition, const Communicator& ranks) {
   take_cell_fields(view, ranks);

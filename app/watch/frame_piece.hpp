@@ -10,4 +10,8 @@ namespace brunt {
 /// points. Collective.
 BodyView frame_piece(BodyView view, const Partition& partition, const Communicator& ranks);
 
+/// Adds the field `rank` to all points and cells of a view: this one has them, or it is told so of
+/// copies by frame_piece. A view without points has no fields, and gets none.
+void add_owner(BodyView& view, int rank);
+
 }  // namespace brunt

@@ -57,9 +57,24 @@ void HistoryColumns<Dim>::add_boundaries(const Scene<Dim>& scene, std::vector<Re
       }
     }
   };
+  const auto add_torque = [&](const Patch<Dim>& patch, const std::vector<Vec<Dim>>& of_points) {
+    const std::size_t first = sums.size();
+    const int torque = first_torque(scene);
+    sums.resize(first + slot_of(3 - torque));
+    for (std::size_t k = 0; k < of_points.size(); ++k) {
+      const Vec<Dim> place = scene.origin + patch.points->x[patch.point(k)];
+      const Vec3 moment = in_space<Dim>(place).cross(in_space<Dim>(of_points[k]));
+      for (int c = torque; c < 3; ++c) sums[first + slot_of(c - torque)].add(moment[c]);
+    }
+  };
   scene.boundaries.each([&](const auto& boundary) {
     if constexpr (requires { boundary.visit_reports([](const char*, const auto&) {}); }) {
-      boundary.visit_reports([&](const char*, const auto& of_points) { add(of_points); });
+      boundary.visit_reports([&](const char* what, const auto& of_points) {
+        add(of_points);
+        if constexpr (!std::is_same_v<decltype(of_points), const std::vector<Real>&>) {
+          if (is_reaction(what)) add_torque(boundary.patch, of_points);
+        }
+      });
     }
   });
   scene.ranks->reduce_all(std::span(sums), [](ExactSum& a, const ExactSum& b) { a.add(b); });

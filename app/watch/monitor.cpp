@@ -10,6 +10,7 @@
 #include "app/watch/frame_check.hpp"
 #include "app/watch/frame_piece.hpp"
 #include "app/watch/output_steps.hpp"
+#include "core/fields.hpp"
 
 namespace brunt {
 
@@ -228,6 +229,10 @@ bool Monitor<Dim>::wants_hash(const Clock& clock) const {
 template <int Dim>
 BodyView Monitor<Dim>::frame_part(const Scene<Dim>& scene, BodyView view, Real time) const {
   view.time = time;
+  const auto& asked = deck_.output.fields;
+  if (std::find(asked.begin(), asked.end(), kOwnerField.name) != asked.end()) {
+    add_owner(view, scene.ranks->rank());
+  }
   real_.make_real(view);
   if (scene.ranks->alone()) return view;
   return frame_piece(std::move(view), *scene.partition, *scene.ranks);

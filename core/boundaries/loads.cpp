@@ -40,16 +40,16 @@ template <int Dim>
 void Loads<Dim>::push_rigid(Real time, Real dt) {
   auto& rigid = *rigid_;
   const auto bodies = rigid.bodies->all();
-  const Real halves = rigid.fresh ? 0.5 : 1.0;
+  const Vec<Dim> last = rigid.fresh ? Vec<Dim>::Zero().eval() : last_gravity_;
   const Real rate = rate_ > 0 && time <= until_ ? rate_ : 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     auto& body = bodies[b];
     const auto& state = body.state;
     if (has_gravity_) {
-      Vec3 weight = Vec3::Zero();
-      weight.template head<Dim>() = state.mass * gravity_;
+      const Vec3 weight = in_space<Dim>(Vec<Dim>(state.mass * gravity_));
       body.load_force += weight;
-      rigid.load_work[b] += halves * dt * weight.dot(state.v);
+      rigid.load_work[b] +=
+          0.5 * dt * (weight + in_space<Dim>(Vec<Dim>(state.mass * last))).dot(state.v);
     }
     if (rate_ == 0) continue;
     const Vec3 drag = -rate * state.mass * state.v;
@@ -67,10 +67,11 @@ void Loads<Dim>::push_rigid(Real time, Real dt) {
 
 template <int Dim>
 void Loads<Dim>::add_forces(Real time, Real dt) {
+  if (over_time_) gravity_ = over_time_(time);
   for (auto& body : bodies_) {
     auto& points = *body.points;
     // At time 0 no force has acted yet: the first half of the first step carries none.
-    const Real halves = body.fresh ? 0.5 : 1.0;
+    const Vec<Dim> last = body.fresh ? Vec<Dim>::Zero().eval() : last_gravity_;
     const bool damped = rate_ > 0;
     const Real rate = time <= until_ ? rate_ : 0.0;
     for_each(points.n_owned, kPointsWorthThreads, [&](LocalIndex point) {
@@ -78,7 +79,7 @@ void Loads<Dim>::add_forces(Real time, Real dt) {
       if (has_gravity_) {
         const Vec<Dim> weight = points.mass[i] * gravity_;
         points.f[i] += weight;
-        body.load_work[i] += halves * dt * weight.dot(points.v[i]);
+        body.load_work[i] += 0.5 * dt * (weight + points.mass[i] * last).dot(points.v[i]);
       }
       if (damped) {
         const Vec<Dim> drag = -rate * points.mass[i] * points.v[i];
@@ -90,6 +91,7 @@ void Loads<Dim>::add_forces(Real time, Real dt) {
     body.fresh = false;
   }
   if (rigid_) push_rigid(time, dt);
+  last_gravity_ = gravity_;
 }
 
 template <int Dim>
@@ -133,6 +135,10 @@ void visit_rigid(Row& row, Rigid& rigid, std::size_t b) {
 
 template <int Dim>
 void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
+  if (over_time_) {
+    save_row(
+        "loads.gravity", [&](auto& row) { row(last_gravity_); }, tables);
+  }
   for (const auto& body : bodies_) {
     const std::uint64_t fresh = body.fresh;
     save_row(
@@ -151,6 +157,10 @@ void Loads<Dim>::save_state(std::vector<StateTable>& tables) const {
 
 template <int Dim>
 void Loads<Dim>::load_state(const StateTables& tables) {
+  if (over_time_) {
+    load_row(
+        "loads.gravity", [&](auto& row) { row(last_gravity_); }, tables);
+  }
   for (auto& body : bodies_) {
     std::uint64_t fresh = 0;
     load_row(

@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/rigid/free_bodies.hpp"
@@ -10,7 +12,9 @@ namespace brunt {
 template <int Dim>
 class Loads {
  public:
-  void gravity(const Vec<Dim>& g) { gravity_ = g, has_gravity_ = true; }
+  using GravityOverTime = std::function<Vec<Dim>(Real time)>;  ///< [m/s^2] at a time [s]
+  void gravity(const Vec<Dim>& g) { gravity_ = last_gravity_ = g, has_gravity_ = true; }
+  void gravity(GravityOverTime g) { over_time_ = std::move(g), has_gravity_ = true; }
   void damp(Real rate, Real until) { rate_ = rate, until_ = until; }  ///< [1/s], [s]
   void act_on(Points<Dim>& points);      ///< a group whose points feel gravity and damping
   void act_on(FreeBodies<Dim>& bodies);  ///< they feel both as a whole
@@ -45,7 +49,9 @@ class Loads {
   };
   void push_rigid(Real time, Real dt);
   bool has_gravity_ = false;
-  Vec<Dim> gravity_ = Vec<Dim>::Zero();
+  GravityOverTime over_time_;  // empty: constant
+  // [m/s^2] at the end of this step, and at its start
+  Vec<Dim> gravity_ = Vec<Dim>::Zero(), last_gravity_ = Vec<Dim>::Zero();
   Real rate_ = 0, until_ = kInfinity;
   std::vector<Body> bodies_;
   std::optional<Rigid> rigid_;

@@ -8,6 +8,7 @@
 #include "core/geometry/mesh.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/geometry/profile.hpp"
+#include "core/geometry/wedge.hpp"
 
 namespace brunt {
 
@@ -152,12 +153,13 @@ struct Filler3 {
     if (!(p.thickness > 0)) throw std::invalid_argument("a polygon needs `thickness` in 3D");
     const Region<2> flat = polygon_region(p);
     Region<3> region;
-    region.low << flat.low, 0.0;
-    region.high << flat.high, p.thickness;
+    region.low << flat.low, p.base;
+    region.high << flat.high, p.base + p.thickness;
     region.inside = [flat](const Vec3& x) { return flat.inside(x.head<2>()); };
     region.volume = flat.volume * p.thickness;
     return region;
   }
+  Region<3> operator()(const Wedge& w) const { return (*this)(polygon_of(w)); }
   Region<3> operator()(const Plane&) const {
     throw std::invalid_argument("a plane has no volume to fill with particles");
   }
@@ -179,6 +181,7 @@ struct Filler2 {
     return disc_region(s.center, 0, s.radius, spacing);
   }
   Region<2> operator()(const PolygonShape& p) const { return polygon_region(p); }
+  Region<2> operator()(const Wedge& w) const { return polygon_region(polygon_of(w)); }
   Region<2> operator()(const Ogive& o) const {
     const Profile profile = ogive_profile(o);
     Vec<2> along = to_vector<2>(o.axis);

@@ -8,6 +8,7 @@
 #include "core/geometry/brick_wall.hpp"
 #include "core/geometry/grid.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/geometry/wedge.hpp"
 
 namespace brunt {
 
@@ -129,8 +130,14 @@ struct Mesher3 {
   }
   Mesh<3> operator()(const PolygonShape& p) const {
     if (!(p.thickness > 0)) throw std::invalid_argument("a polygon needs `thickness` in 3D");
-    return extrude(polygon_grid(p, sizing), p.thickness, layers_along(sizing, 2, p.thickness));
+    Mesh<3> mesh =
+        extrude(polygon_grid(p, sizing), p.thickness, layers_along(sizing, 2, p.thickness));
+    if (p.base != 0) {
+      for (auto& x : mesh.nodes) x[2] += p.base;
+    }
+    return mesh;
   }
+  Mesh<3> operator()(const Wedge& w) const { return (*this)(polygon_of(w)); }
   Mesh<3> operator()(const BrickWall& wall) const { return even_wall<3>(wall, sizing); }
   Mesh<3> operator()(const Plane&) const {
     throw std::invalid_argument("a plane has no volume: it needs `rigid: true`");
@@ -215,6 +222,7 @@ struct Mesher2 {
     return shifted(disc, s.center);
   }
   Mesh<2> operator()(const PolygonShape& p) const { return polygon_grid(p, sizing); }
+  Mesh<2> operator()(const Wedge& w) const { return polygon_grid(polygon_of(w), sizing); }
   Mesh<2> operator()(const BrickWall& wall) const { return even_wall<2>(wall, sizing); }
   Mesh<2> operator()(const Plane&) const {
     throw std::invalid_argument("a plane has no volume: it needs `rigid: true`");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/wedge.hpp"
+
 namespace brunt {
 
 namespace {
@@ -76,6 +78,38 @@ void describe(Schema& s, PolygonShape& shape) {
   }
   s.require(there, "corners",
             "there are " + std::to_string(shape.points.size()) + " points, counted from 0");
+}
+
+void describe(Schema& s, Wedge& shape) {
+  constexpr Range kSharp{-kPi / 2, kPi / 2, true, true}, kOpen{0, kPi / 2, false, true};
+  constexpr Real kLeast = kPi / 180;  // between its faces
+  s.list({"tip", "where its two faces would meet if the edge were sharp", Need::required},
+         shape.tip, kPlace, Schema::kVector);
+  s.real({"rake", "of the front face to y; positive: it leans back from the chip", Need::required},
+         shape.rake, {"rad", kSharp, between(-kPi / 3, kPi / 3)});
+  s.real({"clearance", "of the lower face to x, over which the tool goes", Need::required},
+         shape.clearance, {"rad", kOpen, between(0, kPi / 4)});
+  s.real({"edge_radius",
+          "of the rounded edge between the faces; 0: sharp. A tool of elements, one that conducts, "
+          "has "
+          "edges as fine as its size"},
+         shape.edge_radius, {"m", at_least(0), between(0, 0.01)});
+  s.real({"height", "along y from the tip", Need::required}, shape.height, kLength);
+  s.real({"length", "along x from the tip", Need::required}, shape.length, kLength);
+  s.section(s.geometry() == Geometry::three_d, "only for geometry: 3d", [&](Schema& in3d) {
+    in3d.real({"thickness", "along z from the tip", Need::required}, shape.thickness, kLength);
+  });
+  const bool opens = shape.rake + shape.clearance < kPi / 2 - kLeast;
+  s.require(opens, "rake", "rake and clearance must leave an angle between them: below 90 deg");
+  if (!opens) return;
+  s.require(shape.length > shape.height * std::tan(shape.rake), "length",
+            "must reach beyond the upper end of the rake face, height tan(rake)");
+  s.require(shape.height > shape.length * std::tan(shape.clearance), "height",
+            "must reach beyond the far end of the clearance face, length tan(clearance)");
+  const Real face =
+      std::min(shape.height / std::cos(shape.rake), shape.length / std::cos(shape.clearance));
+  s.require(length_of_edge(shape) < face, "edge_radius",
+            "rounds more than the faces: it must be smaller, or the tool larger");
 }
 
 void describe(Schema& s, Plane& shape) {

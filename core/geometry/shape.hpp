@@ -47,6 +47,20 @@ struct PolygonShape {
   std::vector<std::vector<Real>> points;    ///< [m] n x 2
   Real thickness = 0;                       ///< [m] along z from z = 0; 0 in 2D
   std::optional<std::vector<int>> corners;  ///< four of the points, from 0; an FE body that deforms
+  Real base = 0;                            ///< [m] z from which the thickness goes; of a deck 0
+};
+
+/// A cutting tool that moves along -x over the work: core/geometry/wedge.hpp.
+struct Wedge {
+  static constexpr const char* deck_name = "wedge";
+  static constexpr const char* deck_help = "a cutting tool that moves along -x, in x and y";
+  std::vector<Real> tip;  ///< [m] where its faces would meet if its edge were sharp
+  Real rake = 0;          ///< [rad] of the front face to y: leaning back, along +x, is positive
+  Real clearance = 0;     ///< [rad] of the lower face to x
+  Real edge_radius = 0;   ///< [m] 0: sharp
+  Real height = 0;        ///< [m] along y from the tip
+  Real length = 0;        ///< [m] along x from the tip
+  Real thickness = 0;     ///< [m] along z from the tip; 0 in 2D
 };
 
 struct Plane {
@@ -89,7 +103,8 @@ struct BodyRotation {
   std::vector<Real> about;          ///< [m] a point that stays where it is
 };
 
-using ShapeKind = std::variant<Box, Cylinder, Tube, Sphere, PolygonShape, Plane, BrickWall, Ogive>;
+using ShapeKind =
+    std::variant<Box, Cylinder, Tube, Sphere, PolygonShape, Wedge, Plane, BrickWall, Ogive>;
 
 /// A shape, then turned, then moved.
 struct BodyShape {
@@ -103,6 +118,7 @@ void describe(Schema& s, Cylinder& shape);
 void describe(Schema& s, Tube& shape);
 void describe(Schema& s, Sphere& shape);
 void describe(Schema& s, PolygonShape& shape);
+void describe(Schema& s, Wedge& shape);
 void describe(Schema& s, Plane& shape);
 void describe(Schema& s, BrickWall& shape);
 void describe(Schema& s, Ogive& shape);

@@ -5,6 +5,7 @@
 #include "core/geometry/grid.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/geometry/profile.hpp"
+#include "core/geometry/wedge.hpp"
 
 namespace brunt {
 
@@ -121,7 +122,7 @@ FacetMesh<3> polygon_surface3(const PolygonShape& polygon) {
   const auto flat = counter_clockwise(polygon);
   const int n = static_cast<int>(flat.size());
   FacetMesh<3> surface;
-  for (const Real z : {Real{0}, polygon.thickness}) {
+  for (const Real z : {polygon.base, polygon.base + polygon.thickness}) {
     for (const auto& x : flat) surface.nodes.emplace_back(x[0], x[1], z);
   }
   for (int i = 0; i < n; ++i) {
@@ -210,6 +211,11 @@ Sizing or_coarse(const Sizing& sizing, const BodyShape& shape) {
 
 template <int Dim>
 FacetMesh<Dim> surface_of_shape(const BodyShape& shape, const Sizing& sizing, Geometry geometry) {
+  if (const auto* wedge = std::get_if<Wedge>(&shape.kind)) {
+    BodyShape outline = shape;
+    outline.kind = polygon_of(*wedge);
+    return surface_of_shape<Dim>(outline, sizing, geometry);
+  }
   FacetMesh<Dim> surface;
   const bool meshed = !std::holds_alternative<Plane>(shape.kind) &&
                       !std::holds_alternative<PolygonShape>(shape.kind) &&

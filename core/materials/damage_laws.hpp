@@ -1,6 +1,8 @@
 #pragma once
 /// Laws of damage. Each is its printed formula; Softening does the rest
 /// (core/materials/softening.hpp).
+#include <optional>
+
 #include "core/materials/damage.hpp"
 #include "core/materials/law.hpp"
 #include "core/schema.hpp"
@@ -33,7 +35,8 @@ struct JohnsonCookDamage {
   static constexpr bool kNeedsPrincipal = false;
   Real D1 = 0, D2 = 0, D3 = 0, D4 = 0, D5 = 0;  ///< [1]
   Real rate = 1;                                ///< [1/s] rate_0, below which rates count as it
-  Real T_ref = 298, T_melt = kInfinity;         ///< [K]
+  Real T_ref = 298;                             ///< [K]
+  std::optional<Real> T_melt;                   ///< [K] needed where D5 is not 0
   Real energy = 0;                              ///< [J/m^2]
 
   /// eps_f [1], at least 1e-6: the parameters may make it 0 or less in much tension.
@@ -45,7 +48,7 @@ struct JohnsonCookDamage {
         vmin(vmax(-at.pressure / vmax(at.von_mises, broadcast<V>(1e-30)), broadcast<V>(-20.0)),
              broadcast<V>(20.0));
     const V fast = vlog(vmax(at.rate * (1 / rate), one));
-    const V hot = vmin(vmax((at.temperature - T_ref) * (1 / (T_melt - T_ref)), zero), one);
+    const V hot = vmin(vmax((at.temperature - T_ref) * homologous_slope(), zero), one);
     const V strain = (D1 + D2 * vexp(D3 * triaxiality)) * (1.0 + D4 * fast) * (1.0 + D5 * hot);
     return vmax(strain, broadcast<V>(1e-6));
   }
@@ -54,6 +57,7 @@ struct JohnsonCookDamage {
     return before + at.increment / strain_to_fail(at);
   }
   bool needs_temperature() const { return D5 != 0; }
+  Real homologous_slope() const { return 1 / (T_melt.value_or(kInfinity) - T_ref); }  ///< [1/K]
 };
 
 /// The deck's `damage: {strain: 1.5}`: eps_p over the largest one.
@@ -132,9 +136,9 @@ inline void describe(Schema& s, JohnsonCookDamage& law) {
   s.real({"rate", "rate below which the law is static"}, law.rate,
          {"1/s", positive(), between(1e-6, 1e4)});
   s.real({"T_ref", "temperature of T* = 0"}, law.T_ref, {"K", positive(), between(1, 2000)});
-  s.real({"T_melt", "temperature of T* = 1"}, law.T_melt, {"K", positive(), between(200, 5000)});
-  s.require(law.T_melt > law.T_ref, "T_melt", "must be above T_ref");
-  s.require(law.D5 == 0 || law.T_melt < kInfinity, "T_melt", "is needed where D5 is not 0");
+  s.real({"T_melt", "temperature of T* = 1; where D5 is not 0 it or that of `thermal` is needed"},
+         law.T_melt, {"K", positive(), between(200, 5000)});
+  s.require(!law.T_melt || *law.T_melt > law.T_ref, "T_melt", "must be above T_ref");
   describe_energy(s, law.energy);
 }
 inline void describe(Schema& s, StrainDamage& law) {

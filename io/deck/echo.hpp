@@ -48,7 +48,6 @@ class Echo final : public Schema {
   void value(int& index, std::span<const char* const> words, const char* help) override;
   void value(std::string& text, const char* help) override;
   void section(bool applies, const char* when, std::function<void(Schema&)> members) override;
-  void later(std::span<const char* const>) override {}
   void require(bool, const char*, const std::string&) override {}
 
  protected:

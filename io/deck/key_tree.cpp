@@ -121,7 +121,6 @@ class KeyWalker final : public Schema {
     members(*this);
     when_ = outer;
   }
-  void later(std::span<const char* const>) override {}
   void require(bool, const char*, const std::string&) override {}
 
  protected:

@@ -165,16 +165,6 @@ void Reader::section(bool applies, const char* when, std::function<void(Schema&)
   not_applicable_ = outer;
 }
 
-void Reader::later(std::span<const char* const> keys) {
-  for (const char* key : keys) {
-    scope().known.emplace_back(key);
-    if (const Entry* entry = scope().node->find_entry(key)) {
-      problem_at(entry->place, path_of(key),
-                 "is not in this version of brunt yet; take the key out to run without it");
-    }
-  }
-}
-
 void Reader::require(bool holds, const char* at, const std::string& message) {
   if (holds || not_applicable_) return;
   const Scope& here = scope();

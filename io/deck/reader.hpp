@@ -62,7 +62,6 @@ class Reader final : public Schema {
   void value(int& index, std::span<const char* const> words, const char* help) override;
   void value(std::string& text, const char* help) override;
   void section(bool applies, const char* when, std::function<void(Schema&)> members) override;
-  void later(std::span<const char* const> keys) override;
   void require(bool holds, const char* at, const std::string& message) override;
 
  protected:

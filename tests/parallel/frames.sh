@@ -60,6 +60,37 @@ run fields 2 --set "output.fields=[stress, velocity]"
 grep -q 'Name="id"' fields/frames/plate.00000.pvtu || fail "no ids"
 if grep -q 'Name="displacement"' fields/frames/plate.00000.pvtu; then fail "a field too many"; fi
 
+# Frames know their ranks where they are asked for them; nothing else does.
+run owners 3 --set "output.fields=[velocity, rank]"
+run owner 1 --set "output.fields=[velocity, rank]"
+/usr/bin/python3 - owners owner <<'END' || fail "ranks in frames"
+import sys, pathlib
+sys.path.insert(0, "/usr/lib/python3/dist-packages")
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+for out, n in zip(sys.argv[1:], (3, 1)):
+    seen = set()
+    for rank in range(n):
+        file = pathlib.Path(out, "frames", f"plate.00001.{rank}.vtu" if n > 1 else "plate.00001.vtu")
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(file))
+        reader.Update()
+        grid = reader.GetOutput()
+        cells, points = (data.GetArray("rank") for data in (grid.GetCellData(), grid.GetPointData()))
+        copies = grid.GetPointData().GetArray("vtkGhostType")
+        for i in range(grid.GetNumberOfCells()):
+            assert cells.GetTuple1(i) == rank, (file, i)
+        for i in range(grid.GetNumberOfPoints()):
+            copy = copies is not None and copies.GetTuple1(i) == 1
+            assert (points.GetTuple1(i) != rank) == copy, (file, i)
+        seen.add(rank) if grid.GetNumberOfCells() else None
+    assert len(seen) == n, (out, seen)
+END
+# A body that is on one rank alone has a piece without points on the other.
+expect 0 "$brunt" run "$2/decks/cutting-2d/conducting.yaml" --quiet --oversubscribe --ranks 2 --out alone \
+  --set "parameters.spacing=0.05 mm" --set "parameters.travel=0.01 mm" --set "output.fields=[pressure, rank]"
+"$brunt" render alone --frames last --field rank >out.txt || fail "a picture of ranks"
+cmp owners/history.csv three/history.csv || fail "a history that knows ranks"
+
 # The disk of one rank is full at one file, or the root's at what joins the pieces: all ranks end with
 # one message and status 4, the frames before are whole, and the run goes on from there.
 for file in plate.00002.1.vtu plate.00002.0.vtu plate.00002.pvtu frames.pvd.tmp; do

@@ -17,6 +17,7 @@ RUNS = [
     ("cutting-2d", ["--set", "probes={edge: {body: work, at: [3.4 mm, 0.6 mm], fields: [pressure, stress.xx, velocity.x]}}",
                     "--set", "sections={foot: {body: work, plane: {axis: y, at: 0.45 mm}}}"]),
     ("hot-block", ["--ranks", "2", "--oversubscribe"]),
+    ("bars", ["--set", "output.fields=[rank]"]),
     ("concrete-cylinder", ["--set", "materials.concrete.strength={concrete-cap: {fc: 30 MPa}}",
                            "--set", "bodies.cylinder.erode={when: {strain: 2}}"]),
 ]

@@ -18,7 +18,7 @@ NOT_SEEN = {
         boundary-box-upside-down boundary-fixes-and-moves boundary-heats-nothing box-upside-down
         elastic-constants-mixed elastic-constants-twice grading-twice
         expansion-twice hardening-falls heat-of-free-rigid-bodies hourglass-with-full-integration
-        johnson-cook-melts-below-reference johnson-cook-thermal-strength-without-thermal
+        johnson-cook-melts-below-reference melting-twice wedge-wrong gravity-wrong johnson-cook-thermal-strength-without-thermal
         mie-gruneisen-singular motion-of-a-body-that-deforms
         output-window rigid-free rigid-with-velocity size-and-cells size-missing unit-missing
         step-longest-below-shortest table-falls tube-inside-out
@@ -44,7 +44,8 @@ NOT_SEEN = {
         polygon-without-corners rod-inside-a-tube-too-narrow size-far-too-small
         pressure-without-faces wall-gap-wider-than-a-brick""",
     "what an expression or a parameter is": """
-        expression-nan expression-of-time-nan expression-unknown-name measure-expression-syntax motion-of-the-place""",
+        expression-nan expression-of-time-nan expression-unknown-name measure-expression-syntax motion-of-the-place
+        gravity-of-the-place gravity-of-time-nan""",
     "how YAML is written": "keys-double",
 }
 

@@ -318,11 +318,6 @@ TEST(Deck, ZeroIsNoImplausibleValue) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST(Deck, KeysThatComeLaterSaySo) {
-  expect_problem(problems_of(kTaylor, {"materials.copper.thermal={cp: 383, T_melt: 1356 K}"}),
-                 "--set #1: materials.copper.thermal.T_melt: is not in this version of brunt yet");
-}
-
 TEST(Deck, TwoDimensionsHaveTwoComponents) {
   const std::string deck =
       "geometry: plane-strain\ntime: {end: 1 ms}\n"

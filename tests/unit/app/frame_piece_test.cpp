@@ -36,5 +36,22 @@ TEST(FramePiece, HasNoCellFieldsWithoutCells) {
   EXPECT_EQ(piece.position, view.position);
 }
 
+TEST(FramePiece, TellsTheRankOfAllThatItHas) {
+  BodyView view;
+  view.position.assign(12, 0.0);
+  view.corners = 4, view.connectivity = {0, 1, 2, 3};
+  add_owner(view, 2);
+  EXPECT_EQ(field_named(view.point_fields, "rank")->values, std::vector<Real>(4, 2.0));
+  EXPECT_EQ(field_named(view.cell_fields, "rank")->values, std::vector<Real>(1, 2.0));
+  BodyView particles;
+  particles.position.assign(3, 0.0);
+  add_owner(particles, 1);
+  EXPECT_EQ(field_named(particles.point_fields, "rank")->values, std::vector<Real>(1, 1.0));
+  EXPECT_TRUE(particles.cell_fields.empty());
+  BodyView none;
+  add_owner(none, 1);
+  EXPECT_TRUE(none.point_fields.empty());
+}
+
 }  // namespace
 }  // namespace brunt

@@ -15,7 +15,7 @@ materials:
     strength: {johnson-cook: {A: 90 MPa, B: 292 MPa, n: 0.31, T_melt: 1356 K}}
     eos: {mie-gruneisen: {c0: 3940, s: 1.49, gamma0: 1.96}}
     tensile_cutoff: 1 GPa
-    thermal: {cp: 383, k: 386}
+    thermal: {T_melt: 1356 K, cp: 383, k: 386}
   j2:
     {density: 2700, elastic: {K: 70 GPa, G: 26 GPa},
      strength: {j2: {yield: 300 MPa, hardening: {table: [[0, 0], [1, 1 MPa]], over: eps_p}}}}
@@ -28,6 +28,7 @@ materials:
   sg: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {steinberg-guinan:
       {Y0: 120 MPa, Y_max: 640 MPa, beta: 36, n: 0.45, A: 28e-12, B: 3.8e-4}}}
   ta: {density: 1000, eos: {tait: {c0: 1480}}}
+  tb: {density: 1000, eos: {tait: {B: 304.7 MPa}}}
   ig: {density: 1.2, eos: {ideal-gas: {pressure: 1e5}}}
   po: {density: 1000, elastic: {K: 2 GPa, G: 0}, eos: {polynomial: {C1: 2e9}}}
   d1: {density: 8930, elastic: {K: 137 GPa, G: 47 GPa}, strength: {j2: {yield: 1 MPa}},
@@ -75,6 +76,10 @@ bodies:
       sphere: {radius: 1, center: [5, 5, 5]}
       rotate: {axis: y, angle: 10 deg, about: [0, 0, 0]}
     size: 0.1
+  ct:
+    rigid: true
+    shape: {wedge: {tip: [40, 0, 0], rake: 6 deg, clearance: 8 deg, edge_radius: 0.1 mm,
+                    height: 1, length: 1, thickness: 1}}
   e:
     rigid: true
     shape: {polygon: {points: [[0, 0], [1, 0], [0, 1]], thickness: 1}}

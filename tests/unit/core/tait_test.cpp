@@ -37,6 +37,16 @@ TEST(Tait, StartsAtAPressureWhereItIsGivenOne) {
   EXPECT_DOUBLE_EQ(tile.bulk(), 1000.0 * 1480 * 1480);
 }
 
+// Cole's constant of water: c0 = sqrt(gamma B/rho0) = sqrt(7.15 x 304.7e6/1000) = 1476.01 m/s.
+TEST(Tait, TakesItsConstantForTheSoundSpeed) {
+  Tait law;
+  law.B = 304.7e6;
+  EosTile tile(law, 1000);
+  EXPECT_NEAR(std::sqrt(tile.bulk() / 1000), 1476.01, 0.005);
+  tile.go(1 / 1.01);
+  EXPECT_NEAR(tile.pressure(), 304.7e6 * (std::pow(1.01, 7.15) - 1), 1e-12 * 304.7e6);
+}
+
 TEST(Tait, TangentIsThatOfTheIsentrope) {
   for (const Real ratio : {0.8, 0.99}) expect_isentropic_tangent(water(), 1000, ratio);
 }
