@@ -34,9 +34,10 @@ BRUNT_INLINE Real frobenius_square(const Real (&m)[kSymmetric<Dim>]) {
 /// straight row or, in space, a flat sheet.
 /// docs/theory/sph.md (S7), (S9).
 /// moment, inverse  [1] symmetric
+/// slack  [1] how much worse than those limits is thick
 template <int Dim>
 BRUNT_INLINE bool invert_thick(const Real (&moment)[kSymmetric<Dim>],
-                               Real (&inverse)[kSymmetric<Dim>]) {
+                               Real (&inverse)[kSymmetric<Dim>], Real slack = 1) {
   const Real* m = moment;
   Real cofactor[kSymmetric<Dim>], determinant;
   if constexpr (Dim == 3) {
@@ -53,8 +54,9 @@ BRUNT_INLINE bool invert_thick(const Real (&moment)[kSymmetric<Dim>],
   }
   // |K^-1| = |cofactors|/det
   const Real cofactors = frobenius_square<Dim>(cofactor);
-  const Real least = kThickInverse * determinant, condition = kThickCondition * determinant;
-  const Real square = frobenius_square<Dim>(moment), row = kRowCofactors * square;
+  const Real least = slack * kThickInverse * determinant;
+  const Real condition = slack * kThickCondition * determinant;
+  const Real square = frobenius_square<Dim>(moment), row = kRowCofactors / slack * square;
   if (!(determinant > 0 && cofactors > row * row && cofactors <= least * least &&
         square * cofactors <= condition * condition)) {
     return false;

@@ -182,7 +182,7 @@ class SphParticles final : public Solid<Dim> {
   bool wants_total() const;
   std::vector<LocalIndex> total_particles() const;
   bool is_total(std::size_t i) const { return !total_.empty() && total_[i].volume > 0; }
-  bool is_crushed(std::size_t i) const { return is_total(i) && total_[i].seen == 0; }
+  bool is_gone(std::size_t i) const { return is_total(i) && total_[i].seen == 0; }
   /// Where gradients are taken.
   std::span<const Vec<Dim>> places() const { return total_.empty() ? points_.x : place_; }
   void refresh_places();
@@ -195,8 +195,8 @@ class SphParticles final : public Solid<Dim> {
   void refresh_total_records();
   void refresh_total_ghosts();
   void place_total_records();
-  void add_total_sums(const ParticleBlock& block, LocalIndex i, const MonaghanViscosity& viscosity,
-                      ForceSums<Dim>& sums);
+  ForceSums<Dim> total_forces(const ParticleBlock& block, LocalIndex i,
+                              const MonaghanViscosity& viscosity);
   Real bound_of_total(std::size_t i, Real step) const;
   std::size_t n_owned() const { return points_.owned(); }
   void hold(std::size_t n);

@@ -107,6 +107,10 @@ bool SphParticles<Dim>::tile_is_left_out(const ParticleBlock& block, std::size_t
   return std::all_of(begin, begin + n, [&](LocalIndex i) { return is_left_out(block, i); });
 }
 
+/// Of the undamped limit of a lattice: what is left for disorder, and where the lattice is that of
+/// time 0 for ever.
+constexpr Real kDisorder = 0.5, kOrder = 0.9;
+
 /// Of the bound of thin bodies: shear beside it, rows that are no boxes and disorder take up to 7%.
 constexpr Real kThinFactor = 0.93;
 
@@ -143,7 +147,8 @@ StepLimit SphParticles<Dim>::stable_step() const {
         options.viscosity.alpha * state.sound_speed + options.viscosity.beta * state.mu;
     const Real speed = state.sound_speed + state.speed + 1.2 * viscous;
     const Vec<Dim>& a = rides() ? carrier_->carrying_points().a[node_[i]] : points_.a[i];
-    Real length = 0.5 * factor * h;
+    const Real share = options.formulation == SphFormulation::total ? kOrder : kDisorder;
+    Real length = share * factor * h;
     if (state.spread.trace != 0 || state.spread.largest != 0) {
       const Material& material = *blocks_[block_of_[i]].set.material;
       const Real stiffness = state.spread.stiffness(shear_share(material, state));
@@ -156,7 +161,7 @@ StepLimit SphParticles<Dim>::stable_step() const {
       n_owned(), StepLimit{},
       [&](StepLimit& own, std::size_t i) {
         fetch_line(state_[std::min(i + kFetchAhead, n_owned() - 1)].start_volume);
-        if (sleeps(i) || is_crushed(i)) return;
+        if (sleeps(i) || is_gone(i)) return;
         const Real step = bound(i);  // a step that is not a number collapses the run at once
         own.take({step > 0 ? step : 0.0, "particle", points_.body[i], points_.id[i]});
       },

@@ -98,7 +98,8 @@ void SphParticles<Dim>::take_gradients(const ParticleBlock& block, LocalIndex i,
   auto& state = state_[i];
   if (points_.conducts) completeness_[i] = completeness<Dim>(sums.moment);
   if (block.set.options.correction) {
-    is_thin_[i] = !invert_thick<Dim>(sums.moment, state.correction);
+    const bool total = block.set.options.formulation == SphFormulation::total;
+    is_thin_[i] = !invert_thick<Dim>(sums.moment, state.correction, total ? kTotalSlack : 1);
     if (!is_thin_[i]) correct_rate<Dim>(sums.rate, state.correction, state.velocity_gradient);
     return;
   }
@@ -237,6 +238,13 @@ template <class Take>
 void SphParticles<Dim>::sum_block_forces(const ParticleBlock& block,
                                          const MonaghanViscosity& viscosity, const Take& take) {
   const SphOptions& options = block.set.options;
+  if (options.formulation == SphFormulation::total) {
+    for_each(block.set.particle.size(), [&](std::size_t slot) {
+      const LocalIndex i = block.set.particle[slot];
+      if (!is_left_out(block, i)) take(i, total_forces(block, i, viscosity));
+    });
+    return;
+  }
   in_precision_of(block, [&]<class P>(P) {
     const auto records = pair_records<P>();
     with_kernel(options.kernel, [&]<class Kernel>(Kernel) {
@@ -262,10 +270,8 @@ void SphParticles<Dim>::seed_step_limits() {
   if (any_total()) refresh_total_records(), refresh_total_ghosts(), place_total_records();
   for (const auto& block : blocks_) {
     sum_block_forces(block, {0, 0}, [&](LocalIndex i, const ForceSums<Dim>& sums) {
-      ForceSums<Dim> all = sums;
-      if (is_total(slot_of(i))) add_total_sums(block, i, {0, 0}, all);
-      state_[i].speed = all.speed;
-      state_[i].mu = all.mu;
+      state_[i].speed = sums.speed;
+      state_[i].mu = sums.mu;
       find_spread(block, i);
     });
   }
@@ -300,18 +306,9 @@ void SphParticles<Dim>::add_internal_forces(Real dt) {
   if (any_single()) refresh_single_stress();
   if (any_total()) place_total_records();
   for (const auto& block : blocks_) {
-    const MonaghanViscosity& viscosity = block.set.options.viscosity;
-    if (block.set.options.formulation == SphFormulation::total) {
-      sum_block_forces(block, {0, 0}, [&](LocalIndex i, const ForceSums<Dim>& sums) {
-        ForceSums<Dim> all = sums;
-        add_total_sums(block, i, viscosity, all);
-        take_forces(block, i, all, dt);
-      });
-      continue;
-    }
-    sum_block_forces(block, viscosity, [&](LocalIndex i, const ForceSums<Dim>& sums) {
-      take_forces(block, i, sums, dt);
-    });
+    sum_block_forces(
+        block, block.set.options.viscosity,
+        [&](LocalIndex i, const ForceSums<Dim>& sums) { take_forces(block, i, sums, dt); });
   }
   if (rides()) give_forces_to_nodes();
 }

@@ -77,9 +77,9 @@ void SphParticles<Dim>::add_slots(const ParticleBlock& block, std::size_t first,
     sums.add({state.stress_work + grown - plastic_heat, plastic_heat, compression_heat,
               state.stress_work + grown, state.viscous_work,
               channel_.empty() ? 0.0 : channel_[i].work, grown});
-    if (body && is_crushed(i)) body->eroded.add(1), body->eroded_mass.add(points_.mass[i]);
+    if (body && is_gone(i)) body->eroded.add(1), body->eroded_mass.add(points_.mass[i]);
     if (body && block.set.options.artificial_stress != 0) add_tension(block, i, *body);
-    if (body && solid && is_in_layer(static_cast<LocalIndex>(i))) {
+    if (body && solid && !is_gone(i) && is_in_layer(static_cast<LocalIndex>(i))) {
       body->thin_mass.add(points_.mass[i]);
     }
     if (totals.hashes) totals.state_hash += slot_hash(block, slot);

@@ -64,7 +64,7 @@ LocalIndex SphParticles<Dim>::thin_total() const {
 }
 
 /// F(n+1) = F(n) + dt dF/dt, and L = (dF/dt) F^-1 at the end of the step in place of dF/dt. What is
-/// crushed stays as it is, and goes from the sums of the next step on.
+/// crushed, or has failed and is open, stays as it is, and goes from the sums of the next step on.
 /// docs/theory/sph.md (S30), (S31).
 template <int Dim>
 void SphParticles<Dim>::advance_total(Real dt) {
@@ -73,11 +73,14 @@ void SphParticles<Dim>::advance_total(Real dt) {
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const LocalIndex i = block.set.particle[slot];
       if (is_left_out(block, i)) return;
+      const bool failed = !(sound_share(block.state, slot) > 0);
       Eigen::Map<RowMatrix<Dim>> rate(state_[slot_of(i)].velocity_gradient);
       auto& total = total_[slot_of(i)];
       const RowMatrix<Dim> gradient = total.gradient + dt * rate;
-      const Real stretch = gradient.determinant() > 0 ? least_stretch<Dim>(gradient) : 0;
-      if (is_crushed(slot_of(i)) || !(stretch > kCrushed) || is_thin_[slot_of(i)]) {
+      const Real growth = gradient.determinant();
+      const Real stretch = growth > 0 ? least_stretch<Dim>(gradient) : 0;
+      const bool open = failed && growth > kOpen;
+      if (is_gone(slot_of(i)) || open || !(stretch > kCrushed) || is_thin_[slot_of(i)]) {
         total.seen = 0;
         rate.setZero();
         return;
@@ -101,8 +104,8 @@ void SphParticles<Dim>::set_total_volumes(const ParticleBlock& block, std::size_
   }
 }
 
-/// P K = J sigma F^-T K of each, which neighbours read with the volumes of time 0; of what is
-/// crushed nothing, as it takes part in no strain.
+/// P K = J sigma F^-T K of each, which neighbours read with the volumes of time 0; of what
+/// goes nothing, as it takes part in no strain.
 /// docs/theory/sph.md (S32).
 template <int Dim>
 void SphParticles<Dim>::form_total_stress(const ParticleBlock& block, std::size_t first,
@@ -114,7 +117,7 @@ void SphParticles<Dim>::form_total_stress(const ParticleBlock& block, std::size_
     const RowMatrix<Dim> cofactor = F.determinant() * F.inverse().transpose();
     const RowMatrix<Dim> sigma = stress_of<Dim>(block.state, first + slot);
     RowMatrix<Dim> pair = sigma * (cofactor * full_matrix<Dim>(state_[i].correction));
-    if (is_crushed(i)) pair.setZero();
+    if (is_gone(i)) pair.setZero();
     for (int c = 0; c < Dim * Dim; ++c) tile.corrected[c][slot] = pair(c / Dim, c % Dim);
   }
 }
@@ -131,15 +134,17 @@ void SphParticles<Dim>::refresh_total_records() {
     const Real impedance = std::sqrt(material.density * material.modulus());
     for_each(block.set.particle.size(), [&](std::size_t slot) {
       const auto i = slot_of(block.set.particle[slot]);
-      const Real sound = share * sound_share(block.state, slot);
-      const Real stiffness = yields ? 0.0 : sound * material.shear;
-      const Real damping = yields ? kHourglassDamping * sound * impedance * spacing_[i] : 0.0;
+      const Real sound = sound_share(block.state, slot);
+      const Real stiffness = yields ? 0.0 : share * sound * material.shear;
+      const Real damping =
+          yields ? share * sound * (kHourglassDamping * impedance * spacing_[i]) : 0.0;
       const Eigen::Map<const RowMatrix<Dim>> L(state_[i].velocity_gradient);
       const RowMatrix<Dim>& F = total_[i].gradient;
       const RowMatrix<Dim> affine = stiffness * F + damping * (L * F);
       Real* record = total_record_[i].data;
       for (int c = 0; c < Dim * Dim; ++c) record[Record::kAffine + c] = affine(c / Dim, c % Dim);
       record[Record::kStiffness] = stiffness, record[Record::kDamping] = damping;
+      record[Record::kSound] = sound;
     });
   }
 }
@@ -147,7 +152,7 @@ void SphParticles<Dim>::refresh_total_records() {
 template <int Dim>
 void SphParticles<Dim>::refresh_total_ghosts() {
   if (ranks_->alone() || !any_total()) return;
-  constexpr std::size_t width = Dim * Dim + 2;
+  constexpr std::size_t width = Dim * Dim + 3;
   refresh_ghosts(
       *ranks_, ghosts_, width + 1,
       [&](std::size_t i, Real* out) {
@@ -168,22 +173,19 @@ void SphParticles<Dim>::place_total_records() {
   });
 }
 
-/// What of the forces on a particle is not of stress, in place of that of formulation: updated.
+/// docs/theory/sph.md (S32) to (S34).
 template <int Dim>
-void SphParticles<Dim>::add_total_sums(const ParticleBlock& block, LocalIndex i,
-                                       const MonaghanViscosity& viscosity, ForceSums<Dim>& sums) {
+ForceSums<Dim> SphParticles<Dim>::total_forces(const ParticleBlock& block, LocalIndex i,
+                                               const MonaghanViscosity& viscosity) {
   const ForceRecords<Dim> records{motion_.data(), stress_.data(), nullptr};
   const auto row = rows_.row(i);
-  const TotalSums<Dim> own = with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
+  const TotalSums<Dim> sums = with_kernel(block.set.options.kernel, [&]<class Kernel>(Kernel) {
     return sum_total<Dim, Kernel>(records, total_record_.data(), i, row, rows_.weights(i),
                                   {viscosity.alpha, viscosity.beta, 1});
   });
-  std::copy_n(own.viscosity, Dim, sums.viscosity);
-  std::copy_n(own.hourglass, Dim, sums.artificial);
-  sums.viscosity_power = own.viscosity_power, sums.artificial_power = own.hourglass_power;
-  sums.speed = own.speed, sums.mu = own.mu;
   auto& total = total_[slot_of(i)];
-  total.stiffness_sum = own.stiffness, total.damping_sum = own.damping;
+  total.stiffness_sum = sums.stiffness, total.damping_sum = sums.damping;
+  return sums.forces;
 }
 
 /// What the shortest stretch and the forces of (S33) leave of a step [s] of the places of time 0.
@@ -196,21 +198,21 @@ Real SphParticles<Dim>::bound_of_total(std::size_t i, Real step) const {
               total.damping_sum / density);
 }
 
-#define BRUNT_TOTAL(Dim)                                                                      \
-  template bool SphParticles<Dim>::wants_total() const;                                       \
-  template void SphParticles<Dim>::start_total();                                             \
-  template void SphParticles<Dim>::refresh_places();                                          \
-  template LocalIndex SphParticles<Dim>::thin_total() const;                                  \
-  template void SphParticles<Dim>::advance_total(Real);                                       \
-  template void SphParticles<Dim>::set_total_volumes(const ParticleBlock&, std::size_t,       \
-                                                     TileStress<Dim>&, MaterialTile&) const;  \
-  template void SphParticles<Dim>::form_total_stress(const ParticleBlock&, std::size_t,       \
-                                                     TileStress<Dim>&) const;                 \
-  template void SphParticles<Dim>::refresh_total_records();                                   \
-  template void SphParticles<Dim>::refresh_total_ghosts();                                    \
-  template void SphParticles<Dim>::place_total_records();                                     \
-  template void SphParticles<Dim>::add_total_sums(const ParticleBlock&, LocalIndex,           \
-                                                  const MonaghanViscosity&, ForceSums<Dim>&); \
+#define BRUNT_TOTAL(Dim)                                                                     \
+  template bool SphParticles<Dim>::wants_total() const;                                      \
+  template void SphParticles<Dim>::start_total();                                            \
+  template void SphParticles<Dim>::refresh_places();                                         \
+  template LocalIndex SphParticles<Dim>::thin_total() const;                                 \
+  template void SphParticles<Dim>::advance_total(Real);                                      \
+  template void SphParticles<Dim>::set_total_volumes(const ParticleBlock&, std::size_t,      \
+                                                     TileStress<Dim>&, MaterialTile&) const; \
+  template void SphParticles<Dim>::form_total_stress(const ParticleBlock&, std::size_t,      \
+                                                     TileStress<Dim>&) const;                \
+  template void SphParticles<Dim>::refresh_total_records();                                  \
+  template void SphParticles<Dim>::refresh_total_ghosts();                                   \
+  template void SphParticles<Dim>::place_total_records();                                    \
+  template ForceSums<Dim> SphParticles<Dim>::total_forces(const ParticleBlock&, LocalIndex,  \
+                                                          const MonaghanViscosity&);         \
   template Real SphParticles<Dim>::bound_of_total(std::size_t, Real) const;
 BRUNT_TOTAL(2)
 BRUNT_TOTAL(3)

@@ -162,7 +162,8 @@ void list_bodies(const Deck& deck, Scene<Dim>& scene) {
     const auto& erosion = body.value.element.erosion;
     scene.body_names.push_back(body.name);
     scene.body_size.push_back(deck::smallest_size(body.value));
-    scene.erodes.push_back(erosion.has_value());
+    const bool total = body.value.sph.formulation == SphFormulation::total;
+    scene.erodes.push_back(erosion.has_value() || total);
     scene.converts.push_back(erosion && erosion->to == ErodeTo::sph);
   }
 }

@@ -177,6 +177,17 @@ void warn_of_sheets(const LoadedDeck& loaded, const Scene<Dim>& scene, const War
   }
 }
 
+/// Fluids, whose neighbours change.
+void warn_of_total_fluids(const LoadedDeck& loaded, const std::string& name, const deck::Body& body,
+                          const Warn& warn) {
+  const auto* material = loaded.deck.material_named(body.material);
+  if (body.method != deck::Method::sph || material == nullptr) return;
+  if (body.sph.formulation != SphFormulation::total || material->shear_modulus() > 0) return;
+  warn("bodies." + name + ".formulation",
+       "total keeps the neighbours of time 0, and '" + body.material +
+           "' has no shear modulus and flows: it comes apart in lumps; take updated");
+}
+
 /// Bodies whose heat flows between the neighbours of time 0, however far they are apart.
 void warn_of_total_conduction(const LoadedDeck& loaded, const std::string& name,
                               const deck::Body& body, const Warn& warn) {
@@ -237,6 +248,7 @@ void warn_of_sizes(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn
     warn_of_size("bodies." + deck.bodies[b].name, deck.bodies[b].value, boxes[b], warn);
     warn_of_scale(loaded, boxes, b, warn);
     warn_of_clumping(loaded, deck.bodies[b].name, deck.bodies[b].value, warn);
+    warn_of_total_fluids(loaded, deck.bodies[b].name, deck.bodies[b].value, warn);
     warn_of_total_conduction(loaded, deck.bodies[b].name, deck.bodies[b].value, warn);
   }
   warn_of_sheets(loaded, scene, warn);

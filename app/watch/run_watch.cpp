@@ -26,7 +26,7 @@ std::string at_time(const Clock& clock) {
 /// What lets fewer hourglass modes grow than the body's elements do now.
 std::string hourglass_remedy(const deck::Body& body) {
   if (body.method == deck::Method::sph) {
-    return "a smaller `size`, more artificial viscosity, or `formulation: updated`";
+    return "a smaller `size` or `smoothing`, or, for what flows, `formulation: updated`";
   }
   const bool stiff = std::holds_alternative<StiffnessHourglass>(body.element.hourglass);
   std::string text = "finer elements, or `element: {integration: q1p0}`, which has no such modes";
