@@ -23,6 +23,7 @@ NOT_SEEN = {
         output-window rigid-free rigid-with-velocity size-and-cells size-missing unit-missing
         step-longest-below-shortest table-falls tube-inside-out
         boundary-does-nothing grading-of-a-wall grading-of-particles particles-of-three-spacings pair-precision-of-far-spacings
+        hourglass-of-updated-particles total-of-one-layer total-with-what-moves-particles
         element-options-on-particles particle-options-on-elements plane-that-deforms process-speed-of-impacts
         measure-temperature-of-a-cold-body measure-weighed-by-no-mass measures-wrong only-rigid bonded-elements
         fluid-with-strength fluid-hourglass-stiffness material-without-elastic
