@@ -45,6 +45,11 @@ constexpr Real single_bytes() {
 }
 
 template <int Dim>
+constexpr Real total_bytes() {
+  return sizeof(TotalState<Dim>) + sizeof(TotalRecord<Dim>) + sizeof(Vec<Dim>);
+}
+
+template <int Dim>
 constexpr Real particle_bytes() {
   // Where it was when the lists were made, its zone, its sum; completeness and whether it is thin.
   constexpr Real kWatched = sizeof(Vec<Dim>) + 2 * sizeof(Real) + 2 * sizeof(LocalIndex) + 1;
@@ -162,6 +167,7 @@ MemoryInputs memory_inputs(const Deck& deck, const Scene<Dim>& scene, Real progr
         body.method == deck::Method::sph || (erosion && erosion->to == ErodeTo::sph);
     if (particles) inputs.smoothing = std::max(inputs.smoothing, body.sph.smoothing);
     inputs.bricks |= std::holds_alternative<BrickWall>(body.shape.kind);
+    inputs.total |= body.sph.formulation == SphFormulation::total;
     inputs.single |= body.sph.pair_precision == PairPrecision::single_precision;
   }
   inputs.checkpoints = deck.output.checkpoint || deck.output.checkpoint_steps > 0;
@@ -183,6 +189,7 @@ MemoryEstimate memory_of(const Scene<Dim>& scene, const MemoryInputs& inputs) {
     (particles > 0 ? estimate.particles : estimate.elements) += points * point;
     estimate.elements += elements * element_bytes<Dim>(inputs.gauss);
     estimate.particles += particles * particle_bytes<Dim>();
+    if (inputs.total) estimate.particles += particles * total_bytes<Dim>();
     if (inputs.single) estimate.particles += particles * single_bytes<Dim>();
     (solid->rides() ? estimate.converted : estimate.neighbours) +=
         particles * neighbour_bytes<Dim>(inputs.smoothing);

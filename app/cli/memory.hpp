@@ -30,6 +30,7 @@ struct MemoryInputs {
   Real smoothing = 0;   ///< largest smoothing length over spacing, of bodies of particles
   bool bricks = false;  ///< some body is of bricks, whose faces touch from time 0 on
   bool single = false;  ///< some particles have pair_precision: single
+  bool total = false;   ///< some have formulation: total
   Real rows = 2000;     ///< of the history
   std::size_t columns = 0;
   bool checkpoints = true;  ///< some are written
