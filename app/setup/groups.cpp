@@ -214,7 +214,8 @@ void require_thick_total(const LoadedDeck& loaded, const SphParticles<Dim>& part
   throw DeckError({loaded.places.problem(
       "bodies." + name + ".formulation",
       "total takes two particles through the thickness of '" + name +
-          "' at the least: it has one layer or row; try a smaller `size`, or updated")});
+          "' at the least: particles of it lie in one layer or row, all or those of a sharp edge; "
+          "try a smaller `size`, a blunt edge, or updated")});
 }
 }  // namespace
 

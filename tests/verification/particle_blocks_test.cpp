@@ -5,10 +5,14 @@
 // (Measured 1.77. Apart again the block rings, and where its mean passes a low, corners reach 2.4.)
 // Pulled over another block a block is held back by mu N, to what riding over the particles
 // of the other adds: without friction 2 % of N, with mu = 0.3 a tenth of the force.
+// A body in double precision has the same bits, whatever the precision of another one of its
+// material that it never meets: each has its own options.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "tests/support/force_pulse.hpp"
 #include "tests/support/materials.hpp"
@@ -192,6 +196,38 @@ output: {history: 5 us}
   EXPECT_LT(along / normal, 0.3 * 1.12);
   EXPECT_LT(std::fabs(run.last("energy.contact.pairs")), 1e-3 * run.largest_energy());
   EXPECT_LT(run.worst_drift, 1e-10);
+}
+
+TEST(ParticleBlocks, EachBodyHasItsOwnPrecision) {
+  const auto energy = [](const std::string& precision) {
+    const auto run = simulate_text(R"yaml(
+title: two blocks that shear
+geometry: plane-strain
+time: {end: 2 us}
+materials: {m: {density: 7850, elastic: {E: 200 GPa, nu: 0.3}}}
+bodies:
+  a:
+    method: sph
+    material: m
+    size: 0.2 mm
+    velocity: ["= 3000*y", 0]
+    shape: {box: {min: [0, 0], max: [4 mm, 4 mm]}}
+    pair_precision: )yaml" + precision +
+                                   R"yaml(
+  b:
+    method: sph
+    material: m
+    size: 0.2 mm
+    velocity: ["= 3000*y", 0]
+    shape: {box: {min: [20 mm, 0], max: [24 mm, 4 mm]}}
+output: {history: 1 us}
+)yaml");
+    EXPECT_EQ(run.failure, "");
+    return std::pair(run.last("body.a.internal"), run.last("body.b.internal"));
+  };
+  const auto both = energy("double"), mixed = energy("single");
+  EXPECT_EQ(mixed.second, both.second);
+  EXPECT_NE(mixed.first, both.first);
 }
 
 }  // namespace

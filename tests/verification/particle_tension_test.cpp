@@ -17,6 +17,7 @@
 #include "app/deck/deck.hpp"
 #include "tests/support/simulate.hpp"
 #include "tests/support/source_path.hpp"
+#include "tests/support/strip_that_hardens.hpp"
 
 namespace brunt::test {
 namespace {
@@ -97,34 +98,11 @@ TEST(ParticleTension, AWaveOfTensionRunsAtTheSpeedOfABar) {
   EXPECT_NEAR(40e-3 / time, std::sqrt(200e9 / 7850), 0.01 * 5047);
 }
 
-std::string strip(const std::string& method) {
-  return R"(
-title: a strip that hardens
-geometry: plane-strain
-time: {end: 200 us}
-heat: off
-damping: {rate: 1e5 1/s}
-materials:
-  m: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3},
-    strength: {johnson-cook: {A: 300 MPa, B: 900 MPa, n: 1}}}
-bodies:
-  a: {material: m, shape: {box: {min: [0, 0], max: [4 mm, 20 mm]}}, size: 0.5 mm, )" +
-         method + R"(}
-boundaries:
-  l: {body: a, where: {box: {min: [-1 mm, -1 mm], max: [9 mm, 1.5 mm]}}, fix: [y]}
-  r: {body: a, where: {box: {min: [-1 mm, 18.5 mm], max: [9 mm, 21 mm]}},
-    velocity: [free, {table: [[0, 0], [20 us, 24 m/s], [180 us, 24 m/s], [200 us, 0]], over: time}]}
-sections: {s: {body: a, plane: {axis: y, at: 10 mm}}}
-measures: {F: {history: {column: section.s.force.y, reduce: last}}}
-output: {every: 200 us, history: 5 us}
-)";
-}
-
 TEST(ParticleTension, AStripThatHardensIsPulledByAQuarter) {
-  const auto reference = simulate_text(strip("method: fe"));
+  const auto reference = simulate_text(strip_that_hardens("method: fe", 200));
   const Real force = reference.measures.at("F");
   for (const std::string lattice : {"cubic", "hexagonal"}) {
-    const auto run = simulate_text(strip("method: sph, lattice: " + lattice));
+    const auto run = simulate_text(strip_that_hardens("method: sph, lattice: " + lattice, 200));
     ASSERT_EQ(run.failure, "");
     EXPECT_NEAR(run.measures.at("F") / force, 1, 0.04) << lattice;
   }

@@ -46,6 +46,18 @@ TEST(EnergyWatch, WhatHoldsNothingCreatesAllThatItGives) {
   EXPECT_EQ(created[2].energy, 1);
 }
 
+TEST(EnergyWatch, StressesMayGiveBackWhatViscosityHeatedTheirEquationOfStateBy) {
+  EnergyWatch watch(1);
+  auto look = look_of(1, 100);
+  look.bodies[0].viscosity = look.bodies[0].absorbed = 30, look.bodies[0].stress_work = -20;
+  watch.keep(look);
+  EXPECT_EQ(sum(watch.created(look)), 0);
+  look.bodies[0].stress_work = -32;  // 2 more than there was
+  EXPECT_EQ(sum(watch.created(look)), 2);
+  look.bodies[0].absorbed = 0;  // a pressure of the volume alone gives nothing back
+  EXPECT_EQ(sum(watch.created(look)), 32);
+}
+
 TEST(EnergyWatch, OneBodysGainIsNotSetOffAgainstAnothersLoss) {
   EnergyWatch watch(2);
   auto look = look_of(2, 100);
