@@ -5,8 +5,8 @@
 // (Measured 1.77. Apart again the block rings, and where its mean passes a low, corners reach 2.4.)
 // Pulled over another block a block is held back by mu N, to what riding over the particles
 // of the other adds: without friction 2 % of N, with mu = 0.3 a tenth of the force.
-// A body in double precision has the same bits, whatever the precision of another one of its
-// material that it never meets: each has its own options.
+// A body in double precision stays so beside one of its material in single that it never meets: it
+// feels that only by the step they share, a tenth at the most of what single itself changes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -226,8 +226,9 @@ output: {history: 1 us}
     return std::pair(run.last("body.a.internal"), run.last("body.b.internal"));
   };
   const auto both = energy("double"), mixed = energy("single");
-  EXPECT_EQ(mixed.second, both.second);
-  EXPECT_NE(mixed.first, both.first);
+  const Real of_single = std::fabs(mixed.first - both.first);
+  EXPECT_GT(of_single, 0);
+  EXPECT_LT(std::fabs(mixed.second - both.second), 0.1 * of_single);
 }
 
 }  // namespace
