@@ -8,7 +8,8 @@
 
 namespace brunt {
 
-/// Time, step and what bounds the step. Nothing but `end` shortens a step.
+/// Time, step and what bounds the step. Nothing but `end` shortens a step, or makes it longer, by
+/// what rounding of the time would leave for one more.
 class Clock {
  public:
   /// min_step [s]: a shorter step limit stops the run; none: kCollapsed of the first step that
@@ -46,16 +47,12 @@ class Clock {
     Real dt = safety_ * step_limit.step;
     if (planned_step_ == 0 && step_limit.of_material()) planned_step_ = std::min(dt, max_step_);
     if (dt > max_step_) dt = max_step_, whose_ = {max_step_, "max_step", 0, 0};
-    const Real left = end_ - time_;
-    if (dt >= left) {
-      dt = left;
-      last_ = true;
-    }
+    if (ends(dt)) dt = end_ - time_, last_ = true;
     return dt;
   }
   /// True if a step under this step limit would be shortened by `end`.
   bool shortens(const StepLimit& step_limit) const {
-    return unshortened(step_limit) >= end_ - time_;
+    return ends(unshortened(step_limit));
   }
   /// The step [s] under this step limit if there were no `end`.
   Real unshortened(const StepLimit& step_limit) const {
@@ -91,6 +88,10 @@ class Clock {
     row(clock.planned_step_);
     row(clock.whose_.step), row(clock.whose_.body), row(clock.whose_.entity);
   }
+
+  /// True if a step dt [s] is the last: no more is left to `end`, but for what rounding leaves out
+  /// of a sum of N steps, up to N^2 1e-16/2 of one. A step of that gives rates of rounding.
+  bool ends(Real dt) const { return dt >= (1 - 1e-6) * (end_ - time_); }
 
   static constexpr Real kCollapsed = 1e-3;
 

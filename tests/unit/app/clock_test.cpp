@@ -17,6 +17,19 @@ TEST(Clock, EndsExactly) {
   EXPECT_LE(steps, 11);
 }
 
+// Twenty thousand times 1e-6 are 6.5e-16 less than 0.02: no step is made for them.
+TEST(Clock, RoundingIsNoStep) {
+  Clock clock(0.02, 1.0, 1e-6);
+  while (!clock.finished()) {
+    const StepLimit step_limit{1.0, "element", 0, 0};
+    EXPECT_EQ(clock.shortens(step_limit), clock.step() == 19999) << clock.step();
+    clock.advance(clock.limit(step_limit));
+    ASSERT_NEAR(clock.dt(), 1e-6, 1e-15);
+  }
+  EXPECT_EQ(clock.step(), 20000);
+  EXPECT_EQ(clock.time(), 0.02);
+}
+
 TEST(Clock, MaxStepHasItsName) {
   Clock clock(1.0, 0.5, 1e-3);
   EXPECT_EQ(clock.limit({1.0, "element", 0, 0}), 1e-3);
