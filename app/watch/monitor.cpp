@@ -267,6 +267,7 @@ void Monitor<Dim>::write_frame(Scene<Dim>& scene, Real time) {
 template <int Dim>
 void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
   if (is_looked_at(clock.step())) scene.check(clock.time());
+  for (const auto& warning : watch_.missed(clock)) warn(warning);
   if (row_times_.due(clock.time(), clock.step())) {
     write_row(scene, clock);
   } else if (is_looked_at(clock.step())) {

@@ -140,6 +140,26 @@ std::vector<RunWarning> RunWatch::look(const RunLook& now, const Clock& clock) {
   return warnings;
 }
 
+/// Boundaries act as it is at the ends of steps, forces not at time 0.
+std::vector<RunWarning> RunWatch::missed(const Clock& clock) {
+  const Real now = clock.time(), before = now - clock.dt();
+  std::vector<RunWarning> warnings;
+  for (const auto& [name, boundary] : deck_.boundaries) {
+    if (boundary.to >= now || boundary.to <= before) continue;
+    bool pushes = false;
+    deck::visit_given(boundary, [&]<class Kind>(const Kind&) { pushes |= is_force<Kind>(); });
+    if (boundary.from <= before && !(pushes && clock.step() == 1)) continue;
+    warnings.push_back(
+        {"boundaries." + name,
+         "never acts: all of its time, from " + deck::time_text(clock.real(boundary.from)) +
+             " to " + deck::time_text(clock.real(boundary.to)) +
+             ", lies between the ends of two steps, " + deck::time_text(clock.real(clock.dt())) +
+             " apart; try a `time.max_step` far below it"});
+  }
+  warned_.insert(warned_.end(), warnings.begin(), warnings.end());
+  return warnings;
+}
+
 void RunWatch::save_state(std::vector<StateTable>& tables,
                           std::map<std::string, std::string>& texts) const {
   save_row(

@@ -33,6 +33,8 @@ class RunWatch {
 
   /// What is to be reported now. Throws PhysicsError above time.max_created.
   std::vector<RunWarning> look(const RunLook& now, const Clock& clock);
+  /// What is to be reported of boundaries whose whole time has passed within the last step.
+  std::vector<RunWarning> missed(const Clock& clock);
   /// All that has been reported.
   const std::vector<RunWarning>& warned() const { return warned_; }
   /// Largest share of energy that nobody put in, of all looks.
