@@ -23,7 +23,7 @@ Simulation pushed(const std::string& from, const std::string& to) {
 }
 
 TEST(ShortLoads, BetweenTwoStepsAreTold) {
-  for (const auto& [from, to] : {std::pair{"0 us", "5 us"}, std::pair{"12 us", "18 us"}}) {
+  for (const auto& [from, to] : {std::pair{"0 s", "5 us"}, std::pair{"12 us", "18 us"}}) {
     const auto run = pushed(from, to);
     ASSERT_EQ(run.failure, "");
     EXPECT_EQ(run.last("body.block.velocity.x"), 0);
