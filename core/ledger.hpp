@@ -44,9 +44,10 @@ struct HeatSums {
   ExactSum compression;  ///< what compression and viscosity gave them, less what release took
   ExactSum friction;     ///< that contacts gave to bodies that conduct
   ExactSum boundary;     ///< that boundaries let in
+  ExactSum moved;        ///< sizes of what each point has taken up or given, since time 0
   void add(const HeatSums& part) {
     stored.add(part.stored), plastic.add(part.plastic), compression.add(part.compression);
-    friction.add(part.friction), boundary.add(part.boundary);
+    friction.add(part.friction), boundary.add(part.boundary), moved.add(part.moved);
   }
 };
 

@@ -1,6 +1,7 @@
 #include "app/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -161,7 +162,9 @@ void sum_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
   for (std::size_t c = 0; c < Dim; ++c) {
     body.mass_position[c].add(sums.sum(4 + c)), body.momentum[c].add(sums.sum(4 + Dim + c));
   }
-  if (points.conducts) body.heat.add(sums.sum(3)), totals.heat.stored.add(sums.sum(3));
+  if (!points.conducts) return;
+  body.heat.add(sums.sum(3)), totals.heat.stored.add(sums.sum(3));
+  for (std::size_t i = first; i < last; ++i) totals.heat.moved.add(std::fabs(points.heat[i]));
 }
 
 /// Exact sums of owned points first .. last by body, and their part of the state hash.
@@ -195,8 +198,10 @@ void visit_sums(Totals<Dim>& totals, const Visit& visit) {
     for (auto& sum : body.momentum) visit(sum);
   }
   auto& heat = totals.heat;
-  for (auto* sum : {&heat.stored, &heat.plastic, &heat.compression, &heat.friction, &heat.boundary})
+  for (auto* sum : {&heat.stored, &heat.plastic, &heat.compression, &heat.friction, &heat.boundary,
+                    &heat.moved}) {
     visit(*sum);
+  }
 }
 
 template <int Dim>

@@ -174,7 +174,8 @@ void HistoryColumns<Dim>::add_heat(const Totals<Dim>& totals, std::vector<Real>&
     values.push_back(sum->value());
     largest_heat_ = std::max(largest_heat_, std::fabs(values.back()));
   }
-  // Bodies that only exchange heat among themselves store none together.
+  // Points and bodies that only exchange heat among themselves store none together.
+  largest_heat_ = std::max(largest_heat_, heat.moved.value());
   for (const auto& body : totals.bodies) {
     largest_heat_ = std::max(largest_heat_, std::fabs(body.heat.value()));
   }
