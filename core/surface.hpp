@@ -56,6 +56,14 @@ struct Facet {
   bool rigid() const { return stiffness == 0; }  ///< held or in prescribed motion
 };
 
+/// The mean of the corners of a facet [m]. x  positions of points
+template <int Dim>
+Vec<Dim> facet_center(const Facet<Dim>& facet, const std::vector<Vec<Dim>>& x) {
+  Vec<Dim> sum = Vec<Dim>::Zero();
+  for (int c = 0; c < facet.n_nodes(); ++c) sum += x[slot_of(facet.node[c])];
+  return sum / facet.n_nodes();
+}
+
 /// What particles are made of, as contact sees it: the same of all particles of a body but those
 /// that eroded elements of several materials leave.
 struct ParticleMatter {

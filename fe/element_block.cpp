@@ -10,6 +10,7 @@
 #include "core/parallel/threads.hpp"
 #include "fe/elements/catalog.hpp"
 #include "fe/initial_stress.hpp"
+#include "fe/initial_temperature.hpp"
 
 namespace brunt {
 namespace {
@@ -153,7 +154,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   block.adiabatic = set.adiabatic;
   block.conducts = set.conducts, block.held = set.held, block.rigid = set.rigid;
   block.temperature = set.temperature;
-  block.stress = set.stress;
+  block.stress = set.stress, block.temperature_field = set.temperature_field;
   block.n = static_cast<LocalIndex>(set.id.size());
   const int tile = block.elements_per_tile();
   block.n_padded = (block.n + tile - 1) / tile * tile;
@@ -186,6 +187,7 @@ ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& poin
   }
   block.rest.assign(slot_of(block.n_tiles()), Rest::unknown);
   if (block.formulation->averages_volumes()) block.volume_ratio.assign(padded, 1.0);
+  if (block.temperature_field != nullptr) begin_temperatures(points, block);
   if (block.stress != nullptr) begin_under_stress(points, block);
   block.formulation->start(points, block);
   return block;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/materials/initial_stress.hpp"
+#include "core/materials/initial_temperature.hpp"
 #include "core/materials/material.hpp"
 #include "core/points.hpp"
 #include "core/step_limit.hpp"
@@ -43,12 +44,14 @@ struct ElementSet {
   std::vector<char> owned;  ///< 0: another rank counts it; empty: all are owned
   const Material* material = nullptr;
   ElementOptions options;
-  Real temperature = 293.15;  ///< [K] at time 0
+  Real temperature = 293.15;  ///< [K] at time 0; where it depends on the place, their mean
   bool adiabatic = false;     ///< mechanical work heats the element at once
   bool conducts = false;      ///< nodes have the temperature; mechanical work heats them
   bool held = false;          ///< nothing of it ever moves: only its heat is computed
   bool rigid = false;  ///< as held, without mass, its facets rigid; it has a prescribed motion
   const InitialStress* stress = nullptr;  ///< at time 0; null: none. It outlives the elements
+  /// At time 0, over the place; null: one for all. It outlives the elements.
+  const InitialTemperature* temperature_field = nullptr;
 };
 
 /// What the out-of-plane direction adds: an element of area A about radius r fills A (c + s r).
@@ -88,9 +91,10 @@ struct ElementBlock {
   int gauss = 1;           ///< material points of an element
   bool adiabatic = false;
   bool conducts = false, held = false, rigid = false;
-  Real temperature = 0;                   ///< [K] what the law sees where heat is off
+  Real temperature = 0;                   ///< [K] what the law sees where the state has none
   const InitialStress* stress = nullptr;  ///< at time 0; null: none
-  LocalIndex n = 0;                       ///< elements
+  const InitialTemperature* temperature_field = nullptr;  ///< the same; null: `temperature`
+  LocalIndex n = 0;                                       ///< elements
   LocalIndex n_padded = 0;
   std::size_t first_corner = 0;        ///< of this block in the buffer of corner forces
   std::vector<LocalIndex> corner;      ///< node of each corner, n_padded x corners
@@ -146,8 +150,8 @@ struct ElementBlock {
 };
 
 /// Builds the state of a set at the positions of its points; forces are zero.
-/// Throws PhysicsError where an element has no positive volume, and InitialStressError where its
-/// material cannot begin with the stress of the set.
+/// Throws PhysicsError where an element has no positive volume, and InitialStressError or
+/// InitialTemperatureError where its material cannot begin with those of the set.
 template <int Dim>
 ElementBlock<Dim> make_block(const ElementSet<Dim>& set, const Points<Dim>& points,
                              const Thickness& thickness);

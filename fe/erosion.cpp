@@ -29,7 +29,8 @@ ElementBlock<Dim> without_state(const ElementBlock<Dim>& block) {
   bare.corners = block.corners, bare.gauss = block.gauss;
   bare.adiabatic = block.adiabatic, bare.conducts = block.conducts;
   bare.held = block.held, bare.rigid = block.rigid;
-  bare.temperature = block.temperature, bare.stress = block.stress;
+  bare.temperature = block.temperature, bare.temperature_field = block.temperature_field;
+  bare.stress = block.stress;
   return bare;
 }
 
@@ -53,7 +54,9 @@ void take_free_points(const ElementBlock<Dim>& block, const std::vector<Real>& v
       const Real radius = 0.5 * block.reference_size[e] * std::pow(share, 1.0 / Dim);
       point.radius = point.radius > 0 ? std::min(point.radius, radius) : radius;
       point.modulus = std::max(point.modulus, block.material->modulus());
-      point.material.temperature = block.temperature;
+      const auto& temperature = block.state.temperature;
+      point.material.temperature =
+          temperature.empty() ? block.temperature : temperature[block.point(e, 0)];
       const Real flow_stress =
           block.material->strength->flow_stress(block.state, block.point(e, 0), block.temperature);
       point.material.flow_stress = std::min(point.material.flow_stress, flow_stress);

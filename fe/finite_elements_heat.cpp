@@ -4,6 +4,7 @@
 #include "core/parallel/threads.hpp"
 #include "fe/conduction.hpp"
 #include "fe/finite_elements.hpp"
+#include "fe/initial_temperature.hpp"
 
 namespace brunt {
 namespace {
@@ -24,7 +25,7 @@ void FiniteElements<Dim>::set_capacities() {
           block.material_mass(e) * block.material->specific_heat.at(block.temperature);
       for (std::size_t I = 0; I < n; ++I) {
         const std::size_t corner = e * n + I;
-        at_start[block.corner[corner]] = block.temperature;
+        at_start[block.corner[corner]] = start_temperature(block, points_, block.corner[corner]);
         share[block.first_corner + corner] = capacity * block.heat_share[block.heat_share_at(e, I)];
       }
     }

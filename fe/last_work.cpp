@@ -26,7 +26,7 @@ ElementSet<Dim> set_of(const ElementBlock<Dim>& block, const std::vector<ErodedE
   set.material = block.material, set.options = block.options;
   set.temperature = block.temperature, set.adiabatic = block.adiabatic;
   set.conducts = block.conducts, set.held = block.held, set.rigid = block.rigid;
-  set.stress = block.stress;
+  set.stress = block.stress, set.temperature_field = block.temperature_field;
   for (LocalIndex e = 0; e < block.n; ++e) {
     if (!is_among(going, block.id[e])) continue;
     auto& corners = set.corners.emplace_back();

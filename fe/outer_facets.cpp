@@ -167,6 +167,9 @@ Facet<Dim> facet_of(const ElementBlock<Dim>& block, const Face<Dim>& face,
   facet.stiffness =
       block.material->modulus() / std::min(facet.depth, face_width(facet.node, points.x));
   facet.temperature = block.temperature;
+  if (block.temperature_field != nullptr) {
+    facet.temperature = block.temperature_field->at(in_space<Dim>(facet_center(facet, points.x)));
+  }
   facet.areal_mass = 0.5 * block.material->density * facet.depth;
   if (block.conducts) {
     const auto at = std::find(varying.begin(), varying.end(), block.material);

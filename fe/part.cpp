@@ -17,7 +17,7 @@ std::vector<ElementSet<Dim>> elements_of(const std::vector<ElementBlock<Dim>>& b
     set.material = block.material, set.options = block.options;
     set.temperature = block.temperature, set.adiabatic = block.adiabatic;
     set.conducts = block.conducts, set.held = block.held, set.rigid = block.rigid;
-    set.stress = block.stress;
+    set.stress = block.stress, set.temperature_field = block.temperature_field;
     for (LocalIndex e = 0; e < block.n; ++e) {
       ElementCorners corners;
       bool mine = false;

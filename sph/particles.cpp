@@ -81,6 +81,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
     std::vector<Real> given;
     if (set.conducts && heats) given.assign(set.particle.size(), 0.0);
     blocks_.push_back({std::move(set), std::move(state), std::move(given)});
+    begin_temperatures(blocks_.back());
     begin_under_stress(blocks_.back());
     for (const LocalIndex i : blocks_.back().set.particle) set_size(slot_of(i));
   }

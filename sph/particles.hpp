@@ -5,6 +5,7 @@
 
 #include "core/conversion.hpp"
 #include "core/materials/initial_stress.hpp"
+#include "core/materials/initial_temperature.hpp"
 #include "core/materials/material.hpp"
 #include "core/search/search.hpp"
 #include "core/solid.hpp"
@@ -26,12 +27,16 @@ namespace brunt {
 struct ParticleSet {
   const Material* material = nullptr;  ///< outlives the particles
   SphOptions options;
-  Real temperature = 0;                   ///< [K] at time 0; what laws see where heat is off
+  /// [K] at time 0, which laws see where the state has none; where it depends on the place, the
+  /// mean
+  Real temperature = 0;
   bool adiabatic = false;                 ///< mechanical work heats the particle
   bool conducts = false;                  ///< particles exchange heat; mechanical work heats them
   bool held = false;                      ///< none ever moves: only their heat is computed
   std::vector<LocalIndex> particle;       ///< ascending; a body lies in one set as a whole
   const InitialStress* stress = nullptr;  ///< at time 0; null: none. It outlives the particles
+  /// At time 0, over the place; null: one for all. It outlives the particles.
+  const InitialTemperature* temperature_field = nullptr;
 };
 
 /// A set with the state of its material points, in the order of `set.particle`.
@@ -101,7 +106,8 @@ class SphParticles final : public Solid<Dim> {
   /// sets  each particle in exactly one of them
   /// depth  [m] of a 2D scene, contained in the masses; 1 in 3D
   /// sum_of_piece  by piece, a label of the sum that it shares with others; empty: that of its body
-  /// Throws InitialStressError where a material cannot begin with the stress of its set.
+  /// Throws InitialStressError or InitialTemperatureError where a material cannot begin with those
+  /// of its set.
   SphParticles(Points<Dim> points, std::span<const Real> spacing, std::vector<ParticleSet> sets,
                Real depth = 1, std::vector<Label> sum_of_piece = {});
   /// The part of a whole, at time 0, whose particles this rank owns, with copies of those of other
@@ -206,6 +212,8 @@ class SphParticles final : public Solid<Dim> {
   void take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing);
   void compress_masses(const std::vector<ParticleSet>& sets);
   void begin_under_stress(ParticleBlock& block);
+  Real start_temperature(const ParticleSet& set, std::size_t i) const;
+  void begin_temperatures(ParticleBlock& block);
   void renew_ghosts(Real skin);
   void refresh_ghost_positions();
   bool sums_hold(bool mine_hold) const;

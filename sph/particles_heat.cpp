@@ -17,7 +17,7 @@ void SphParticles<Dim>::set_capacities() {
   for (const auto& block : blocks_) {
     for (const LocalIndex point : block.set.particle) {
       const auto i = slot_of(point);
-      points_.temperature[i] = points_.start_temperature[i] = block.set.temperature;
+      points_.temperature[i] = points_.start_temperature[i] = start_temperature(block.set, i);
       points_.capacity[i] =
           points_.mass[i] * block.set.material->specific_heat.at(block.set.temperature);
       if (points_.mass[i] == 0) points_.capacity[i] = 1;  // its node takes the heat

@@ -62,19 +62,24 @@ void print_bodies(const LoadedDeck& loaded, const Scene<Dim>& scene) {
 }
 
 void print_physics(const LoadedDeck& loaded) {
-  std::string heated, conducts;
+  std::string heated, conducts, uneven;
   for (const auto& [name, body] : loaded.deck.bodies) {
     const HeatMode mode = heat_mode(loaded.deck, body, name);
     if (mode == HeatMode::adiabatic) heated += " " + name;
     if (mode == HeatMode::conducts) conducts += " " + name;
     if (mode == HeatMode::conducts && is_held(loaded.deck, name)) conducts += " (held)";
+    if (mode == HeatMode::none && deck::has_temperature_field(body)) uneven += " " + name;
   }
   if (!conducts.empty()) std::printf("heat       is conducted in:%s\n", conducts.c_str());
   if (!heated.empty()) {
     std::printf("heat       adiabatic, plastic work heats the point where it is done, in:%s\n",
                 heated.c_str());
   }
-  if (conducts.empty() && heated.empty()) {
+  if (!uneven.empty()) {
+    std::printf("heat       none, each point keeps the temperature of time 0, in:%s\n",
+                uneven.c_str());
+  }
+  if (conducts.empty() && heated.empty() && uneven.empty()) {
     std::printf("heat       none: no material is heated, no temperature is kept\n");
   }
   if (loaded.deck.has_gravity()) std::printf("gravity    yes\n");

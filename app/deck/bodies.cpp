@@ -69,6 +69,10 @@ bool has_velocity_field(const Body& body) {
                               [](const auto& v) { return v && v->is_expression(); });
 }
 
+bool has_temperature_field(const Body& body) {
+  return body.temperature && body.temperature->is_expression();
+}
+
 bool follows_forces(const Body& body) {
   if (!body.rigid) return false;
   if (!body.motion) return !body.material.empty();
@@ -187,25 +191,45 @@ void describe_velocity(Schema& s, Body& body) {
   s.components({"velocity", "velocity at time 0; components may be expressions of x, y, z"}, given,
                kVelocity, kOver);
   if (!given) return;
-  const auto none_is = [&](const auto& is) {
-    return std::none_of(given->begin(), given->end(), is);
-  };
-  s.require(none_is([](const auto& v) { return !v.has_value(); }), "velocity",
-            "a component at time 0 cannot be free: write 0, or take it into motion or a boundary");
-  s.require(none_is([](const auto& v) { return v && v->is_expression() && v->depends[0]; }),
-            "velocity", "is that at time 0: t has no place in it");
-  s.require(!body.rigid || !has_velocity_field(body), "velocity",
-            "of a rigid body is one vector, and `spin` besides");
   body.velocity.clear();
   for (const auto& v : *given) {
     body.velocity.push_back(v && v->is_constant() ? v->constant : Real{0});
   }
 }
 
+void describe_temperature(Schema& s, Body& body) {
+  static constexpr std::array kOver{Varying::Over::expression};
+  s.varying(
+      {"temperature", "temperature at time 0, or an expression of x, y, z, in K; default: ambient"},
+      body.temperature, {"K", at_least(0), between(50, 5000)}, kOver);
+}
+
+bool depends_on_time(const std::optional<Varying>& value) {
+  return value && value->is_expression() && value->depends[0];
+}
+
+/// What is true of values at time 0.
+void require_consistent_start(Schema& s, const Body& body) {
+  if (const auto& velocity = body.start_velocity) {
+    const auto any = [&](const auto& is) {
+      return std::any_of(velocity->begin(), velocity->end(), is);
+    };
+    s.require(
+        !any([](const auto& v) { return !v.has_value(); }), "velocity",
+        "a component at time 0 cannot be free: write 0, or take it into motion or a boundary");
+    s.require(!any(depends_on_time), "velocity", "is that at time 0: t has no place in it");
+    s.require(!body.rigid || !has_velocity_field(body), "velocity",
+              "of a rigid body is one vector, and `spin` besides");
+  }
+  s.require(!depends_on_time(body.temperature), "temperature",
+            "is that at time 0: t has no place in it");
+}
+
 /// Keys of a body that contradict each other.
 void require_consistent(Schema& s, const Body& body) {
   const bool is_sph = body.method == Method::sph;
   require_consistent_file(s, body);
+  require_consistent_start(s, body);
   s.require(!body.rigid || !body.stress, "stress",
             "a rigid body has none: take it out, or take rigid: true out");
   s.require(!body.rigid || !is_sph, "rigid",
@@ -258,8 +282,7 @@ void describe(Schema& s, Body& body) {
             "stress at time 0, tension positive; components may be expressions of x, y, z, and are "
             "0 without"},
            body.stress);
-  s.real({"temperature", "temperature at time 0; default: ambient"}, body.temperature,
-         {"K", at_least(0), between(50, 5000)});
+  describe_temperature(s, body);
   s.section(body.rigid, "only for rigid: true", [&](Schema& rigid) {
     rigid.object(
         {"motion",

@@ -56,10 +56,11 @@ struct Body {
   std::vector<Grading> grading;           ///< of the elements' sizes, by axis; FE only
   /// [m/s] at time 0, as read: constants, or expressions of x, y, z; none: at rest
   std::optional<std::vector<std::optional<Varying>>> start_velocity;
-  std::vector<Real> velocity;       ///< [m/s] its constants; empty: at rest
-  std::optional<Spin> spin;         ///< at time 0
-  std::optional<Stress> stress;     ///< at time 0; none: none
-  std::optional<Real> temperature;  ///< [K] at time 0; none: ambient
+  std::vector<Real> velocity;    ///< [m/s] its constants; empty: at rest
+  std::optional<Spin> spin;      ///< at time 0
+  std::optional<Stress> stress;  ///< at time 0; none: none
+  /// [K] at time 0: a constant, or an expression of x, y, z; none: ambient
+  std::optional<Varying> temperature;
   /// Rigid bodies only; none: held, or free where there is a material.
   std::optional<Motion> motion;
   ElementOptions element;            ///< FE that deforms
@@ -75,6 +76,9 @@ bool has_mesh_file(const Body& body);
 
 /// True where the velocity at time 0 depends on the place.
 bool has_velocity_field(const Body& body);
+
+/// True where the temperature at time 0 depends on the place.
+bool has_temperature_field(const Body& body);
 
 /// Velocity [m/s] at time 0, as prescribed or as given, three components; at rest without. Of a
 /// field of the place nothing.

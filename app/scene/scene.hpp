@@ -15,6 +15,7 @@
 #include "core/boundaries/rigid_motions.hpp"
 #include "core/errors.hpp"
 #include "core/materials/initial_stress.hpp"
+#include "core/materials/initial_temperature.hpp"
 #include "core/materials/material.hpp"
 #include "core/rigid/free_bodies.hpp"
 #include "core/solid.hpp"
@@ -46,6 +47,8 @@ struct Scene {
   std::vector<Label> sum_of_body;  ///< first of the bodies whose particles share one sum
   std::vector<std::unique_ptr<Material>> materials;
   std::vector<std::unique_ptr<InitialStress>> initial_stress;  ///< by label; null: none
+  /// By label; null: one temperature, or none.
+  std::vector<std::unique_ptr<InitialTemperature>> initial_temperature;
   std::vector<std::unique_ptr<Solid<Dim>>> solids;
   std::unique_ptr<ContactManager<Dim>> contact;  ///< absent where nothing can touch
   RigidMotions<Dim> rigid_motions;

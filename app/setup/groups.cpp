@@ -6,6 +6,7 @@
 #include "app/setup/bonds.hpp"
 #include "app/setup/gather.hpp"
 #include "app/setup/heat.hpp"
+#include "app/setup/initial_temperature.hpp"
 #include "app/setup/materials.hpp"
 #include "core/geometry/curve.hpp"
 #include "core/open_surface.hpp"
@@ -86,7 +87,8 @@ ElementSet<Dim> empty_set_of(const LoadedDeck& loaded, const Scene<Dim>& scene,
   ElementSet<Dim> set;
   set.material = material_of(loaded.deck, scene.materials, body);
   set.options = element_options<Dim>(loaded.deck, body, geometry.elements);
-  set.temperature = body.temperature.value_or(loaded.deck.ambient);
+  set.temperature = start_temperature(loaded, scene, geometry);
+  set.temperature_field = scene.initial_temperature[geometry.label].get();
   set.adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
   set.stress = scene.initial_stress[geometry.label].get();
   set.conducts = kind.conducts, set.held = kind.held, set.rigid = kind.rigid;
@@ -96,7 +98,8 @@ ElementSet<Dim> empty_set_of(const LoadedDeck& loaded, const Scene<Dim>& scene,
 template <int Dim>
 bool same_set(const ElementSet<Dim>& a, const ElementSet<Dim>& b) {
   return a.material == b.material && a.temperature == b.temperature && a.adiabatic == b.adiabatic &&
-         a.stress == b.stress && same_element(a.options, b.options);
+         a.temperature_field == b.temperature_field && a.stress == b.stress &&
+         same_element(a.options, b.options);
 }
 
 /// Sets in the order in which their elements come, with room for all of them.
@@ -227,23 +230,34 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
   if (chosen.empty()) return nullptr;
   auto gathered = gather(loaded, scene, bodies, chosen, next);
   std::vector<Real> spacing(gathered.from.size()), spacing_of(bodies.size());
-  for (const std::size_t b : chosen) spacing_of[b] = mean_spacing(bodies[b]);
+  std::vector<Real> temperature_of(bodies.size());
+  for (const std::size_t b : chosen) {
+    spacing_of[b] = mean_spacing(bodies[b]);
+    temperature_of[b] = start_temperature(loaded, scene, bodies[b]);
+  }
   std::vector<ParticleSet> sets;
   for (std::size_t k = 0; k < gathered.from.size(); ++k) {
     const auto& geometry = bodies[gathered.from[k].body];
     const auto& body = loaded.deck.bodies[geometry.label].value;
     const bool adiabatic = is_adiabatic(loaded.deck, loaded.deck.bodies[geometry.label]);
     const Material* material = material_of(loaded.deck, scene.materials, body);
-    const Real temperature = body.temperature.value_or(loaded.deck.ambient);
+    const Real temperature = temperature_of[gathered.from[k].body];
+    const InitialTemperature* field = scene.initial_temperature[geometry.label].get();
     const InitialStress* stress = scene.initial_stress[geometry.label].get();
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& s) {
       return s.material == material && s.temperature == temperature && s.adiabatic == adiabatic &&
-             s.stress == stress && s.options == body.sph;
+             s.temperature_field == field && s.stress == stress && s.options == body.sph;
     });
     if (set == sets.end()) {
-      set = sets.insert(
-          sets.end(),
-          {material, body.sph, temperature, adiabatic, kind.conducts, kind.held, {}, stress});
+      set = sets.insert(sets.end(), {material,
+                                     body.sph,
+                                     temperature,
+                                     adiabatic,
+                                     kind.conducts,
+                                     kind.held,
+                                     {},
+                                     stress,
+                                     field});
     }
     set->particle.push_back(static_cast<LocalIndex>(k));
     // Each particle carries its share of the exact mass of the shape.
@@ -292,6 +306,8 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
   auto gathered = gather(loaded, scene, bodies, chosen, next);
   std::vector<Facet<Dim>> facets;
   for (const std::size_t b : chosen) {
+    const Real temperature = start_temperature(loaded, scene, bodies[b]);
+    const InitialTemperature* field = scene.initial_temperature[bodies[b].label].get();
     // Facets of a piece side by side.
     for (const std::size_t f : order_of({bodies[b].piece.begin(), bodies[b].piece.end()})) {
       const auto& corners = bodies[b].facets[f];
@@ -302,8 +318,10 @@ std::unique_ptr<RigidSurfaces<Dim>> make_rigid(const LoadedDeck& loaded, const S
       facet.id = next.element++ << 3;
       facet.body = bodies[b].label;
       facet.piece = bodies[b].piece[f];
-      facet.temperature =
-          loaded.deck.bodies[facet.body].value.temperature.value_or(loaded.deck.ambient);
+      facet.temperature = temperature;
+      if (field != nullptr) {
+        facet.temperature = field->at(in_space<Dim>(facet_center(facet, gathered.points.x)));
+      }
       for (int c = 0; c < facet.n_nodes(); ++c) {
         const auto node = slot_of(facet.node[c]);
         gathered.points.piece[node] = facet.piece;

@@ -69,8 +69,11 @@ HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& 
   };
   const bool passes_heat = contact.fallback.passes_heat() ||
                            std::any_of(contact.pairs.begin(), contact.pairs.end(), touches);
+  const bool uneven = std::any_of(names.begin(), names.end(), [&](const std::string& one) {
+    return deck::has_temperature_field(deck.bodies[*label_of(deck, one)].value);
+  });
   const bool driven = deck.heat == deck::Heat::conduct ||
-                      (deck.heat == deck::Heat::automatic && passes_heat) ||
+                      (deck.heat == deck::Heat::automatic && (passes_heat || uneven)) ||
                       (deck.heat == deck::Heat::automatic &&
                        std::any_of(deck.boundaries.begin(), deck.boundaries.end(), heats));
   if (thermal->k && driven) return HeatMode::conducts;

@@ -5,16 +5,16 @@
 namespace brunt {
 
 enum class HeatMode {
-  none,       ///< no temperature is kept
+  none,       ///< no temperature is kept, or only that of time 0 where it depends on the place
   adiabatic,  ///< its own work heats the point where it is done, and stays there
   conducts,   ///< nodes and particles have a temperature, heat flows between them
 };
 
 /// `off`: none. `adiabatic`: where the material is thermal, and yields or has an equation of state
 /// with an energy. `conduct`: conduction where the material has k, else as adiabatic. `auto`:
-/// conduction where the material has k and a boundary or a contact heats or cools the body, else as
-/// adiabatic: within a body of one temperature nothing else drives heat but its own work, which
-/// hardly moves in the time of an impact.
+/// conduction where the material has k and a boundary or a contact heats or cools the body, or its
+/// temperature at time 0 depends on the place, else as adiabatic: within a body of one temperature
+/// nothing else drives heat but its own work, which hardly moves in the time of an impact.
 HeatMode heat_mode(const Deck& deck, const deck::Body& body, const std::string& name);
 
 /// True where a body that conducts never moves: `fix` holds all components of all of it for ever.

@@ -34,7 +34,11 @@ template <int Dim>
 ParticleSet set_like(const ElementBlock<Dim>& block) {
   SphOptions options;
   options.smoothing = 1.2;
-  return {block.material, options, block.temperature, block.adiabatic, block.conducts, false, {}};
+  ParticleSet set;
+  set.material = block.material, set.options = options;
+  set.temperature = block.temperature, set.temperature_field = block.temperature_field;
+  set.adiabatic = block.adiabatic, set.conducts = block.conducts;
+  return set;
 }
 
 /// The seats of all nodes, and the sets that the particles on them make.
@@ -46,6 +50,7 @@ std::vector<Seat> find_seats(const FiniteElements<Dim>& elements, std::vector<Pa
     const ParticleSet wanted = set_like(block);
     auto set = std::find_if(sets.begin(), sets.end(), [&](const ParticleSet& one) {
       return one.material == wanted.material && one.temperature == wanted.temperature &&
+             one.temperature_field == wanted.temperature_field &&
              one.adiabatic == wanted.adiabatic && one.conducts == wanted.conducts;
     });
     if (set == sets.end()) set = sets.insert(sets.end(), wanted);

@@ -9,6 +9,7 @@
 #include "app/setup/boundaries.hpp"
 #include "app/setup/groups.hpp"
 #include "app/setup/initial_stress.hpp"
+#include "app/setup/initial_temperature.hpp"
 #include "app/setup/materials.hpp"
 #include "app/setup/riders.hpp"
 #include "app/setup/rigid.hpp"
@@ -69,12 +70,8 @@ void add_deforming(const LoadedDeck& loaded, std::vector<BodyGeometry<Dim>>& bod
   const auto add = [&](std::unique_ptr<Solid<Dim>> group) {
     if (group) scene.solids.push_back(std::move(group));
   };
-  try {
-    for (const auto kind : kGroupKinds) add(make_elements(loaded, scene, bodies, kind, next));
-    for (const auto kind : kGroupKinds) add(make_particles(loaded, scene, bodies, kind, next));
-  } catch (const InitialStressError& error) {
-    throw DeckError({problem_of(loaded, error)});
-  }
+  for (const auto kind : kGroupKinds) add(make_elements(loaded, scene, bodies, kind, next));
+  for (const auto kind : kGroupKinds) add(make_particles(loaded, scene, bodies, kind, next));
 }
 
 /// Rigid bodies that conduct: first those that follow their forces, whose faces press all others.
@@ -108,6 +105,23 @@ void add_rigid(const LoadedDeck& loaded, Scene<Dim>& scene,
   scene.rigid_motions.add(surfaces->points(), prescribed_motions(loaded, scene), std::move(free));
   find_rigid_centers(loaded.deck, surfaces->surface(), scene);
   scene.solids.push_back(std::move(surfaces));
+}
+
+/// All that has points. Faces that are held or have a prescribed motion come after those that are
+/// partitioned and do not, and those that stand on every rank last: whatever a lower face asks of
+/// others can be sent beforehand.
+template <int Dim>
+void add_groups(const LoadedDeck& loaded, std::vector<BodyGeometry<Dim>>& bodies, Scene<Dim>& scene,
+                NextIds& next, std::vector<DeckProblem>& problems) {
+  add_deforming(loaded, bodies, scene, next);
+  Followers<Dim> followers;
+  add_rigid_conductors(loaded, bodies, scene, next, followers, problems);
+  for (const bool heated : {false, true}) {
+    auto rigid = make_rigid(loaded, scene, bodies, heated, next);
+    if (rigid) add_rigid(loaded, scene, std::move(rigid), followers, problems);
+  }
+  if (followers.bodies.empty()) return;
+  scene.rigid = std::make_unique<FreeBodies<Dim>>(followers.groups, std::move(followers.bodies));
 }
 
 /// True where some pair of bodies, or pieces of a body, may touch. Bodies that never move do so
@@ -191,20 +205,15 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
 
   scene->initial_stress = make_initial_stress(loaded, *scene, problems);
   if (!problems.empty()) throw DeckError(problems);
+  scene->initial_temperature = make_initial_temperature(loaded, *scene);
 
   NextIds next;
-  add_deforming(loaded, bodies, *scene, next);
-  // Faces that are held or have a prescribed motion come after those that are partitioned and do
-  // not, and those that stand on every rank last: whatever a lower face asks of others can be sent
-  // beforehand.
-  Followers<Dim> followers;
-  add_rigid_conductors(loaded, bodies, *scene, next, followers, problems);
-  for (const bool heated : {false, true}) {
-    auto rigid = make_rigid(loaded, *scene, bodies, heated, next);
-    if (rigid) add_rigid(loaded, *scene, std::move(rigid), followers, problems);
-  }
-  if (!followers.bodies.empty()) {
-    scene->rigid = std::make_unique<FreeBodies<Dim>>(followers.groups, std::move(followers.bodies));
+  try {
+    add_groups(loaded, bodies, *scene, next, problems);
+  } catch (const InitialStressError& error) {
+    throw DeckError({problem_of(loaded, error)});
+  } catch (const InitialTemperatureError& error) {
+    throw DeckError({problem_of(loaded, error)});
   }
   scene->point_sets = std::move(next.sets);
   hold_temperatures(loaded, *scene);

@@ -101,6 +101,13 @@ Real StressedStart::compress(Real r, Real deviatoric_energy) {
   return scratch_.pressure[0];
 }
 
+/// [K] of the point that is asked for
+void StressedStart::take_temperature(Real temperature) {
+  temperature_ = temperature;
+  auto& seen = scratch_.temperature;
+  std::fill_n(seen.begin(), std::min<std::size_t>(seen.size(), kLanes), temperature);
+}
+
 Real StressedStart::deviatoric_energy(const PlacedStress& at) const {
   const Real q = equivalent(at);
   return material_.shear == 0 ? 0 : q * q / (6 * material_.shear);
@@ -133,6 +140,7 @@ Real StressedStart::begin(const PlacedStress& at, Real r, MaterialState& state, 
   const Real of_deviator = deviatoric_energy(at);
   const Real p = compress(r, of_deviator);
   const Real mean = at.pressure();
+  if (!state.temperature.empty()) take_temperature(state.temperature[k]);
   for (std::size_t c = 0; c < 6; ++c) {
     const Real s = material_.shear == 0 ? 0 : at.value[c] + (c <= zz ? mean : 0);
     state.deviator[c][k] = s;

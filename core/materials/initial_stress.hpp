@@ -61,6 +61,7 @@ class StressedStart {
 
  private:
   Real compress(Real r, Real deviatoric_energy);
+  void take_temperature(Real temperature);
   Real deviatoric_energy(const PlacedStress& at) const;
   void require_bearable(const PlacedStress& at) const;
   void require_held(const PlacedStress& at, Real r);

@@ -58,14 +58,16 @@ void add_plastic_volume_work(const MaterialTile& tile, const Row& elastic_old, c
 /// The ratios of a tile become those over the volume free of stress, before the step and at the
 /// temperatures that the points have now, which the state keeps. Returns by how much that volume
 /// grows in the step.
-/// alpha [1/K] linear expansion; tile.fixed_temperature is that of time 0
+/// alpha [1/K] linear expansion; tile.fixed_temperature is that of time 0 where the state has none
 Row divide_by_expansion(MaterialTile& tile, Real alpha) {
   MaterialState& state = *tile.state;
   Row grown;
+  const bool varies = !state.start_temperature.empty();
   for (int i = 0; i < tile.count; i += kLanes) {
     const std::size_t at = tile.first + slot_of(i);
-    const Pack stretch =
-        1.0 + alpha * (load(state.temperature.data() + at) - tile.fixed_temperature);
+    const Pack start = varies ? load(state.start_temperature.data() + at)
+                              : broadcast<Pack>(tile.fixed_temperature);
+    const Pack stretch = 1.0 + alpha * (load(state.temperature.data() + at) - start);
     const Pack before = load(state.expansion.data() + at), now = stretch * stretch * stretch;
     store(tile.ratio_old + i, load(tile.ratio_old + i) / before);
     store(tile.ratio + i, load(tile.ratio + i) / now);

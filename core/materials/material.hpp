@@ -20,8 +20,8 @@ struct MaterialState {
   std::vector<Real> pressure;                 ///< [Pa] positive in compression, without viscosity
   std::vector<Real> eps_p;                    ///< equivalent plastic strain; empty: elastic
   std::vector<Real> strain_rate;              ///< [1/s] last plastic strain rate; empty: elastic
-  std::vector<Real> temperature;              ///< [K]; empty where heat is off
-  std::vector<Real> heat;                     ///< [J/m^3 reference] plastic work become heat
+  std::vector<Real> temperature;  ///< [K]; empty where heat is off and the start has one
+  std::vector<Real> heat;         ///< [J/m^3 reference] plastic work become heat
   /// [J/m^3 reference] rho0 cp dT of compression and viscosity, and so lost again on release; empty
   /// unless the EOS has an energy and the point a temperature
   std::vector<Real> compression_heat;
@@ -32,7 +32,9 @@ struct MaterialState {
   /// [1] V/V0 of the point free of stress at its temperature; empty unless the material expands
   std::vector<Real> expansion;
   std::vector<Real> expansion_work;  ///< [J/m^3 reference] of the pressure on it; as long
-  std::vector<Real> bulk;            ///< [Pa] current tangent bulk modulus K_t
+  /// [K] at time 0, from which it expands; empty unless it expands and depends on the place
+  std::vector<Real> start_temperature;
+  std::vector<Real> bulk;  ///< [Pa] current tangent bulk modulus K_t
   /// Of materials that fail: how far the way to failure is gone, 1 where it begins; the share of
   /// the stress that is lost; and where softening takes energy the work since it began, that at
   /// which nothing is left, the largest elastic energy [J/m^3], and the size of the element or
@@ -54,7 +56,7 @@ struct MaterialTile {
   MaterialState* state = nullptr;
   std::size_t first = 0;
   int count = 0;
-  Real fixed_temperature = 0;         ///< [K] what laws see where heat is off
+  Real fixed_temperature = 0;         ///< [K] what laws see where the state has none
   bool adiabatic = false;             ///< plastic work and compression heat the point at once
   alignas(32) Real strain[6][kTile];  ///< D dt at the mid-configuration, tensor components, full
   alignas(32) Real ratio_old[kTile];  ///< V/V0 before the step
@@ -85,7 +87,7 @@ class Strength {
   virtual void add_fields(MaterialState&, std::size_t) const {}
   /// Flow stress [Pa] of point k as the last step left it: at its plastic strain, last plastic rate
   /// and temperature; infinite where the material never yields.
-  /// fixed_temperature [K] what the law sees where heat is off
+  /// fixed_temperature [K] what the law sees where the state has none
   virtual Real flow_stress(const MaterialState& state, std::size_t k,
                            Real fixed_temperature) const = 0;
 };

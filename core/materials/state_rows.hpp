@@ -24,6 +24,7 @@ void visit_material_point(State& state, std::size_t k, FieldUse of_particles, co
   optional(state.energy, kState);
   optional(state.expansion, kSaved);
   optional(state.expansion_work, kSaved);
+  optional(state.start_temperature, kSaved);
   optional(state.plastic_volume, kState);
   optional(state.opening, kState);
   for (auto* field : {&state.damage_index, &state.damage, &state.softening_work}) {
@@ -47,6 +48,7 @@ inline std::string fields_of(const MaterialState& state) {
   if (!state.compression_heat.empty()) text += ".compression";
   if (!state.energy.empty()) text += ".energy";
   if (!state.expansion.empty()) text += ".expansion";
+  if (!state.start_temperature.empty()) text += ".start";
   if (!state.plastic_volume.empty()) text += ".volume";
   if (!state.damage.empty()) text += ".damage";
   if (!state.softening_work.empty()) text += ".softening";

@@ -46,7 +46,7 @@ cases=(
   "tumbling-blocks 0.55_ms parameters.speed=30_m/s parameters.end=0.6_ms bodies.plate.cells=[10,_10,_2]"
   "tumbling-blocks 0.55_ms parameters.speed=30_m/s parameters.end=0.6_ms bodies.plate.cells=[10,_10,_2] materials.nylon.thermal={cp:_1700,_k:_10} materials.hot={density:_700,_elastic:_{E:_1.5_GPa,_nu:_0.3},_thermal:_{cp:_1200,_k:_20}} bodies.die.material=hot bodies.die.cells=[3,_3,_3] bodies.die.temperature=900_K bodies.brick.material=hot bodies.brick.cells=[4,_2,_1] contact.default.heat=perfect time.heat__every=3"
   "projectile-2d 20_us parameters.spacing=2_mm parameters.size=4_mm time.end=40_us"
-  "taylor-bar 2_us parameters.size=0.9_mm time.end=4_us bodies.bar.element={integration:_one-point} boundaries={squeeze:_{body:_bar,_where:_surface,_pressure:_1_GPa},_beyond:_{body:_bar,_where:_{side:_max-z},_nonreflecting:_true}}"
+  "taylor-bar 2_us parameters.size=0.9_mm time.end=4_us bodies.bar.temperature==_300+2e4*z bodies.bar.element={integration:_one-point} boundaries={squeeze:_{body:_bar,_where:_surface,_pressure:_1_GPa},_beyond:_{body:_bar,_where:_{side:_max-z},_nonreflecting:_true}}"
   "decks/fold 0.8_ms"
   "decks/overlaps 0.18_ms"
   "decks/joints 0.2_ms"

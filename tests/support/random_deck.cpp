@@ -312,7 +312,13 @@ class Writer {
               "rate: " + text(dice_.between(-500, 500)) +
               ", about: " + vector(0, top_ - 0.5 * height) + "}";
     }
-    if (dice_.chance(0.2)) line += ", temperature: " + text(dice_.between(250, 700));
+    if (dice_.chance(0.2)) {
+      const Real T = dice_.between(250, 700);
+      // Without a draw of its own: decks of known seeds stay what they were found for.
+      const bool uneven = newer_ && T > 500;
+      line += ", temperature: ";
+      line += uneven ? "\"= " + text(T) + " + 150 * sin(1000 * x)\"" : text(T);
+    }
     if (kind != Kind::free_rigid) {
       shortest_ = std::min(shortest_, size / c);
     }

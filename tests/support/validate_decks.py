@@ -45,7 +45,7 @@ NOT_SEEN = {
         polygon-without-corners rod-inside-a-tube-too-narrow size-far-too-small
         pressure-without-faces wall-gap-wider-than-a-brick""",
     "what an expression or a parameter is": """
-        expression-nan expression-of-time-nan expression-unknown-name measure-expression-syntax motion-of-the-place
+        temperature-over-the-place start-over-time expression-nan expression-of-time-nan expression-unknown-name measure-expression-syntax motion-of-the-place
         gravity-of-the-place gravity-of-time-nan""",
     "how YAML is written": "keys-double",
 }

@@ -57,7 +57,7 @@ bodies:
     velocity: [1, 2, 3]
     spin: {axis: x, rate: 3 rad/s, about: [0, 0, 0]}
     stress: {xx: -1e6, yy: "= -2e4 * z", zz: -1e6, xy: 1e5, yz: 1e5, zx: 1e5}
-    temperature: 300
+    temperature: "= 300 + 0.5 * z"
     element: {hourglass: {viscous: 0.1}}
   b:
     material: j2

@@ -42,6 +42,23 @@ TEST(Material, StateHasTheFieldsThatTheModelsNeed) {
   EXPECT_TRUE(metal.initial_state(0, 350, true).temperature.empty());
 }
 
+// p = K (theta - 1), theta = (1 + alpha (T - T0))^3, of points that are held, each with its own T0.
+TEST(Material, ExpandsFromWhereEachPointBegan) {
+  Material metal = made_of(NoStrength{}, LinearEos{});
+  metal.expansion = 1e-5;
+  OneTile points(metal.initial_state(kTile, 298, true));
+  EXPECT_TRUE(points.state.start_temperature.empty());
+  points.state.start_temperature.resize(kTile);
+  for (std::size_t k = 0; k < kTile; ++k) points.state.start_temperature[k] = 300 + 10.0 * k;
+  points.state.temperature = points.state.start_temperature;
+  metal.update(points.at_first(), 1e-7);
+  EXPECT_EQ(points.state.pressure[7], 0.0);
+  points.state.temperature[7] += 50;
+  metal.update(points.at_first(), 1e-7);
+  EXPECT_EQ(points.state.pressure[6], 0.0);
+  EXPECT_NEAR(points.state.pressure[7] / (kBulk * (std::pow(1 + 50e-5, 3) - 1)), 1, 1e-12);
+}
+
 // s = 2 G (strain - trace/3), by hand for strain (3, 0, 0) and shear 1 of 1e-3; p = K (V0/V - 1).
 TEST(Material, IsHookesLawForSmallStrain) {
   const Material metal = made_of(NoStrength{}, LinearEos{});
