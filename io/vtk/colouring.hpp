@@ -42,7 +42,8 @@ struct Scalars {
 /// such component.
 Scalars scalars_of(const BodyView& view, const Colouring& colouring);
 
-/// True where a body has state of its own (stress, density, ...): all but rigid bodies.
+/// True where a frame shows that a body has state of its own (stress, density, ...): all but rigid
+/// bodies.
 bool deforms(const BodyView& view);
 
 /// SI unit of a field of core/fields.hpp, "" for pure numbers and what is not known.

@@ -125,7 +125,7 @@ void add_outline(vtkRenderer& renderer, vtkPolyData* surface) {
 void add_body(vtkRenderer& renderer, const BodyView& body, std::size_t index,
               const PictureStyle& style, vtkLookupTable* table) {
   const bool flat = style.camera.axes.toward == Vec3::UnitZ() && !is_solid(body);
-  const bool rigid = !deforms(body);
+  const bool rigid = !style.all_deform && !deforms(body);
   const Scalars scalars =
       rigid || style.range.empty() ? Scalars{} : scalars_of(body, style.colouring);
   const auto mapper = mapper_of(body, scalars);

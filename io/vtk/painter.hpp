@@ -20,7 +20,8 @@ struct PictureStyle {
   Colouring colouring;
   Interval range;  ///< of the colours, SI; empty: nothing is coloured
   std::string title;
-  Real last_time = 0;  ///< [s] of the run: chooses the unit of the time
+  Real last_time = 0;       ///< [s] of the run: chooses the unit of the time
+  bool all_deform = false;  ///< no field tells which bodies do
 };
 
 /// Draws pictures with one style, at twice the size and averaged down.

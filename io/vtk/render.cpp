@@ -60,8 +60,13 @@ struct Survey {
   std::set<std::string> fields;  ///< that deforming bodies have
 };
 
-void take(Survey& survey, const BodyView& body) {
-  if (!deforms(body)) return;
+/// True where no body has a field that tells those that deform: frames of `fields: [temperature]`.
+bool tell_nothing(const std::vector<BodyView>& bodies) {
+  return std::none_of(bodies.begin(), bodies.end(), deforms);
+}
+
+void take(Survey& survey, const BodyView& body, bool all_deform) {
+  if (!all_deform && !deforms(body)) return;
   for (const auto* fields : {&body.point_fields, &body.cell_fields}) {
     for (const auto& field : *fields) survey.fields.insert(field.name);
   }
@@ -98,10 +103,11 @@ PictureStyle style_of(const FrameSource& source, const std::vector<std::size_t>&
   Coverage coverage(axes);
   Survey survey{candidates(options.field), {}, {}};
   survey.ranges.resize(survey.candidates.size());
+  style.all_deform = !options.field.empty() && tell_nothing(source.bodies(frames.front()));
   for (const std::size_t frame : frames) {
     for (const auto& body : source.bodies(frame)) {
       coverage.take(body);
-      take(survey, body);
+      take(survey, body, style.all_deform);
     }
   }
   const auto chosen = choose(survey);

@@ -178,6 +178,33 @@ TEST_F(RenderTest, RefusesWrongOptions) {
   EXPECT_THROW(render_folder(folder_ / "none", folder_, {}), MachineError);
 }
 
+// Frames of `fields: [temperature]` have nothing that tells rigid bodies from those that deform:
+// all are coloured, where with a stress beside it only the body that has one is.
+TEST_F(RenderTest, ColoursAllBodiesWhereNoFieldTellsWhichDeform) {
+  const auto frame_of = [](bool with_stress) {
+    BodyView plate = two_cells(0), above = two_cells(0);
+    for (auto* view : {&plate, &above}) view->cell_fields = {{"temperature", 1, {300, 400}}};
+    above.body = "above";
+    for (std::size_t i = 1; i < above.position.size(); i += 3) above.position[i] += 1;
+    if (with_stress) plate.cell_fields.push_back({"stress", 6, std::vector<Real>(12, 0)});
+    return std::vector<BodyView>{plate, above};
+  };
+  RenderOptions options;
+  options.field = "temperature";
+  const auto bare = render_frames(source_of(frame_of(false)), folder_ / "bare", options);
+  const auto told = render_frames(source_of(frame_of(true)), folder_ / "told", options);
+  ASSERT_EQ(bare.size(), 1u);
+  // A pixel is 2/630 m: both span x = 245 .. 875 about y = 90 + 315.
+  const auto map = colour_map(false);
+  for (const int y : {250, 560}) {
+    expect_near(pixel(bare[0], 400, y), map[0]);
+    expect_near(pixel(bare[0], 720, y), map[255]);
+  }
+  expect_near(pixel(told[0], 720, 250), map[255]);
+  const Colour above = pixel(told[0], 720, 560);
+  EXPECT_EQ(above, pixel(told[0], 400, 560));
+}
+
 TEST(Colouring, TakesComponentsMagnitudesAndVonMises) {
   const BodyView view = two_cells(1);
   EXPECT_EQ(scalars_of(view, parse_colouring("stress.xy")).values, (std::vector<Real>{3, 0}));
