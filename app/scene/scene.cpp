@@ -164,7 +164,9 @@ void sum_points(const Points<Dim>& points, std::size_t first, std::size_t last, 
   }
   if (!points.conducts) return;
   body.heat.add(sums.sum(3)), totals.heat.stored.add(sums.sum(3));
-  for (std::size_t i = first; i < last; ++i) totals.heat.moved.add(std::fabs(points.heat[i]));
+  ExactColumns<1> moved;
+  for (std::size_t i = first; i < last; ++i) moved.add({std::fabs(points.heat[i])});
+  totals.heat.moved.add(moved.sum(0));
 }
 
 /// Exact sums of owned points first .. last by body, and their part of the state hash.

@@ -137,6 +137,10 @@ std::optional<Varying::Over> Reader::table_over(const Node& node, const std::str
     const std::string word = over_word(candidate);
     if (!word.empty()) list += (list.empty() ? "" : " | ") + word;
   }
+  if (list.empty()) {
+    problem(node, path, "expects a value, or an expression: \"= ...\"; no table has a place here");
+    return {};
+  }
   for (const Entry& entry : node.entries) {
     if (std::find(kKeys.begin(), kKeys.end(), entry.key) != kKeys.end()) continue;
     problem_at(entry.place, path, "unknown key '" + entry.key + "'" + suggestion(entry.key, kKeys));
