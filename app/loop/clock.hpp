@@ -51,9 +51,7 @@ class Clock {
     return dt;
   }
   /// True if a step under this step limit would be shortened by `end`.
-  bool shortens(const StepLimit& step_limit) const {
-    return ends(unshortened(step_limit));
-  }
+  bool shortens(const StepLimit& step_limit) const { return ends(unshortened(step_limit)); }
   /// The step [s] under this step limit if there were no `end`.
   Real unshortened(const StepLimit& step_limit) const {
     return std::min(safety_ * step_limit.step, max_step_);
