@@ -187,6 +187,7 @@ Names bodies_in(const std::string& column, const Deck& deck) {
   return {name.substr(0, dash), name.substr(dash + 1)};
 }
 
+/// Which pieces a body has is known once it is built.
 void check_names_of_bodies(const Deck& deck, KnownNames& bodies) {
   for (const auto& [name, boundary] : deck.boundaries) {
     bodies.look_up("boundaries." + name + ".body", boundary.body);
@@ -197,7 +198,7 @@ void check_names_of_bodies(const Deck& deck, KnownNames& bodies) {
         [&](const auto& kind) {
           if constexpr (requires { kind.body; }) {
             bodies.look_up(path + "." + std::remove_cvref_t<decltype(kind)>::deck_name + ".body",
-                           kind.body);
+                           body_of_part(kind.body));
           }
           if constexpr (requires { kind.column; }) {
             for (const auto& body : bodies_in(kind.column, deck)) {
@@ -208,7 +209,7 @@ void check_names_of_bodies(const Deck& deck, KnownNames& bodies) {
         measure.kind);
   }
   for (const auto& [name, probe] : deck.probes) {
-    bodies.look_up("probes." + name + ".body", probe.body);
+    bodies.look_up("probes." + name + ".body", body_of_part(probe.body));
   }
   for (const auto& [name, section] : deck.sections) {
     bodies.look_up("sections." + name + ".body", section.body);

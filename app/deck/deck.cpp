@@ -203,6 +203,11 @@ void describe(Schema& s, Deck& deck) {
             deck.max_cells, at_least(1));
 }
 
+std::string body_of_part(const std::string& name) {
+  const auto dot = name.find('.');
+  return dot == 0 ? name : name.substr(0, dot);
+}
+
 std::optional<Label> label_of(const Deck& deck, const std::string& body) {
   for (Label label = 0; label < deck.bodies.size(); ++label) {
     if (deck.bodies[label].name == body) return label;

@@ -143,6 +143,8 @@ void describe(Schema& s, Deck& deck);
 
 /// The label of the body of that name; none where there is no such body.
 std::optional<Label> label_of(const Deck& deck, const std::string& body);
+/// The body in the name of a body or of a piece of one: "wall" of "wall.1.0".
+std::string body_of_part(const std::string& name);
 
 /// The integration of a body of elements, `auto` resolved by its material.
 Integration integration_of(const Deck& deck, const deck::Body& body);

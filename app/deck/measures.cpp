@@ -19,7 +19,7 @@ bool is_component(std::string_view text, int components) {
 }
 
 void describe_field(Schema& s, std::string& body, std::string& field) {
-  s.text({"body", "name of a body", Need::required}, body);
+  s.text({"body", "name of a body, or of a piece of one: wall.1.0", Need::required}, body);
   s.text({"field", "a field or a component of one: temperature, stress.xx, velocity.magnitude",
           Need::required},
          field);
@@ -87,7 +87,7 @@ const char* shown_unit_of(const Measure& measure) {
 }
 
 void describe(Schema& s, ExtentMeasure& measure) {
-  s.text({"body", "name of a body", Need::required}, measure.body);
+  s.text({"body", "name of a body, or of a piece of one: wall.1.0", Need::required}, measure.body);
   s.choice({"axis", "axis along which it is measured", Need::required}, measure.axis, s.axes());
 }
 void describe(Schema& s, MinMeasure& measure) {
@@ -116,7 +116,7 @@ void describe(Schema& s, HistoryMeasure& measure) {
 }
 
 void describe(Schema& s, RestitutionMeasure& measure) {
-  s.text({"body", "name of a body", Need::required}, measure.body);
+  s.text({"body", "name of a body, or of a piece of one: wall.1.0", Need::required}, measure.body);
 }
 
 void describe(Schema& s, ExpressionMeasure& measure) {

@@ -3,7 +3,7 @@
 namespace brunt::deck {
 
 void describe(Schema& s, Probe& probe) {
-  s.text({"body", "name of a body", Need::required}, probe.body);
+  s.text({"body", "name of a body, or of a piece of one: wall.1.0", Need::required}, probe.body);
   s.list({"at", "a place at time 0", Need::required}, probe.at, {"m"}, Schema::kVector);
   s.names(
       {"fields",

@@ -30,7 +30,7 @@ struct SpeedMeasure {
 };
 
 inline void describe(Schema& s, SpeedMeasure& measure) {
-  s.text({"body", "name of a body", Need::required}, measure.body);
+  s.text({"body", "name of a body, or of a piece of one: wall.1.0", Need::required}, measure.body);
 }
 
 }  // namespace brunt::deck

@@ -7,6 +7,7 @@
 
 #include "app/scene/heat_windows.hpp"
 #include "app/scene/phases.hpp"
+#include "app/scene/pieces.hpp"
 #include "app/scene/probes.hpp"
 #include "app/scene/sections.hpp"
 #include "contact/manager/manager.hpp"
@@ -39,6 +40,7 @@ struct Scene {
   Real depth;                           ///< [m] plane strain
   Vec<Dim> origin;                      ///< [m] positions are relative to it
   std::vector<std::string> body_names;  ///< by label
+  std::vector<NamedPiece> pieces;       ///< by label of piece
   /// [m] by label: the smallest size of its elements or particles; 0: it has none
   std::vector<Real> body_size;
   std::vector<char> erodes;    ///< by label: elements of the body may go
@@ -105,6 +107,9 @@ struct Scene {
   BodyView view(Label body, const WantedFields& wanted = {}) const;
   /// What this rank has of it, copies of points included; absolute positions. Not collective.
   BodyView own_view(Label body, const WantedFields& wanted = {}) const;
+  /// The same of a body or one piece of it, by its name; that of no part is empty.
+  BodyView part_view(const std::string& name, const WantedFields& wanted = {}) const;
+  BodyView own_part_view(const std::string& name, const WantedFields& wanted = {}) const;
   /// The same of the particles that elements of the body have become, with the name
   /// "BODY.particles".
   BodyView own_converted(Label body, const WantedFields& wanted = {}) const;

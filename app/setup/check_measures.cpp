@@ -33,16 +33,16 @@ std::string columns_like(const std::string& column, const Names& columns) {
 }
 
 template <int Dim>
-Label label_of(const Scene<Dim>& scene, const std::string& body) {
-  const auto found = std::find(scene.body_names.begin(), scene.body_names.end(), body);
-  return static_cast<Label>(found - scene.body_names.begin());
+bool is_part(const Scene<Dim>& scene, const std::string& name) {
+  return part_named(scene.body_names, scene.pieces, name).has_value();
 }
 
 /// The fields that a body has: those of one of its elements or particles, for all are of one
 /// material.
 template <int Dim>
 Names fields_of(const Scene<Dim>& scene, const std::string& body) {
-  const BodyView view = scene.view(label_of(scene, body), WantedFields{.names = {}, .most = 1});
+  const BodyView view = scene.view(part_named(scene.body_names, scene.pieces, body)->body,
+                                   WantedFields{.names = {}, .most = 1});
   Names names;
   for (const auto* fields : {&view.point_fields, &view.cell_fields}) {
     for (const auto& field : *fields) {
@@ -62,10 +62,11 @@ std::string joined(const Names& names) {
 template <int Dim>
 bool has_mass(const LoadedDeck& loaded, const Scene<Dim>& scene, const std::string& name) {
   const auto& bodies = loaded.deck.bodies;
-  const auto body = std::find_if(bodies.begin(), bodies.end(),
-                                 [&](const auto& named) { return named.name == name; });
+  const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const auto& named) {
+    return named.name == body_of_part(name);
+  });
   if (body == bodies.end() || !body->value.rigid || follows_forces(body->value)) return true;
-  const auto view = scene.view(label_of(scene, name), kNoFields);
+  const auto view = scene.part_view(name, kNoFields);
   return std::any_of(view.point_mass.begin(), view.point_mass.end(),
                      [](Real mass) { return mass > 0; });
 }
@@ -74,9 +75,9 @@ bool has_mass(const LoadedDeck& loaded, const Scene<Dim>& scene, const std::stri
 template <int Dim>
 bool rests_at_start(const LoadedDeck& loaded, const Scene<Dim>& scene, const std::string& name) {
   for (const auto& boundary : loaded.deck.boundaries) {
-    if (boundary.value.body == name) return false;
+    if (boundary.value.body == body_of_part(name)) return false;
   }
-  const auto view = scene.view(label_of(scene, name), WantedFields{{{"velocity"}}});
+  const auto view = scene.part_view(name, WantedFields{{{"velocity"}}});
   return deck::SpeedMeasure::speed_of(view) == 0;
 }
 
@@ -88,13 +89,13 @@ std::string weights_problem(const LoadedDeck& loaded, const Scene<Dim>& scene, c
   constexpr bool mean = std::is_same_v<Kind, deck::MeanMeasure>;
   constexpr bool speed = std::is_same_v<Kind, deck::SpeedMeasure>;
   if constexpr (rebound || mean || speed) {
-    if (!contains(scene.body_names, kind.body)) return "";
+    if (!is_part(scene, kind.body)) return "";
     const std::string who = "'" + kind.body + "' ";
     if (!has_mass(loaded, scene, kind.body)) {
       const std::string why = who + "has no mass, for it is rigid and follows no forces; ";
       if (mean) return why + "write min, max or point instead";
-      return why + "the velocity of its centre is {history: {column: body." + kind.body +
-             ".velocity.x, reduce: last}}";
+      return why + "the velocity of its centre is {history: {column: body." +
+             body_of_part(kind.body) + ".velocity.x, reduce: last}}";
     }
     if (rebound && !wrong_elsewhere && rests_at_start(loaded, scene, kind.body)) {
       return who +
@@ -162,9 +163,9 @@ std::string reason_for(const std::string& field) {
 template <class Kind, int Dim>
 std::string part_problem(const Scene<Dim>& scene, const Kind& kind) {
   if (std::holds_alternative<deck::WhereAll>(kind.where)) return "";
-  if (!contains(scene.body_names, kind.body)) return "";
+  if (!is_part(scene, kind.body)) return "";
   const std::string name = kind.field.substr(0, kind.field.find('.'));
-  const BodyView view = scene.view(label_of(scene, kind.body), WantedFields{{{name}}});
+  const BodyView view = scene.part_view(kind.body, WantedFields{{{name}}});
   const bool cells = field_named(view.point_fields, name) == nullptr && view.n_cells() > 0;
   const auto held = held_at_start(kind.where, view, cells);
   if (std::find(held.begin(), held.end(), 1) != held.end()) return "";
@@ -203,7 +204,7 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
   std::map<std::string, Names> fields;
   const auto check_field = [&](const std::string& path, const auto& kind) {
     const std::string name = kind.field.substr(0, kind.field.find('.'));
-    if (!contains(scene.body_names, kind.body) || name.empty()) return;
+    if (!is_part(scene, kind.body) || name.empty()) return;
     auto [known, fresh] = fields.try_emplace(kind.body);
     if (fresh) known->second = fields_of(scene, kind.body);
     if (contains(known->second, name)) return;
@@ -217,6 +218,10 @@ void check_measures(const LoadedDeck& loaded, const Scene<Dim>& scene,
         [&](const auto& kind) {
           const std::string path =
               "measures." + named.name + "." + std::remove_cvref_t<decltype(kind)>::deck_name;
+          if constexpr (requires { kind.body; }) {
+            const auto wrong = piece_problem(scene.body_names, scene.pieces, kind.body);
+            if (!wrong.empty()) problems.push_back(loaded.places.problem(path + ".body", wrong));
+          }
           if constexpr (requires { kind.field; }) check_field(path, kind);
           if constexpr (requires { kind.where; }) {
             const auto part = part_problem(scene, kind);

@@ -169,6 +169,20 @@ void take_from_files(const Deck& deck, const std::vector<BodyGeometry<Dim>>& bod
                           " triangles of its file have no area and were left out");
   }
 }
+/// Names of pieces, by label: bodies have theirs one after another.
+template <int Dim>
+std::vector<NamedPiece> name_pieces(const Deck& deck,
+                                    const std::vector<BodyGeometry<Dim>>& bodies) {
+  std::vector<NamedPiece> pieces;
+  for (const auto& body : bodies) {
+    const std::string& whole = deck.bodies[body.label].name;
+    for (const auto& name : body.piece_names) {
+      pieces.push_back({body.label, name.empty() ? "" : whole + "." + name});
+    }
+  }
+  return pieces;
+}
+
 /// What a scene keeps of its bodies, by label.
 template <int Dim>
 void list_bodies(const Deck& deck, Scene<Dim>& scene) {
@@ -199,6 +213,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
                                             deck.depth);
   list_bodies(deck, *scene);
+  scene->pieces = name_pieces(deck, bodies);
   scene->sum_of_body = first_bonded(deck);
   scene->materials = make_materials(deck);
   take_from_files(deck, bodies, *scene);

@@ -59,11 +59,12 @@ void warn_of_places(const LoadedDeck& loaded, const Scene<Dim>& scene,
                         const std::vector<Real>& at) {
     const auto reported = [&](const DeckProblem& one) { return one.path == path; };
     if (std::any_of(warnings.begin(), warnings.end(), reported)) return;
-    const auto named = std::find(scene.body_names.begin(), scene.body_names.end(), body);
-    const auto label = static_cast<Label>(named - scene.body_names.begin());
+    const auto part = part_named(scene.body_names, scene.pieces, body);
+    if (!part) return;
+    const Label label = part->body;
     const deck::Body& given = loaded.deck.bodies[label].value;
     if (given.rigid) return;  // its surface alone has points
-    const Real far = find_place(scene.view(label, kNoFields), at).point_distance;
+    const Real far = find_place(scene.part_view(body, kNoFields), at).point_distance;
     if (far > scene.body_size[label]) {
       warn(path, "lies outside of '" + body + "': values of its nearest point are taken, " +
                      deck::length_text(far) + " away");

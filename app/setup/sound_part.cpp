@@ -52,7 +52,8 @@ LoadedDeck sound_part(const LoadedDeck& loaded, const std::vector<std::string>& 
   keep(deck.measures,
        [&](const auto& measure) { return !is_wrong("measures." + measure.name, wrong); });
   keep(deck.probes, [&](const auto& probe) {
-    return kept.contains(probe.value.body) && !is_wrong("probes." + probe.name, wrong);
+    return kept.contains(body_of_part(probe.value.body)) &&
+           !is_wrong("probes." + probe.name, wrong);
   });
   keep(deck.sections, [&](const auto& section) {
     return kept.contains(section.value.body) && !is_wrong("sections." + section.name, wrong);

@@ -78,12 +78,16 @@ void add_watches(const LoadedDeck& loaded, Scene<Dim>& scene, std::vector<DeckPr
     return !wrong.empty();
   };
   for (const auto& [name, given] : deck.probes) {
-    const auto body = label_of(deck, given.body);
-    if (!body) continue;  // reported by the deck's own checks
-    Probe probe;
-    probe.name = name, probe.body = *body;
-    if (refuse("probes." + name + ".fields", find_probe(given, scene.own_view(*body), probe)))
+    if (refuse("probes." + name + ".body",
+               piece_problem(scene.body_names, scene.pieces, given.body))) {
       continue;
+    }
+    const auto part = part_named(scene.body_names, scene.pieces, given.body);
+    if (!part) continue;  // reported by the deck's own checks
+    Probe probe;
+    probe.name = name, probe.body = part->body;
+    const BodyView view = scene.own_part_view(given.body);
+    if (refuse("probes." + name + ".fields", find_probe(given, view, probe))) continue;
     scene.probes.push_back(std::move(probe));
   }
   for (const auto& [name, given] : deck.sections) {

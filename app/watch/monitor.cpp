@@ -53,13 +53,6 @@ Monitor<Dim>::Monitor(const Deck& deck, HistoryWriter* history, FrameSink* frame
 }
 
 template <int Dim>
-Label Monitor<Dim>::label(const std::string& body) const {
-  const auto found = std::find(body_names_.begin(), body_names_.end(), body);
-  if (found == body_names_.end()) throw std::invalid_argument("there is no body '" + body + "'");
-  return static_cast<Label>(found - body_names_.begin());
-}
-
-template <int Dim>
 void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   collector_ = std::make_unique<HistoryColumns<Dim>>(scene);
   columns_ = collector_->names();
@@ -82,7 +75,7 @@ void Monitor<Dim>::keep_start(Scene<Dim>& scene) {
     names->insert(names->end(), reads->fields.names->begin(), reads->fields.names->end());
   }
   for (const auto& [name, fields] : wanted) {
-    real_.make_real(start_[name] = scene.view(label(name), fields));
+    real_.make_real(start_[name] = scene.part_view(name, fields));
   }
 }
 
@@ -314,7 +307,9 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
   if (!any_due) return;
   BodyView view;  // of one measure at a time; all ranks take part, the root evaluates
   const MeasureSource source{[&](const std::string& body) -> const BodyView& {
-                               label(body);  // throws where there is none
+                               if (!part_named(scene.body_names, scene.pieces, body)) {
+                                 throw std::invalid_argument("there is no body '" + body + "'");
+                               }
                                return view;
                              },
                              &start_, &columns_, &rows_};
@@ -323,9 +318,7 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
     if (!is_due(i)) continue;
     measured_[i] = true;
     const auto reads = reads_of(measure);
-    const bool there = reads && std::find(body_names_.begin(), body_names_.end(), reads->body) !=
-                                    body_names_.end();
-    view = there ? scene.view(label(reads->body), reads->fields) : BodyView{};
+    view = reads ? scene.part_view(reads->body, reads->fields) : BodyView{};
     real_.make_real(view);
     if (!scene.ranks->is_root()) continue;
     try {

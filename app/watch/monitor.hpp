@@ -113,7 +113,6 @@ class Monitor final : public Observer<Dim> {
   BodyView frame_part(const Scene<Dim>& scene, BodyView view, Real time) const;
   void check_step(Scene<Dim>& scene, const Clock& clock);
   void take_measures(Scene<Dim>& scene, Real time, bool at_end);
-  Label label(const std::string& body) const;
 
   const Deck& deck_;
   HistoryWriter* history_;

@@ -84,6 +84,13 @@ BodyView RigidSurfaces<Dim>::view(Label body, const WantedFields& wanted) const 
     }
     view.point_fields.push_back(std::move(temperature));
   }
+  if (wanted.names && wanted.has("piece")) {  // by name alone: most are of one
+    Field piece{"piece", 1, {}};
+    for (std::size_t i = 0; i < points_.x.size(); ++i) {
+      if (points_.body[i] == body) piece.values.push_back(static_cast<Real>(points_.piece[i]));
+    }
+    view.point_fields.push_back(std::move(piece));
+  }
   std::erase_if(view.point_fields, [&](const Field& field) { return !wanted.has(field.name); });
   return view;
 }

@@ -36,7 +36,7 @@ NOT_SEEN = {
         velocity-of-two-components""",
     "a name": """
         boundary-of-a-rigid-body contact-pairs-double 
-        history-column-unknown include-cycle include-not-found library-unknown
+        history-column-unknown piece-of-a-body include-cycle include-not-found library-unknown
         material-unknown parameter-unknown-and-unused stop-when-syntax stop-when-unknown""",
     "a mesh or a surface": """
         bodies-overlap boundary-of-no-points grading-of-one-cell mesh-wrong
