@@ -1,8 +1,8 @@
 #include "core/materials/initial_stress.hpp"
 
 #include <algorithm>
-#include <sstream>
 
+#include "core/materials/initial_text.hpp"
 #include "core/simd.hpp"
 
 namespace brunt {
@@ -10,13 +10,6 @@ namespace brunt {
 namespace {
 
 constexpr Real kShare = 1e-9;  // of a stress, by which a limit may be missed: what rounding takes
-
-std::string number(Real value) {
-  std::ostringstream out;
-  out.precision(4);
-  out << value;
-  return out.str();
-}
 
 /// Equivalent stress [Pa] of von Mises.
 Real equivalent(const PlacedStress& at) {
@@ -55,8 +48,7 @@ PlacedStress InitialStress::at(const Vec3& position) const {
   for (std::size_t c = 0; c < component.size(); ++c) {
     if (component[c]) at.value[c] = component[c](at.place);
     if (std::isfinite(at.value[c])) continue;
-    throw InitialStressError(body, "is no number at (" + number(at.place[0]) + ", " +
-                                       number(at.place[1]) + ", " + number(at.place[2]) + ") m");
+    throw InitialStressError(body, "is no number " + at_place(at.place));
   }
   return at;
 }
@@ -131,7 +123,7 @@ Real StressedStart::ratio(const PlacedStress& at) {
   constexpr Real kRounding = 1e-12;  // of the bulk modulus, as volumes are rounded
   if (!(std::abs(compress(r, of_deviator) - wanted) <= kRounding * material_.bulk)) {
     refuse(at, "the equation of state of '" + material_.name + "' has no pressure of " +
-                   number(wanted) + " Pa");
+                   short_number(wanted) + " Pa");
   }
   return r;
 }
@@ -162,7 +154,8 @@ void StressedStart::require_bearable(const PlacedStress& at) const {
   }
   if (p < -material_.tensile_cutoff * (1 + kShare)) {
     refuse(at, "'" + material_.name + "' bears a mean tension of " +
-                   number(material_.tensile_cutoff) + " Pa, and not " + number(-p) + " Pa");
+                   short_number(material_.tensile_cutoff) + " Pa, and not " + short_number(-p) +
+                   " Pa");
   }
 }
 
@@ -173,8 +166,8 @@ void StressedStart::require_held(const PlacedStress& at, Real r) {
   const Real size = std::max(q, std::abs(p));
   const Real flow = material_.strength->flow_stress(scratch_, 0, temperature_);
   if (q > flow * (1 + kShare)) {
-    refuse(at, "the equivalent stress of " + number(q) + " Pa is above the flow stress of '" +
-                   material_.name + "', " + number(flow) + " Pa");
+    refuse(at, "the equivalent stress of " + short_number(q) + " Pa is above the flow stress of '" +
+                   material_.name + "', " + short_number(flow) + " Pa");
   }
   asked_ = scratch_;
   MaterialTile tile = still_tile(asked_, r, r, temperature_);
@@ -185,12 +178,12 @@ void StressedStart::require_held(const PlacedStress& at, Real r) {
     lost = std::max(lost, std::abs(asked_.deviator[c][0] - scratch_.deviator[c][0]));
   }
   if (lost <= 1e-6 * size + 1e-12 * material_.bulk) return;
-  refuse(at, "'" + material_.name + "' does not hold it: " + number(lost) + " Pa of it are lost");
+  refuse(at,
+         "'" + material_.name + "' does not hold it: " + short_number(lost) + " Pa of it are lost");
 }
 
 void StressedStart::refuse(const PlacedStress& at, const std::string& why) const {
-  throw InitialStressError(stress_.body, "at (" + number(at.place[0]) + ", " + number(at.place[1]) +
-                                             ", " + number(at.place[2]) + ") m: " + why);
+  throw InitialStressError(stress_.body, at_place(at.place) + ": " + why);
 }
 
 }  // namespace brunt
