@@ -12,10 +12,11 @@ namespace brunt {
 template <int Dim>
 SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacing,
                                 std::vector<ParticleSet> sets, Real depth,
-                                std::vector<Label> sum_of_piece)
+                                std::vector<Label> sum_of_piece, Mirrors<Dim> mirrors)
     : points_(std::move(points)),
       depth_(Dim == 2 ? depth : 1.0),
-      sum_of_piece_(std::move(sum_of_piece)) {
+      sum_of_piece_(std::move(sum_of_piece)),
+      mirrors_(std::move(mirrors)) {
   assert(spacing.size() == points_.x.size());
   assert(std::is_sorted(points_.id.begin(), points_.id.end()));
   compress_masses(sets);
@@ -31,25 +32,26 @@ SphParticles<Dim>::SphParticles(Points<Dim> points, std::span<const Real> spacin
   if (any_conducts) start_conduction();
 }
 
-/// Room for n particles, owned and copies.
+/// Room for particles, owned and copies, and for what sums read of them and of their images.
 template <int Dim>
-void SphParticles<Dim>::hold(std::size_t n) {
-  state_.resize(n);
-  smoothing_length_.resize(n);
-  motion_.resize(n);
-  stress_.resize(n);
-  if (any_artificial()) artificial_.resize(n);
-  if (any_artificial() || wants_total()) channel_.resize(n);
-  if (wants_total()) total_.resize(n), total_record_.resize(n), place_.resize(n);
+void SphParticles<Dim>::hold(std::size_t n_points, std::size_t n_all) {
+  state_.resize(n_points);
+  if (any_artificial() || wants_total()) channel_.resize(n_points);
+  if (wants_total()) total_.resize(n_points), total_record_.resize(n_all);
+  if (wants_total() || mirrors_.any()) place_.resize(n_all);
+  smoothing_length_.resize(n_all);
+  motion_.resize(n_all);
+  stress_.resize(n_all);
+  if (any_artificial()) artificial_.resize(n_all);
   if (!any_single()) return;
-  single_motion_.resize(n);
-  single_stress_.resize(n);
-  if (any_artificial()) single_artificial_.resize(n);
+  single_motion_.resize(n_all);
+  single_stress_.resize(n_all);
+  if (any_artificial()) single_artificial_.resize(n_all);
 }
 
 template <int Dim>
 void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const Real> spacing) {
-  hold(n_owned());
+  hold(n_owned(), n_owned());
   block_of_.resize(n_owned());
   spacing_.assign(spacing.begin(), spacing.end());
   surface_.points = &points_;
@@ -85,7 +87,7 @@ void SphParticles<Dim>::take_sets(std::vector<ParticleSet> sets, std::span<const
     begin_under_stress(blocks_.back());
     for (const LocalIndex i : blocks_.back().set.particle) set_size(slot_of(i));
   }
-  hold(n_owned());  // what the sets need
+  hold(n_owned(), n_owned());  // what the sets need
   if (any_total()) start_total();
 }
 
@@ -107,7 +109,7 @@ void SphParticles<Dim>::refresh_motion() {
   using Record = MotionRecord<Dim>;
   refresh_places();
   const std::span<const Vec<Dim>> place = places();
-  for_each(state_.size(), [&](std::size_t i) {
+  for_each(points_.x.size(), [&](std::size_t i) {
     Real* record = motion_[i].data;
     for (int d = 0; d < Dim; ++d) {
       record[d] = place[i][d];
@@ -120,6 +122,7 @@ void SphParticles<Dim>::refresh_motion() {
         weighed_mass(i) / (total ? total_[i].volume : state_[i].volume);
     if (!single_motion_.empty()) set_single_motion(i);
   });
+  reflect_motion();
 }
 
 /// What of the spin w = curl v / 2 no shear accounts for: w max(0, 1 - 2 s/|w|), s^2 = D':D'/2 of
@@ -174,7 +177,7 @@ void SphParticles<Dim>::update_state(Real dt) {
   }
   refresh_motion();
   move_with_neighbours(dt);
-  if (!rides()) still_.look(watch_, points_);
+  if (!rides()) still_.look(watch_, points_, images_);
   refresh_gradients();
   if (any_total()) advance_total(dt);
   if (surface_.needs_spin) publish_spins();

@@ -13,6 +13,7 @@
 #include "sph/force_sums.hpp"
 #include "sph/gradient_sums.hpp"
 #include "sph/list_watch.hpp"
+#include "sph/mirrors.hpp"
 #include "sph/neighbour_rows.hpp"
 #include "sph/options.hpp"
 #include "sph/records.hpp"
@@ -106,10 +107,11 @@ class SphParticles final : public Solid<Dim> {
   /// sets  each particle in exactly one of them
   /// depth  [m] of a 2D scene, contained in the masses; 1 in 3D
   /// sum_of_piece  by piece, a label of the sum that it shares with others; empty: that of its body
+  /// mirrors  planes of symmetry and the sums that lie on them
   /// Throws InitialStressError or InitialTemperatureError where a material cannot begin with those
   /// of its set.
   SphParticles(Points<Dim> points, std::span<const Real> spacing, std::vector<ParticleSet> sets,
-               Real depth = 1, std::vector<Label> sum_of_piece = {});
+               Real depth = 1, std::vector<Label> sum_of_piece = {}, Mirrors<Dim> mirrors = {});
   /// The part of a whole, at time 0, whose particles this rank owns, with copies of those of other
   /// ranks within reach. partition and ranks outlive it. Collective; so are, from here on,
   /// rearrange, update_state and refresh_state.
@@ -190,7 +192,7 @@ class SphParticles final : public Solid<Dim> {
   bool is_total(std::size_t i) const { return !total_.empty() && total_[i].volume > 0; }
   bool is_gone(std::size_t i) const { return is_total(i) && total_[i].seen == 0; }
   /// Where gradients are taken.
-  std::span<const Vec<Dim>> places() const { return total_.empty() ? points_.x : place_; }
+  std::span<const Vec<Dim>> places() const { return place_.empty() ? points_.x : place_; }
   void refresh_places();
   void start_total();
   void advance_total(Real dt);
@@ -205,7 +207,7 @@ class SphParticles final : public Solid<Dim> {
                               const MonaghanViscosity& viscosity);
   Real bound_of_total(std::size_t i, Real step) const;
   std::size_t n_owned() const { return points_.owned(); }
-  void hold(std::size_t n);
+  void hold(std::size_t n_points, std::size_t n_all);
   void label_sums();
   void publish_spins();
   void publish_materials();
@@ -214,7 +216,16 @@ class SphParticles final : public Solid<Dim> {
   void begin_under_stress(ParticleBlock& block);
   Real start_temperature(const ParticleSet& set, std::size_t i) const;
   void begin_temperatures(ParticleBlock& block);
-  void renew_ghosts(Real skin);
+  Real depth_behind_mirrors() const;
+  MirrorAxes mirrors_near(std::size_t i, Label sum, Real reach) const;
+  void add_mirrored(std::vector<SearchBox<Dim>>& wanted, Real skin, Real reach) const;
+  void renew_images(Real reach);
+  std::vector<GlobalId> ids_in_rows() const;
+  bool images_hold() const;
+  void place_images();
+  void reflect_motion();
+  void reflect_stress();
+  void renew_ghosts(Real skin, Real reach);
   void refresh_ghost_positions();
   bool sums_hold(bool mine_hold) const;
   bool lists_hold() const;
@@ -278,11 +289,13 @@ class SphParticles final : public Solid<Dim> {
   std::vector<Real> smoothing_length_;           // [m] h, of the volume at n+1 where it adapts
   Real depth_;                                   // [m]
   std::vector<Label> sum_of_piece_;              // empty: a body is one sum
-  std::vector<Label> sum_;                       // of each particle, copies too
+  std::vector<Label> sum_;                       // of each particle, copies and images too
+  Mirrors<Dim> mirrors_;
+  std::vector<MirrorImage> images_;  // behind all particles in the records that sums read
 
   std::vector<TotalState<Dim>> total_;          // empty: all are updated
   std::vector<TotalRecord<Dim>> total_record_;  // the same
-  std::vector<Vec<Dim>> place_;                 // [m] where gradients are taken; the same
+  std::vector<Vec<Dim>> place_;                 // [m] where gradients are taken; empty: points_.x
   bool keeps_total_rows_ = false;               // their rows are of these lists
 
   std::vector<MotionRecord<Dim>> motion_;

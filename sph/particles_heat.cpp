@@ -75,7 +75,7 @@ void SphParticles<Dim>::take_temperatures() {
 /// Publishes temperature, conductivity and 1/sqrt(lambda), to copies too.
 template <int Dim>
 void SphParticles<Dim>::refresh_heat() {
-  heat_.resize(state_.size());
+  heat_.resize(motion_.size());
   for (const auto& block : blocks_) {
     const Varying& k = block.set.material->conductivity;
     for_each(block.set.particle.size(), [&](std::size_t slot) {
@@ -87,7 +87,6 @@ void SphParticles<Dim>::refresh_heat() {
       record[HeatRecord::kVolume] = motion_[i].data[MotionRecord<Dim>::kVolume];
     });
   }
-  if (ranks_->alone()) return;
   constexpr std::size_t width = HeatRecord::kCount;
   refresh_ghosts(
       *ranks_, ghosts_, width,
@@ -96,6 +95,9 @@ void SphParticles<Dim>::refresh_heat() {
         std::copy_n(in, width, heat_[i].data);
         heat_[i].data[HeatRecord::kVolume] = motion_[i].data[MotionRecord<Dim>::kVolume];
       });
+  for (std::size_t k = 0; k < images_.size(); ++k) {
+    heat_[points_.x.size() + k] = heat_[images_[k].of];
+  }
 }
 
 /// rate, conductance  [W], [W/K] of owned points, accumulated

@@ -41,7 +41,7 @@ Real least_of_acceleration(Real step, Real h, Real square) {
 /// copies every particle that they need. One reduction.
 template <int Dim>
 bool SphParticles<Dim>::lists_hold() const {
-  const bool mine_hold = watch_.covers(places(), smoothing_length_);
+  const bool mine_hold = watch_.covers(places(), smoothing_length_) && images_hold();
   return ranks_->alone() ? mine_hold : sums_hold(mine_hold);
 }
 
@@ -79,14 +79,20 @@ void SphParticles<Dim>::rearrange() {
   for (std::size_t i = 0; i < n_owned(); ++i) longest = std::max(longest, smoothing_length_[i]);
   longest = ranks_->max(longest);
   const Real skin = skin_ratio_ * longest;
-  refresh_places();
-  if (!ranks_->alone()) renew_ghosts(skin);
+  images_.clear();
   label_sums();
   refresh_places();
+  const Real reach = longest + skin + (mirrors_.any() ? depth_behind_mirrors() : 0);
+  if (!ranks_->alone()) {
+    renew_ghosts(skin, reach);
+    label_sums();
+    refresh_places();
+  }
+  renew_images(reach);
   rows_.forget();
   rows_.assign(shared_neighbours<Dim>(places(), smoothing_length_, sum_, skin, points_.n_owned,
                                       NeighbourRows<Dim>::kShare, search_));
-  if (!ranks_->alone()) rows_.merge_copies(points_.id, points_.n_owned);
+  if (!ranks_->alone()) rows_.merge_copies(ids_in_rows(), points_.n_owned);
   watch_.start(places(), sum_, smoothing_length_, skin);
   still_.start(watch_, n_owned());
   ++n_searches_;

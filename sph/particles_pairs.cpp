@@ -58,7 +58,7 @@ void SphParticles<Dim>::set_single_motion(std::size_t i) {
 template <int Dim>
 void SphParticles<Dim>::refresh_single_stress() {
   const bool artificial = any_artificial();
-  for_each(state_.size(), [&](std::size_t i) {
+  for_each(stress_.size(), [&](std::size_t i) {
     const Real* stress = stress_[i].data;
     for (int k = 0; k <= StressRecord<Dim>::kTension; ++k) {
       single_stress_[i].data[k] = static_cast<float>(stress[k]);
@@ -163,7 +163,7 @@ template <int Dim>
 void SphParticles<Dim>::add_directions(LocalIndex i, std::span<const LocalIndex> row,
                                        const Real* weights, Real (&near)[kSymmetric<Dim>]) const {
   for (std::size_t n = 0; n < row.size(); ++n) {
-    const Vec<Dim> arm = points_.x[row[n]] - points_.x[i];
+    const Vec<Dim> arm = places()[row[n]] - places()[i];
     const Real square = arm.squaredNorm();
     if (row[n] == i || square == 0) continue;
     const Real scale = weights[n] / square;
@@ -266,8 +266,10 @@ template <int Dim>
 void SphParticles<Dim>::seed_step_limits() {
   refresh_motion();
   refresh_gradients();
+  if (any_total()) refresh_total_records(), refresh_total_ghosts();
+  reflect_stress();
   if (any_single()) refresh_single_stress();
-  if (any_total()) refresh_total_records(), refresh_total_ghosts(), place_total_records();
+  if (any_total()) place_total_records();
   for (const auto& block : blocks_) {
     sum_block_forces(block, {0, 0}, [&](LocalIndex i, const ForceSums<Dim>& sums) {
       state_[i].speed = sums.speed;
@@ -302,6 +304,7 @@ void SphParticles<Dim>::take_forces(const ParticleBlock& block, LocalIndex i,
 template <int Dim>
 void SphParticles<Dim>::add_internal_forces(Real dt) {
   if (held_) return;
+  reflect_stress();
   if (!rides()) still_.look_again(watch_);
   if (any_single()) refresh_single_stress();
   if (any_total()) place_total_records();

@@ -37,6 +37,7 @@ SphParticles<Dim>::SphParticles(const SphParticles& whole, const Partition& part
                                 const Communicator& ranks)
     : depth_(whole.depth_),
       sum_of_piece_(whole.sum_of_piece_),
+      mirrors_(whole.mirrors_),
       unit_(whole.unit_),
       held_(whole.held_),
       ranks_(&ranks),
@@ -105,7 +106,7 @@ std::vector<Arrived<Dim>> sorted_arrivals(const std::vector<Bytes>& from, int ow
 /// Copies of all particles of other ranks that may come within reach of an own one before the
 /// lists are renewed.
 template <int Dim>
-void SphParticles<Dim>::renew_ghosts(Real skin) {
+void SphParticles<Dim>::renew_ghosts(Real skin, Real reach) {
   const std::size_t n = n_owned();
   std::vector<SearchBox<Dim>> boxes;
   std::vector<std::size_t> awake;
@@ -114,7 +115,9 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
     awake.push_back(i);
     boxes.push_back(SearchBox<Dim>::about(places()[i], smoothing_length_[i] + 0.5 * skin));
   }
-  auto send = who_wants<Dim>(*ranks_, boxes, boxes);
+  auto wanted = boxes;
+  add_mirrored(wanted, skin, reach);
+  auto send = who_wants<Dim>(*ranks_, boxes, wanted);
   std::vector<Bytes> to;
   for (auto& list : send) {
     std::vector<Visitor<Dim>> visitors;
@@ -137,7 +140,7 @@ void SphParticles<Dim>::renew_ghosts(Real skin) {
   std::vector<LocalIndex> own(n);
   for (std::size_t i = 0; i < n; ++i) own[i] = static_cast<LocalIndex>(i);
   points_.keep(own, points_.n_owned);
-  hold(n + arrived.size());
+  hold(n + arrived.size(), n + arrived.size());
   for (std::size_t k = 0; k < arrived.size(); ++k) {
     const auto& one = arrived[k].one;
     fill[arrived[k].rank][arrived[k].index] = static_cast<LocalIndex>(n + k);
@@ -209,10 +212,12 @@ bool SphParticles<Dim>::sums_hold(bool mine_hold) const {
     if (sleeps(i)) continue;
     const auto sum = std::lower_bound(sums_.begin(), sums_.end(), sum_[i]);
     Real* own = extremes.data() + slot_of(sum - sums_.begin()) * width;
+    const MirrorAxes across = mirrors_.across(sum_[i]);
     for (int c = 0; c < Dim; ++c) {
       const Real u = places()[i][c] - watch_.x()[i][c];
-      own[2 * c] = std::max(own[2 * c], -u);
-      own[2 * c + 1] = std::max(own[2 * c + 1], u);
+      const Real opposite = is_across(across, c) ? std::fabs(u) : -kInfinity;  // of an image
+      own[2 * c] = std::max({own[2 * c], -u, opposite});
+      own[2 * c + 1] = std::max({own[2 * c + 1], u, opposite});
     }
     own[2 * Dim] = std::max(own[2 * Dim], smoothing_length_[i] - watch_.reach()[i]);
   }
@@ -241,8 +246,8 @@ template std::vector<Real> SphParticles<2>::point_work() const;
 template std::vector<Real> SphParticles<3>::point_work() const;
 template SphParticles<2>::SphParticles(const SphParticles&, const Partition&, const Communicator&);
 template SphParticles<3>::SphParticles(const SphParticles&, const Partition&, const Communicator&);
-template void SphParticles<2>::renew_ghosts(Real);
-template void SphParticles<3>::renew_ghosts(Real);
+template void SphParticles<2>::renew_ghosts(Real, Real);
+template void SphParticles<3>::renew_ghosts(Real, Real);
 template void SphParticles<2>::refresh_ghost_positions();
 template void SphParticles<3>::refresh_ghost_positions();
 template void SphParticles<2>::refresh_state();

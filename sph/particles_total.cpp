@@ -50,9 +50,10 @@ void SphParticles<Dim>::start_total() {
 
 template <int Dim>
 void SphParticles<Dim>::refresh_places() {
-  if (total_.empty()) return;
+  if (place_.empty()) return;
   for_each(points_.x.size(),
            [&](std::size_t i) { place_[i] = is_total(i) ? points_.x_start[i] : points_.x[i]; });
+  place_images();
 }
 
 template <int Dim>
@@ -165,11 +166,14 @@ void SphParticles<Dim>::refresh_total_ghosts() {
       });
 }
 
-/// Where particles are now, copies too.
+/// Where particles are now, copies and images too.
 template <int Dim>
 void SphParticles<Dim>::place_total_records() {
-  for_each(points_.x.size(), [&](std::size_t i) {
-    for (int d = 0; d < Dim; ++d) total_record_[i].data[d] = points_.x[i][d];
+  const std::size_t n = points_.x.size();
+  for_each(total_record_.size(), [&](std::size_t i) {
+    const Vec<Dim> x = i < n ? points_.x[i]
+                             : mirrors_.reflected(points_.x[images_[i - n].of], images_[i - n].axes);
+    for (int d = 0; d < Dim; ++d) total_record_[i].data[d] = x[d];
   });
 }
 

@@ -20,10 +20,12 @@ void StillZones<Dim>::start(const ListWatch<Dim>& watch, std::size_t n_owned) {
 }
 
 template <int Dim>
-void StillZones<Dim>::look(const ListWatch<Dim>& watch, const Points<Dim>& points) {
+void StillZones<Dim>::look(const ListWatch<Dim>& watch, const Points<Dim>& points,
+                           std::span<const MirrorImage> images) {
   if (all_stirred()) return;
   const auto moves = [&](LocalIndex i) {
-    const auto k = slot_of(i);
+    const std::size_t n = points.x.size();
+    const std::size_t k = slot_of(i) < n ? slot_of(i) : slot_of(images[slot_of(i) - n].of);
     bool any = false;
     for (int d = 0; d < Dim; ++d) {
       any = any || points.v[k][d] != 0 || points.x[k][d] != watch.x()[k][d];

@@ -5,6 +5,7 @@
 
 #include "core/points.hpp"
 #include "sph/list_watch.hpp"
+#include "sph/mirrors.hpp"
 
 namespace brunt {
 
@@ -29,7 +30,9 @@ class StillZones {
   /// True where nothing is left that might be left out.
   bool all_stirred() const { return n_stirred_ == stirred_.size(); }
   /// Once the points have their places and velocities of a step: finds zones that move.
-  void look(const ListWatch<Dim>& watch, const Points<Dim>& points);
+  /// images  behind the points in the lists: they move as what they are of
+  void look(const ListWatch<Dim>& watch, const Points<Dim>& points,
+            std::span<const MirrorImage> images = {});
   /// Before forces, once all stresses of the step are known: leaves out fewer, never more.
   void look_again(const ListWatch<Dim>& watch);
   /// True where the step computes nothing of an owned particle.
@@ -41,7 +44,7 @@ class StillZones {
   bool settle(const ListWatch<Dim>& watch);
   void find_left_out();
 
-  std::vector<LocalIndex> zone_of_;  // of each particle, owned and copies
+  std::vector<LocalIndex> zone_of_;  // of each particle, copies and images too
   std::vector<char> stirred_;        // of each zone
   std::vector<char> near_;           // whether it or one that touches it is stirred
   std::vector<char> left_out_;       // of each owned particle

@@ -185,11 +185,13 @@ void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, 
     if (!wrong.empty()) problems.push_back(loaded.places.problem(path, wrong));
   });
 }
-/// Holds a body of elements on a plane of symmetry; what is wrong with it, or nothing.
+/// Holds a body of elements on a plane of symmetry; what is wrong with it, or nothing. Particles
+/// have images instead (app/setup/mirrors.hpp).
 template <int Dim>
 std::string add_mirror(const LoadedDeck& loaded, Label label, int axis, Scene<Dim>& scene) {
   const auto& [name, body] = loaded.deck.bodies[label];
-  Solid<Dim>* solid = body.rigid ? nullptr : solid_of(scene, label);
+  const bool held = !body.rigid && body.method != deck::Method::sph;  // particles have images
+  Solid<Dim>* solid = held ? solid_of(scene, label) : nullptr;
   if (!solid) return "";
   const Real at = *loaded.deck.symmetry->across(axis), size = scene.body_size[label];
   const Choose<Dim> choose{solid->points(), solid->surface(), scene.origin,
@@ -199,10 +201,8 @@ std::string add_mirror(const LoadedDeck& loaded, Label label, int axis, Scene<Di
     least = std::min(least, choose.place(i)[axis] - at);
     most = std::max(most, choose.place(i)[axis] - at);
   }
-  const bool particles = body.method == deck::Method::sph;
-  const Real reach = particles ? size : 0.1 * size;
+  const Real reach = 0.1 * size;
   if (least > reach || most < -reach) return "";
-  if (particles) return "'" + name + "' is of particles, which planes of symmetry do not hold";
   if (least < -reach && most > reach) {
     return "'" + name + "' lies on both sides of the plane: take the half of it away";
   }

@@ -8,6 +8,7 @@
 #include "app/setup/heat.hpp"
 #include "app/setup/initial_temperature.hpp"
 #include "app/setup/materials.hpp"
+#include "app/setup/mirrors.hpp"
 #include "core/geometry/curve.hpp"
 #include "core/open_surface.hpp"
 #include "fe/finite_elements.hpp"
@@ -208,6 +209,17 @@ Real mean_spacing(const BodyGeometry<Dim>& body) {
   return std::pow(body.volume / static_cast<Real>(body.points.size()), 1.0 / Dim);
 }
 
+/// [m] By label, the longest of a lattice along its axes; of bodies of elements nothing is meant.
+template <int Dim>
+std::vector<Real> lattice_spacings(const LoadedDeck& loaded,
+                                   const std::vector<BodyGeometry<Dim>>& bodies) {
+  std::vector<Real> spacing(loaded.deck.bodies.size());
+  for (const auto& body : bodies) {
+    for (const Real one : body.spacing) spacing[body.label] = std::max(spacing[body.label], one);
+  }
+  return spacing;
+}
+
 /// Particles of formulation: total keep the neighbours of time 0: a sheet would be one for ever.
 template <int Dim>
 void require_thick_total(const LoadedDeck& loaded, const SphParticles<Dim>& particles) {
@@ -269,9 +281,12 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
   }
   for (const std::size_t b : chosen) bodies[b].forget_mesh();
   gathered.from = {}, gathered.place_of = {};
-  auto particles = std::make_unique<SphParticles<Dim>>(std::move(gathered.points), spacing,
-                                                       std::move(sets), Dim == 2 ? scene.depth : 1,
-                                                       sums_of_pieces(loaded.deck, bodies));
+  std::vector<Label> sums = sums_of_pieces(loaded.deck, bodies);
+  Mirrors<Dim> mirrors =
+      mirrors_of(loaded, scene, gathered.points, lattice_spacings(loaded, bodies), sums);
+  auto particles = std::make_unique<SphParticles<Dim>>(
+      std::move(gathered.points), spacing, std::move(sets), Dim == 2 ? scene.depth : 1,
+      std::move(sums), std::move(mirrors));
   particles->set_search(loaded.deck.contact.search);
   require_thick_total(loaded, *particles);
   return particles;
