@@ -187,7 +187,7 @@ void describe(Schema& s, Deck& deck) {
           deck::body_of(deck.quality));
   s.object({"contact", "all bodies may touch all others"}, deck.contact);
   s.named({"boundaries", "supports and loads by name"}, deck.boundaries, true);
-  s.object({"symmetry", "planes of symmetry: what lies on them at time 0 moves along them"},
+  s.object({"symmetry", "planes of symmetry: nodes on them at time 0 move along them, particles see their images"},
            deck.symmetry);
   deck::describe_gravity(s, deck.gravity);
   s.object({"damping", "mass-proportional, to settle"}, deck.damping);

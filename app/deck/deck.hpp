@@ -75,8 +75,8 @@ struct Stop {
   std::string when;  ///< an expression over history columns [SI], with "="; empty: none
 };
 
-/// Planes that cut bodies of elements in halves, of which one is there: points on them at time 0
-/// move along them.
+/// Planes that cut bodies in halves, of which one is there: nodes on them at time 0 move along
+/// them, particles see their images beyond them.
 struct Symmetry {
   std::optional<Real> x, y, z;  ///< [m] place of the plane across this axis
   const std::optional<Real>& across(int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }

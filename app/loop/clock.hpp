@@ -47,9 +47,13 @@ class Clock {
     Real dt = safety_ * step_limit.step;
     if (planned_step_ == 0 && step_limit.of_material()) planned_step_ = std::min(dt, max_step_);
     if (dt > max_step_) dt = max_step_, whose_ = {max_step_, "max_step", 0, 0};
-    if (ends(dt)) dt = end_ - time_, last_ = true;
-    return dt;
+    if (!ends(dt)) return dt;
+    last_ = true, shortened_ = end_ - time_ < 0.99 * dt;
+    return end_ - time_;
   }
+  /// True if the last step was the one that `end` shortened, by more than a hundredth. What a change
+  /// of the step leaves in the kinetic energy is that of no other.
+  bool shortened() const { return shortened_; }
   /// True if a step under this step limit would be shortened by `end`.
   bool shortens(const StepLimit& step_limit) const { return ends(unshortened(step_limit)); }
   /// The step [s] under this step limit if there were no `end`.
@@ -75,7 +79,7 @@ class Clock {
   void load_state(const StateTables& tables) {
     load_row(
         "clock", [&](auto& row) { visit(row, *this); }, tables);
-    last_ = stopped_ = false;
+    last_ = stopped_ = shortened_ = false;
     whose_.reason = "before the restart";
   }
 
@@ -99,7 +103,7 @@ class Clock {
   Real planned_step_ = 0;
   Real time_ = 0, dt_ = 0;
   std::int64_t step_ = 0;
-  bool last_ = false, stopped_ = false;
+  bool last_ = false, stopped_ = false, shortened_ = false;
   StepLimit whose_;
   StepBounds bounds_;
 };

@@ -36,8 +36,8 @@ std::map<Label, Extent> extents(const Points<Dim>& points, int axis, Real at,
 std::string obstacle(const Extent& one, const std::string& body) {
   if (one.nearest < kOn) {
     return "particles of '" + body +
-           "' lie on the plane, and would coincide with their images: they stand half a spacing "
-           "beside it where the body ends at the plane";
+           "' lie on the plane, and would coincide with their images: let its shape end at the "
+           "plane, which leaves them half a spacing beside it";
   }
   if (one.least < 0 && one.most > 0) {
     return "'" + body + "' lies on both sides of the plane: take the half of it away";

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/setup/materials.hpp"
+#include "app/setup/rigid_symmetry.hpp"
 #include "contact/geometry/particle_face.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/rigid/half_thickness.hpp"
@@ -160,6 +161,24 @@ RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& 
   return motion;
 }
 
+namespace {
+/// One without `motion` of its own, on the planes of symmetry at which it ends.
+template <int Dim>
+void hold_on_planes(const LoadedDeck& loaded, const Scene<Dim>& scene, const Points<Dim>& points,
+                    std::span<const Facet<Dim>> facets, FreeBody<Dim>& made,
+                    std::vector<DeckProblem>& problems) {
+  const auto& [name, body] = loaded.deck.bodies[made.body];
+  for (int axis = 0; loaded.deck.symmetry && !body.motion && axis < Dim; ++axis) {
+    const auto& at = loaded.deck.symmetry->across(axis);
+    if (!at) continue;
+    const std::string wrong =
+        hold_on_plane<Dim>(points, facets, axis, *at - scene.origin[axis], made);
+    const std::string path = std::string("symmetry.") + static_cast<char>('x' + axis);
+    if (!wrong.empty()) problems.push_back(loaded.places.problem(path, "'" + name + "' " + wrong));
+  }
+}
+}  // namespace
+
 template <int Dim>
 std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<Dim>& scene,
                                           Surface<Dim>& surface,
@@ -186,6 +205,7 @@ std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<
           mass_properties<Dim>(points, facets, material->density, scene.geometry, scene.depth);
       set_freedom(body, scene.geometry, one);
       set_state<Dim>(body, properties, scene.origin, one);
+      hold_on_planes<Dim>(loaded, scene, points, facets, one, problems);
       set_prescribed_start(one);
       set_facets<Dim>(*material, properties, one, points, facets);
     } catch (const std::invalid_argument& error) {

@@ -220,7 +220,7 @@ void FreeBodies<Dim>::take_forces(const Sums& sums, FreeBody<Dim>& body) {
   body.point_force = sums.force(), body.point_torque = sums.torque();
   body.force = body.point_force + body.load_force;
   body.torque = body.point_torque + body.load_torque;
-  if (body.turns) state.torque = body.torque;
+  if (body.turns) state.torque = body.turns_about.cwiseProduct(body.torque);
   state.a = body.force / state.mass;
 }
 

@@ -22,6 +22,7 @@ struct FreeBody {
   RigidMotion<Dim> prescribed;      ///< of what is not free
   std::array<bool, Dim> free{};     ///< components of its velocity
   bool turns = false;               ///< it turns by its torques, else as prescribed
+  Vec3 turns_about = Vec3::Ones();  ///< [1] 1 of axes that torques turn it about, 0 of others
   Vec3 center = Vec3::Zero();       ///< [m] of mass, at time 0
   Vec3 load_force = Vec3::Zero();   ///< [N] accumulated: what acts on it as a whole
   Vec3 load_torque = Vec3::Zero();  ///< [N m] about its centre

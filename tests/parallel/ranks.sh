@@ -64,6 +64,7 @@ cases=(
   "strip-rolling 0.8_ms parameters.end=1.5_ms measures=null"
   "decks/driven 30_us"
   "decks/total 0.15_ms"
+  "decks/mirrored 3_us"
   "decks/tets 2_us"
   "decks/stressed 3_us"
   "decks/still 2_us"
