@@ -319,13 +319,6 @@ void check_bodies(const Deck& deck, Findings& findings) {
   if (!findings.sound("bodies") || !findings.stands("bodies")) return;
   if (deck.bodies.empty()) {
     findings.wrong("bodies", "there is no body: add one, with `shape`, `material` and `size`");
-  } else if (std::all_of(deck.bodies.begin(), deck.bodies.end(), [](const auto& body) {
-               return body.value.rigid && !follows_forces(body.value);
-             })) {
-    findings.wrong("bodies",
-                   "all bodies are rigid and none is free, and nothing is left to compute: one "
-                   "that deforms has `material` and `size`, and no rigid: true; one that is free "
-                   "has a `material` and no motion");
   }
 }
 

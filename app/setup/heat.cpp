@@ -115,4 +115,18 @@ GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string
   return {conducts, held, body.rigid, conducts && deck::follows_forces(body)};
 }
 
+void check_anything_is_computed(const LoadedDeck& loaded, std::vector<DeckProblem>& problems) {
+  const Deck& deck = loaded.deck;
+  const bool any = std::any_of(deck.bodies.begin(), deck.bodies.end(), [&](const auto& one) {
+    const auto& [name, body] = one;
+    return !body.rigid || deck::follows_forces(body) || group_kind(deck, body, name).conducts;
+  });
+  if (any) return;
+  problems.push_back(loaded.places.problem(
+      "bodies",
+      "all bodies are rigid, none is free and none conducts heat, and nothing is left to compute: "
+      "one that deforms has `material` and `size`, and no rigid: true; one that is free has a "
+      "`material` and no motion"));
+}
+
 }  // namespace brunt

@@ -40,6 +40,8 @@ struct GroupKind {
   bool operator==(const GroupKind&) const = default;
 };
 GroupKind group_kind(const Deck& deck, const deck::Body& body, const std::string& name);
+/// Whether no body deforms, follows its forces or conducts heat.
+void check_anything_is_computed(const LoadedDeck& loaded, std::vector<DeckProblem>& problems);
 inline constexpr GroupKind kGroupKinds[] = {{false, false}, {true, false}, {true, true}};
 inline constexpr GroupKind kFreeConductors{true, true, true, true};
 inline constexpr GroupKind kRigidConductors{true, true, true};

@@ -209,6 +209,7 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
   }
 
   check_bonds(loaded, problems);
+  check_anything_is_computed(loaded, problems);
   if (!problems.empty()) throw DeckError(problems);
   auto scene = std::make_unique<Scene<Dim>>(rounded_center(bodies, deck.geometry), deck.geometry,
                                             deck.depth);

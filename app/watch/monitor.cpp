@@ -96,7 +96,7 @@ void Monitor<Dim>::stop(Clock& clock, std::string reason) {
 
 template <int Dim>
 std::vector<RunWarning> Monitor<Dim>::body_warnings() const {
-  std::vector<RunWarning> warnings;
+  std::vector<RunWarning> warnings = shear_bands_;
   for (const auto& [body, text] : artificial_tension_.all()) {
     warnings.push_back({artificial_stress_path(body), text});
   }
@@ -353,6 +353,8 @@ void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
   if (row_times_.last() != clock.time()) write_row(scene, clock);
   if (last_frame_ != clock.time()) write_frame(scene, clock.time());
   take_measures(scene, clock.time(), true);
+  shear_bands_ = find_shear_bands(scene, deck_);
+  for (const auto& warning : shear_bands_) warn(warning);
   end_hash_ = scene.totals(clock.dt(), true).state_hash;
   if (history_) history_->flush();
 }

@@ -21,6 +21,7 @@
 #include "app/watch/real_values.hpp"
 #include "app/watch/row_times.hpp"
 #include "app/watch/run_watch.hpp"
+#include "app/watch/shear_bands.hpp"
 #include "app/watch/stops.hpp"
 #include "app/watch/thin_bodies.hpp"
 #include "io/history.hpp"
@@ -82,7 +83,7 @@ class Monitor final : public Observer<Dim> {
   const std::vector<RunWarning>& warned() const { return watch_.warned(); }
   /// Where the energy went that is neither physics nor dissipation, as of the last row.
   EnergyShares energy_shares() const;
-  /// Of artificial stress that carries too much, and of bodies that became thin.
+  /// Of artificial stress that carries too much, of bodies that became thin, of shear bands.
   std::vector<RunWarning> body_warnings() const;
   const StepCheck& step_check() const { return step_check_; }
   /// How much inertia takes part, as of the last row; none where the process is not made faster.
@@ -135,6 +136,7 @@ class Monitor final : public Observer<Dim> {
   std::vector<CreatedEnergy> created_;
   ArtificialTensionWarnings artificial_tension_;
   ThinBodyWarnings thin_;
+  std::vector<RunWarning> shear_bands_;  // of the end
   InertiaWatch inertia_;
   RealValues real_;
   StepCheck step_check_;

@@ -258,6 +258,27 @@ contact: {default: {friction: {table: [[300, 0.1], [400, 0.5]], over: temperatur
   EXPECT_NEAR(1 - run.last("body.right.velocity.x"), 0.5 * fall, 0.01 * fall);
 }
 
+// Of bodies that are all rigid heat is computed.
+TEST(InitialTemperature, ALoneRigidBarEvensOut) {
+  const auto run = simulate_text(R"yaml(
+title: a rigid bar evens out on its way
+geometry: 3d
+time: {end: 3 s}
+materials: {steel: {density: 7850, elastic: {E: 200 GPa, nu: 0.3}, thermal: {k: 44.5, cp: 475}}}
+bodies:
+  bar:
+    rigid: true
+    material: steel
+    motion: {velocity: [1 mm/s, 0, 0]}
+    temperature: "= 300 + 100*cos(pi*y/0.02)"
+    shape: {box: {min: [0, 0, 0], max: [4 mm, 20 mm, 4 mm]}}
+    size: 1 mm
+measures: {hot: {max: {body: bar, field: temperature}}}
+)yaml");
+  ASSERT_EQ(run.failure, "");
+  EXPECT_NEAR(run.measures.at("hot"), 300 + 100 * decayed(3), 0.2);
+}
+
 // A restart takes the state as it was, and does not begin it again; nor do threads change a bit.
 TEST(InitialTemperature, RestartsAndThreadsGoOnWithTheSameBits) {
   const std::string material = std::string(kSoftening) +

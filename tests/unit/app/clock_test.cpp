@@ -30,6 +30,16 @@ TEST(Clock, RoundingIsNoStep) {
   EXPECT_EQ(clock.time(), 0.02);
 }
 
+TEST(Clock, KnowsWhetherTheEndShortenedTheLastStep) {
+  Clock clock(1.0, 1.0, 0.4), even(1.0, 1.0, 0.25);
+  for (const bool last : {false, false, true}) {
+    clock.advance(clock.limit({1.0, "element", 0, 0}));
+    EXPECT_EQ(clock.shortened(), last);
+  }
+  while (!even.finished()) even.advance(even.limit({1.0, "element", 0, 0}));
+  EXPECT_FALSE(even.shortened());
+}
+
 TEST(Clock, MaxStepHasItsName) {
   Clock clock(1.0, 0.5, 1e-3);
   EXPECT_EQ(clock.limit({1.0, "element", 0, 0}), 1e-3);
