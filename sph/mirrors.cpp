@@ -6,7 +6,8 @@ namespace brunt {
 
 template <int Dim>
 bool Mirrors<Dim>::any() const {
-  return std::any_of(plane.begin(), plane.end(), [](const Plane& one) { return !one.sums.empty(); });
+  return std::any_of(plane.begin(), plane.end(),
+                     [](const Plane& one) { return !one.sums.empty(); });
 }
 
 template <int Dim>

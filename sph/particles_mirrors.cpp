@@ -155,15 +155,14 @@ void SphParticles<Dim>::reflect_stress() {
   });
 }
 
-#define BRUNT_MIRRORS(Dim)                                                                    \
-  template Real SphParticles<Dim>::depth_behind_mirrors() const;                              \
-  template void SphParticles<Dim>::add_mirrored(std::vector<SearchBox<Dim>>&, Real, Real)     \
-      const;                                                                                  \
-  template void SphParticles<Dim>::renew_images(Real);                                        \
-  template std::vector<GlobalId> SphParticles<Dim>::ids_in_rows() const;                      \
-  template bool SphParticles<Dim>::images_hold() const;                                       \
-  template void SphParticles<Dim>::place_images();                                            \
-  template void SphParticles<Dim>::reflect_motion();                                          \
+#define BRUNT_MIRRORS(Dim)                                                                       \
+  template Real SphParticles<Dim>::depth_behind_mirrors() const;                                 \
+  template void SphParticles<Dim>::add_mirrored(std::vector<SearchBox<Dim>>&, Real, Real) const; \
+  template void SphParticles<Dim>::renew_images(Real);                                           \
+  template std::vector<GlobalId> SphParticles<Dim>::ids_in_rows() const;                         \
+  template bool SphParticles<Dim>::images_hold() const;                                          \
+  template void SphParticles<Dim>::place_images();                                               \
+  template void SphParticles<Dim>::reflect_motion();                                             \
   template void SphParticles<Dim>::reflect_stress();
 BRUNT_MIRRORS(2)
 BRUNT_MIRRORS(3)

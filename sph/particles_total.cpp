@@ -171,8 +171,9 @@ template <int Dim>
 void SphParticles<Dim>::place_total_records() {
   const std::size_t n = points_.x.size();
   for_each(total_record_.size(), [&](std::size_t i) {
-    const Vec<Dim> x = i < n ? points_.x[i]
-                             : mirrors_.reflected(points_.x[images_[i - n].of], images_[i - n].axes);
+    const Vec<Dim> x = i < n
+                           ? points_.x[i]
+                           : mirrors_.reflected(points_.x[images_[i - n].of], images_[i - n].axes);
     for (int d = 0; d < Dim; ++d) total_record_[i].data[d] = x[d];
   });
 }

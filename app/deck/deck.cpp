@@ -187,8 +187,10 @@ void describe(Schema& s, Deck& deck) {
           deck::body_of(deck.quality));
   s.object({"contact", "all bodies may touch all others"}, deck.contact);
   s.named({"boundaries", "supports and loads by name"}, deck.boundaries, true);
-  s.object({"symmetry", "planes of symmetry: nodes on them at time 0 move along them, particles see their images"},
-           deck.symmetry);
+  s.object(
+      {"symmetry",
+       "planes of symmetry: nodes on them at time 0 move along them, particles see their images"},
+      deck.symmetry);
   deck::describe_gravity(s, deck.gravity);
   s.object({"damping", "mass-proportional, to settle"}, deck.damping);
   s.named({"measures", "numbers that the run is asked for, by name"}, deck.measures);

@@ -51,8 +51,8 @@ class Clock {
     last_ = true, shortened_ = end_ - time_ < 0.99 * dt;
     return end_ - time_;
   }
-  /// True if the last step was the one that `end` shortened, by more than a hundredth. What a change
-  /// of the step leaves in the kinetic energy is that of no other.
+  /// True if the last step was the one that `end` shortened, by more than a hundredth. What a
+  /// change of the step leaves in the kinetic energy is that of no other.
   bool shortened() const { return shortened_; }
   /// True if a step under this step limit would be shortened by `end`.
   bool shortens(const StepLimit& step_limit) const { return ends(unshortened(step_limit)); }

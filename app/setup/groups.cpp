@@ -284,9 +284,9 @@ std::unique_ptr<Solid<Dim>> make_particles(const LoadedDeck& loaded, const Scene
   std::vector<Label> sums = sums_of_pieces(loaded.deck, bodies);
   Mirrors<Dim> mirrors =
       mirrors_of(loaded, scene, gathered.points, lattice_spacings(loaded, bodies), sums);
-  auto particles = std::make_unique<SphParticles<Dim>>(
-      std::move(gathered.points), spacing, std::move(sets), Dim == 2 ? scene.depth : 1,
-      std::move(sums), std::move(mirrors));
+  auto particles = std::make_unique<SphParticles<Dim>>(std::move(gathered.points), spacing,
+                                                       std::move(sets), Dim == 2 ? scene.depth : 1,
+                                                       std::move(sums), std::move(mirrors));
   particles->set_search(loaded.deck.contact.search);
   require_thick_total(loaded, *particles);
   return particles;

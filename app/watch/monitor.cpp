@@ -124,7 +124,8 @@ typename Monitor<Dim>::HistoryRow Monitor<Dim>::collect(Scene<Dim>& scene, const
   energies_ = row.energies, created_ = row.created;
   // Half of a step less is left in the kinetic energy where `end` shortens it: that is no error.
   if (clock.shortened()) {
-    std::erase_if(created_, [](const auto& one) { return one.source == EnergySource::integration; });
+    std::erase_if(created_,
+                  [](const auto& one) { return one.source == EnergySource::integration; });
   }
   for (const auto& body :
        artificial_tension_.take(clock.real_time(), row.artificial_share, body_names_)) {

@@ -14,7 +14,8 @@ TEST(LastStep, CreatesNothing) {
     return simulate_text(R"yaml(
 title: One undamped element rings
 geometry: 3d
-time: {max_created: 5 %, end: )yaml" + end + R"yaml(}
+time: {max_created: 5 %, end: )yaml" +
+                         end + R"yaml(}
 materials: {steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}}
 bodies:
   cube:

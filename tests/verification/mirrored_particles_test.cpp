@@ -31,7 +31,8 @@ bodies:
     velocity: [0, 0, -227 m/s]
     shape: {box: {min: )" +
          (quarter ? "[0, 0, 0]" : "[-3 mm, -3 mm, 0]") + R"(, max: [3 mm, 3 mm, 9 mm]}}
-    )" + keys + R"(
+    )" + keys +
+         R"(
   wall: {rigid: true, shape: {plane: {origin: [0, 0, 0], normal: z, extent: 20 mm}}}
 contact: {default: {friction: 0.2}}
 measures:

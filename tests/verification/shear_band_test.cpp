@@ -1,5 +1,5 @@
-// Adiabatic shear (physics.md, C24): where heat softens steel more than strain hardens it, strain
-// goes into one row of elements, however thin: halves of the size double its strain. Nothing in the
+// Adiabatic shear (C24): where heat softens steel more than strain hardens it, strain goes into one
+// row of elements, however thin: halves of the size double its strain. Nothing in the
 // law has a length that would stop it, so a run says that it happened (app/watch/shear_bands.hpp).
 //   A layer of 4340 (Johnson & Cook 1985: A 792, B 510 MPa, n 0.26, m 1.03), 20 K hotter in its
 // middle, is sheared by 1.2, mean plastic strain 0.69. Along the adiabatic curve the flow stress
@@ -50,7 +50,8 @@ TEST(ShearBand, IsToldWhereStrainLocalises) {
     const auto run = simulate_text(kLayer, {"parameters.n=" + std::string(n)});
     ASSERT_EQ(run.failure, "");
     EXPECT_EQ(band_warning(run).substr(0, 67),
-              "bodies.layer.size: strain has localised in 4 elements of 'layer' th") << n;
+              "bodies.layer.size: strain has localised in 4 elements of 'layer' th")
+        << n;
     const Real most = run.measures.at("most");
     EXPECT_TRUE(before == 0 || std::fabs(most / before - 2) < 0.3) << most / before;
     before = most;
@@ -102,7 +103,7 @@ BodyView rows(const std::vector<Real>& strains, std::size_t across) {
 
 TEST(ShearBand, CellsOfARowThatStandsOut) {
   EXPECT_EQ(localised_cells(rows({0.2, 0.2, 1, 0.2, 0.2}, 5)).size(), 5u);
-  EXPECT_EQ(localised_cells(rows({1, 0.2, 0.2}, 5)).size(), 5u);                // along a wall
+  EXPECT_EQ(localised_cells(rows({1, 0.2, 0.2}, 5)).size(), 5u);                  // along a wall
   EXPECT_EQ(localised_cells(rows({0.2, 0.2, 0.8, 1, 0.2, 0.2}, 5)).size(), 10u);  // of two rows
   EXPECT_EQ(localised_cells(rows({0.2, 0.5, 1, 0.5, 0.2}, 5)).size(), 0u);
   EXPECT_EQ(localised_cells(rows({0.05, 0.05, 0.25, 0.05, 0.05}, 5)).size(), 0u);
