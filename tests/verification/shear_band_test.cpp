@@ -3,7 +3,7 @@
 // law has a length that would stop it, so a run says that it happened (app/watch/shear_bands.hpp).
 //   A layer of 4340 (Johnson & Cook 1985: A 792, B 510 MPa, n 0.26, m 1.03), 20 K hotter in its
 // middle, is sheared by 1.2, mean plastic strain 0.69. Along the adiabatic curve the flow stress
-// passes its maximum near 0.5 and has fallen by a tenth at 1.2: 10 rows have not localised by then,
+// passes its maximum at 0.42 and has fallen by 7 % at 1.2: 10 rows have not localised by then,
 // 20 rows and more have. Without heat it never falls.
 //   A bar of the same steel that hits a wall at 500 m/s is strained by 3 at its foot, and softens
 // there, over many elements: no band.
