@@ -41,13 +41,14 @@ class Clock {
     return min_step_.value_or(planned_step_ > 0 ? kCollapsed * planned_step_ : 1e-9 * end_);
   }
 
-  /// The step [s] to take: safety times the smallest step limit, max_step, what is left to `end`.
+  /// The step [s] to take: safety times the smallest step limit or max_step, held while they allow
+  /// hardly more; or what is left to `end`.
   Real limit(const StepLimit& step_limit) {
+    const Real dt = unshortened(step_limit);
     whose_ = step_limit;
-    Real dt = safety_ * step_limit.step;
-    if (planned_step_ == 0 && step_limit.of_material()) planned_step_ = std::min(dt, max_step_);
-    if (dt > max_step_) dt = max_step_, whose_ = {max_step_, "max_step", 0, 0};
-    if (!ends(dt)) return dt;
+    if (planned_step_ == 0 && step_limit.of_material()) planned_step_ = dt;
+    if (safety_ * step_limit.step > max_step_) whose_ = {max_step_, "max_step", 0, 0};
+    if (!ends(dt)) return held_ = dt;
     last_ = true, shortened_ = end_ - time_ < 0.99 * dt;
     return end_ - time_;
   }
@@ -56,9 +57,12 @@ class Clock {
   bool shortened() const { return shortened_; }
   /// True if a step under this step limit would be shortened by `end`.
   bool shortens(const StepLimit& step_limit) const { return ends(unshortened(step_limit)); }
-  /// The step [s] under this step limit if there were no `end`.
+  /// The step [s] under this step limit if there were no `end`. One that follows limits which swing
+  /// with the strain feeds the fastest motions of undamped bodies
+  /// (docs/decisions/251-held-step.md).
   Real unshortened(const StepLimit& step_limit) const {
-    return std::min(safety_ * step_limit.step, max_step_);
+    const Real most = std::min(safety_ * step_limit.step, max_step_);
+    return held_ <= most && most < kWorthGrowing * held_ ? held_ : most;
   }
   void advance(Real dt) {
     bounds_.count(whose_);
@@ -87,7 +91,7 @@ class Clock {
   template <class Row, class AnyClock>
   static void visit(Row& row, AnyClock& clock) {
     row(clock.time_), row(clock.dt_), row(clock.step_);
-    row(clock.planned_step_);
+    row(clock.planned_step_), row(clock.held_);
     row(clock.whose_.step), row(clock.whose_.body), row(clock.whose_.entity);
   }
 
@@ -96,11 +100,12 @@ class Clock {
   bool ends(Real dt) const { return dt >= (1 - 1e-6) * (end_ - time_); }
 
   static constexpr Real kCollapsed = 1e-3;
+  static constexpr Real kWorthGrowing = 1.02;
 
   Real end_, safety_, max_step_;
   std::optional<Real> min_step_;
   Real process_speed_ = 1;
-  Real planned_step_ = 0;
+  Real planned_step_ = 0, held_ = 0;
   Real time_ = 0, dt_ = 0;
   std::int64_t step_ = 0;
   bool last_ = false, stopped_ = false, shortened_ = false;
