@@ -51,6 +51,9 @@ struct WantedFields {
 /// Positions, cells and weights alone.
 inline const WantedFields kNoFields{std::vector<std::string>{}};
 
+/// [m] Planes across x, y and z in which particles of a body are reflected, where there are any.
+using MirrorPlanes = std::array<std::optional<Real>, 3>;
+
 /// One named body at one instant. Cells hold corners (hexes 8, quads 4, triangles 3, edges 2);
 /// a body of particles has no cells and its fields are point fields.
 struct BodyView {
@@ -68,6 +71,7 @@ struct BodyView {
   std::vector<Real> point_mass;    ///< [kg] weights of means over point fields
   std::vector<Real> point_radius;  ///< [m] particles only: half the spacing
   std::vector<Real> cell_volume;   ///< [m^3] weights of means over cell fields
+  MirrorPlanes mirrors = {};       ///< particles only
   std::vector<char> point_owned;   ///< 0: a copy of another rank's point; empty: all are owned
 
   /// Cells that hold corners; particles are none.

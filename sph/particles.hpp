@@ -169,6 +169,8 @@ class SphParticles final : public Solid<Dim> {
   ArtificialChannel<Dim> artificial_of(std::size_t i) const {
     return channel_.empty() ? ArtificialChannel<Dim>{} : channel_[i];
   }
+  /// The planes in which any own particle of a body is reflected.
+  MirrorAxes mirrored(Label body) const;
   std::span<const Real> smoothing_lengths() const { return smoothing_length_; }  ///< [m] h
   Real skin() const { return watch_.skin(); }  ///< [m] of the lists
   std::int64_t n_searches() const { return n_searches_; }

@@ -45,6 +45,15 @@ void for_each_reflection(MirrorAxes planes, const F& f) {
   }
 }
 
+template <int Dim>
+MirrorAxes SphParticles<Dim>::mirrored(Label body) const {
+  MirrorAxes axes = 0;
+  for (std::size_t i = 0; i < n_owned() && mirrors_.any(); ++i) {
+    if (points_.body[i] == body) axes |= mirrors_.across(sum_[i]);
+  }
+  return axes;
+}
+
 /// What a rank wants of others beside what is near its own particles: what their images would be
 /// near to.
 template <int Dim>
@@ -156,6 +165,7 @@ void SphParticles<Dim>::reflect_stress() {
 }
 
 #define BRUNT_MIRRORS(Dim)                                                                       \
+  template MirrorAxes SphParticles<Dim>::mirrored(Label) const;                                  \
   template Real SphParticles<Dim>::depth_behind_mirrors() const;                                 \
   template void SphParticles<Dim>::add_mirrored(std::vector<SearchBox<Dim>>&, Real, Real) const; \
   template void SphParticles<Dim>::renew_images(Real);                                           \

@@ -68,7 +68,7 @@ std::string step_bounds_line(const std::vector<std::pair<std::string, Real>>& bo
       others += part;
       continue;
     }
-    line += separator + what + " " + rounded(100 * part, 2) + " %";
+    line += separator + what + " " + rounded(100 * part, part > 0.99 ? 3 : 2) + " %";
     separator = ", ";
   }
   if (others > 0) line += separator + ("others " + rounded(100 * others, 2) + " %");

@@ -18,9 +18,16 @@ void check_melting_point(const Named<Material>& material, Findings& findings) {
   const auto* strength = std::get_if<JohnsonCook>(&material.value.strength);
   const auto* damage = std::get_if<JohnsonCookDamage>(&material.value.damage);
   const std::optional<Real> melting = thermal ? thermal->T_melt : std::nullopt;
+  const std::optional<Real> flows = strength ? strength->T_melt : std::nullopt;
   if (damage && damage->D5 != 0 && !damage->T_melt && !melting) {
-    findings.wrong(path + ".damage.johnson-cook",
-                   "needs T_melt where D5 is not 0, here or as thermal.T_melt");
+    if (!flows) {
+      findings.wrong(path + ".damage.johnson-cook",
+                     "needs T_melt where D5 is not 0, here, as that of the strength or as "
+                     "thermal.T_melt");
+    } else if (!(*flows > damage->T_ref)) {
+      findings.wrong(path + ".damage.johnson-cook",
+                     "T_ref must be below T_melt = " + kelvin(*flows) + " of the strength");
+    }
   }
   if (!melting) return;
   const std::string key = path + ".thermal.T_melt";

@@ -44,7 +44,9 @@ class KnownNames {
   void report() const {
     for (const auto& [name, paths] : missed_) {
       std::string message = std::string("there is no ") + kind_ + " '" + name + "'" +
-                            (known_.empty() ? "" : suggestion(name, known_));
+                            (is_piece(name)   ? "; pieces stand for bodies in measures and probes"
+                             : known_.empty() ? ""
+                                              : suggestion(name, known_));
       std::set<int> lines;
       for (const auto& path : paths) {
         if (path != paths.front()) findings_.also_wrong(path);
@@ -59,6 +61,12 @@ class KnownNames {
   }
 
  private:
+  /// wall.1.0, of a body
+  bool is_piece(const std::string& name) const {
+    return section_ == "bodies" && name.find('.') != std::string::npos &&
+           contains(known_, name.substr(0, name.find('.')));
+  }
+
   std::string section_;
   const char* kind_;
   Names known_;

@@ -31,7 +31,10 @@ StrengthLaw Material::melting_strength() const {
 DamageChoice Material::melting_damage() const {
   DamageChoice law = damage;
   auto* melts = std::get_if<JohnsonCookDamage>(&law);
+  const StrengthLaw melting = melting_strength();
+  const auto* flows = std::get_if<JohnsonCook>(&melting);
   if (melts && !melts->T_melt && thermal) melts->T_melt = thermal->T_melt;
+  if (melts && !melts->T_melt && flows) melts->T_melt = flows->T_melt;
   return law;
 }
 

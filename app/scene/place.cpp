@@ -101,22 +101,36 @@ bool weigh_particles(const BodyView& view, const std::vector<Real>& at, Real rea
   std::vector<std::size_t> points;
   std::vector<std::array<Real, 4>> terms;
   std::vector<Real> kernel;
-  for (std::size_t i = 0; i < view.position.size() / 3; ++i) {
-    const Real far = distance_to(view, i, at) / reach;
-    if (far >= 1) continue;
+  std::vector<unsigned> reflected;
+  const auto add = [&](std::size_t i, unsigned axes) {
     std::array<Real, 4> term{1, 0, 0, 0};
+    Real square = 0;
     for (std::size_t c = 0; c < at.size(); ++c) {
-      term[c + 1] = (view.position[3 * i + c] - at[c]) / reach;
+      const Real own = view.position[3 * i + c];
+      const Real x = ((axes >> c) & 1U) != 0 ? 2 * *view.mirrors[c] - own : own;
+      square += (x - at[c]) * (x - at[c]);
+      term[c + 1] = (x - at[c]) / reach;
     }
+    const Real far = std::sqrt(square) / reach;
+    if (far >= 1) return;
     const Real w = (1 - far * far) * (1 - far * far);
     for (std::size_t a = 0; a < n; ++a) {
       for (std::size_t b = 0; b < n; ++b) moment[a][b] += w * term[a] * term[b];
     }
-    points.push_back(i), terms.push_back(term), kernel.push_back(w);
+    points.push_back(i), terms.push_back(term), kernel.push_back(w), reflected.push_back(axes);
+  };
+  unsigned planes = 0;
+  for (std::size_t c = 0; c < at.size(); ++c) {
+    if (view.mirrors[c]) planes |= 1U << c;
+  }
+  for (std::size_t i = 0; i < view.position.size() / 3; ++i) {
+    for (unsigned axes = 0; axes <= planes; ++axes) {
+      if ((axes & ~planes) == 0) add(i, axes);
+    }
   }
   const auto solution = solved(moment, std::array<Real, 4>{1, 0, 0, 0}, n);
   if (!solution) return false;
-  place.points = points;
+  place.points = points, place.reflected = reflected;
   for (std::size_t k = 0; k < points.size(); ++k) {
     Real sum = 0;
     for (std::size_t a = 0; a < n; ++a) sum += (*solution)[a] * terms[k][a];
@@ -154,6 +168,7 @@ Place find_place(const BodyView& start, const std::vector<Real>& at) {
       place.cell = cell, place.weights = *weights;
       for (std::size_t I = 0; I < corners; ++I) {
         place.points.push_back(slot_of(start.connectivity[cell * corners + I]));
+        place.reflected.push_back(0);
       }
       return place;
     }
@@ -166,7 +181,7 @@ Place find_place(const BodyView& start, const std::vector<Real>& at) {
       return place;
     }
   }
-  place.points = {nearest}, place.weights = {1};
+  place.points = {nearest}, place.weights = {1}, place.reflected = {0};
   place.point_distance = distance_to(start, nearest, at);
   if (corners > 0) {
     place.cell = nearest_entity(start, at, true);
@@ -175,11 +190,21 @@ Place find_place(const BodyView& start, const std::vector<Real>& at) {
   return place;
 }
 
-Real value_at(const Place& place, const std::vector<Real>& values, bool of_cells) {
+unsigned odd_axes(const std::string& field) {
+  const std::size_t dot = field.find('.');
+  unsigned axes = 0;
+  for (std::size_t k = dot + 1; dot != std::string::npos && k < field.size(); ++k) {
+    if (field[k] < 'x' || field[k] > 'z') return 0;  // a magnitude
+    axes ^= 1U << (field[k] - 'x');
+  }
+  return axes;
+}
+
+Real value_at(const Place& place, const std::vector<Real>& values, bool of_cells, unsigned odd) {
   if (of_cells) return values[place.cell];
   Real sum = 0;
   for (std::size_t k = 0; k < place.points.size(); ++k) {
-    sum += place.weights[k] * values[place.points[k]];
+    sum += sign_in_image(odd, place.reflected[k]) * place.weights[k] * values[place.points[k]];
   }
   return sum;
 }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/scene/field_values.hpp"
+#include "app/scene/place.hpp"
 #include "io/deck/number.hpp"
 
 namespace brunt {
@@ -83,13 +84,16 @@ std::vector<Real> probe_values(const Probe& probe, const BodyView& mine,
   std::vector<Real> values;
   values.reserve(probe.fields.size());
   auto next = known.cbegin();
-  for (const char cell : probe.of_cell) {
-    if (cell != 0) {
+  for (std::size_t f = 0; f < probe.fields.size(); ++f) {
+    if (probe.of_cell[f] != 0) {
       values.push_back((next++)->value);
       continue;
     }
+    const unsigned odd = odd_axes(probe.fields[f]);
     Real sum = 0;
-    for (const Real weight : probe.weights) sum += weight * (next++)->value;
+    for (std::size_t k = 0; k < probe.weights.size(); ++k) {
+      sum += sign_in_image(odd, probe.reflected[k]) * probe.weights[k] * (next++)->value;
+    }
     values.push_back(sum);
   }
   return values;

@@ -15,6 +15,7 @@ struct Probe {
   std::vector<char> of_cell;                   ///< by field: it lives in elements
   std::vector<GlobalId> points;                ///< ids of those that point fields come from
   std::vector<Real> weights;                   ///< [1] of them, of time 0
+  std::vector<unsigned> reflected;             ///< by point: as in Place
   GlobalId cell = 0;                           ///< id of the element that cell fields come from
   Real point_distance = 0, cell_distance = 0;  ///< [m] outside of the body: as in Place
 };

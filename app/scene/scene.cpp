@@ -297,6 +297,7 @@ BodyView Scene<Dim>::own_view(Label body, const WantedFields& wanted) const {
     break;
   }
   view.body = body_names[body];
+  if (body < mirrors.size()) view.mirrors = mirrors[body];
   shift<Dim>(view.position, origin);
   return view;
 }
@@ -319,7 +320,9 @@ BodyView Scene<Dim>::own_converted(Label body, const WantedFields& wanted) const
 
 template <int Dim>
 BodyView Scene<Dim>::view(Label body, const WantedFields& wanted) const {
-  return gather_view(own_view(body, wanted), *ranks);
+  BodyView view = gather_view(own_view(body, wanted), *ranks);
+  if (body < mirrors.size()) view.mirrors = mirrors[body];
+  return view;
 }
 
 template <int Dim>

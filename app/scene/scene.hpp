@@ -45,6 +45,7 @@ struct Scene {
   std::vector<Real> body_size;
   std::vector<char> erodes;    ///< by label: elements of the body may go
   std::vector<char> converts;  ///< by label: elements of the body may become particles
+  std::vector<MirrorPlanes> mirrors;  ///< [m] by label, absolute
   std::vector<PointSet> point_sets;
   std::vector<Label> sum_of_body;  ///< first of the bodies whose particles share one sum
   std::vector<std::unique_ptr<Material>> materials;

@@ -88,6 +88,13 @@ std::string sets_of(const deck::Where& where, Label body, const std::vector<Poin
                        : "; its sets are " + names;
 }
 
+/// "; ...", where a surface was meant that particles do not have.
+std::string surface_of(const deck::Where& where, const deck::Body& body) {
+  const bool meant = std::holds_alternative<deck::WhereSurface>(where);
+  if (!meant || body.method != deck::Method::sph) return "";
+  return ": bodies of particles have no faces; choose a side, a plane or a box";
+}
+
 template <int Dim>
 Solid<Dim>* solid_of(Scene<Dim>& scene, Label label) {
   for (auto& solid : scene.solids) {
@@ -97,10 +104,29 @@ Solid<Dim>* solid_of(Scene<Dim>& scene, Label label) {
   return nullptr;
 }
 
+/// Takes faces in planes of symmetry out: there the body goes on.
+template <int Dim>
+void leave_out_cuts(const LoadedDeck& loaded, const Scene<Dim>& scene, Label label,
+                    const Points<Dim>& points, std::vector<Facet<Dim>>& facets) {
+  for (int axis = 0; loaded.deck.symmetry && axis < Dim; ++axis) {
+    const auto& at = loaded.deck.symmetry->across(axis);
+    if (!at) continue;
+    std::erase_if(facets, [&](const Facet<Dim>& facet) {
+      bool all = true;
+      for (int k = 0; k < facet.n_nodes(); ++k) {
+        const Real x = points.x_start[slot_of(facet.node[k])][axis] + scene.origin[axis];
+        all = all && std::fabs(x - *at) <= 0.1 * scene.body_size[label];
+      }
+      return all;
+    });
+  }
+}
+
 /// What acts on these points of a body of the group.
+/// names_a_side  the deck names a plane or side, and means the faces there
 template <int Dim>
 Patch<Dim> patch_of(const std::string& name, const LoadedDeck& loaded, Label label,
-                    const std::vector<LocalIndex>& chosen, Solid<Dim>& solid,
+                    const std::vector<LocalIndex>& chosen, bool names_a_side, Solid<Dim>& solid,
                     const Scene<Dim>& scene) {
   const auto& [body, given] = loaded.deck.bodies[label];
   const Surface<Dim>& surface = solid.surface();
@@ -112,7 +138,9 @@ Patch<Dim> patch_of(const std::string& name, const LoadedDeck& loaded, Label lab
   patch.depth = scene.geometry == Geometry::axisymmetric ? 0 : scene.depth;
   patch.material = material_of(loaded.deck, scene.materials, given);
   if (solid.n_particles() == 0) {
-    patch.take_facets(facets_between(surface, patch.chosen));
+    auto facets = facets_between(surface, patch.chosen);
+    if (!names_a_side) leave_out_cuts(loaded, scene, label, solid.points(), facets);
+    patch.take_facets(std::move(facets));
     return patch;
   }
   for (const LocalIndex i : patch.chosen) {
@@ -166,10 +194,13 @@ void add_boundary(const Named<deck::Boundary>& named, const LoadedDeck& loaded, 
   if (chosen.empty()) {
     problems.push_back(loaded.places.problem(
         path + ".where", "no point of '" + boundary.body + "' lies there at time 0" +
-                             sets_of(boundary.where, label, scene.point_sets)));
+                             sets_of(boundary.where, label, scene.point_sets) +
+                             surface_of(boundary.where, body)));
     return;
   }
-  auto patch = patch_of(name, loaded, label, std::move(chosen), *solid, scene);
+  const bool names_a_side = std::holds_alternative<deck::WherePlane>(boundary.where) ||
+                            std::holds_alternative<deck::WhereSide>(boundary.where);
+  auto patch = patch_of(name, loaded, label, chosen, names_a_side, *solid, scene);
   patch.whole = std::holds_alternative<deck::WhereAll>(boundary.where);
   patch.from = boundary.from, patch.to = boundary.to;
   if (deck::follows_forces(body)) {
@@ -271,8 +302,7 @@ void hold_temperatures(const LoadedDeck& loaded, Scene<Dim>& scene) {
     }
     SurfaceHeat heat;
     heat.temperature = body.motion->temperature;
-    scene.boundaries.add(heat,
-                         patch_of(name + ".motion", loaded, label, std::move(all), *solid, scene));
+    scene.boundaries.add(heat, patch_of(name + ".motion", loaded, label, all, true, *solid, scene));
   }
 }
 

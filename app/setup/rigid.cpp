@@ -162,19 +162,33 @@ RigidMotion<Dim> motion_of(const deck::Body& body, Label label, const Vec<Dim>& 
 }
 
 namespace {
+/// [m] Planes of symmetry that hold a body without `motion` of its own, from the scene's origin.
+template <int Dim>
+std::array<std::optional<Real>, 3> planes_of(const LoadedDeck& loaded, const Scene<Dim>& scene,
+                                             Label body) {
+  std::array<std::optional<Real>, 3> planes;
+  if (!loaded.deck.symmetry || loaded.deck.bodies[body].value.motion) return planes;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto& at = loaded.deck.symmetry->across(axis);
+    if (at) planes[slot_of(axis)] = *at - scene.origin[axis];
+  }
+  return planes;
+}
+
 /// One without `motion` of its own, on the planes of symmetry at which it ends.
 template <int Dim>
 void hold_on_planes(const LoadedDeck& loaded, const Scene<Dim>& scene, const Points<Dim>& points,
                     std::span<const Facet<Dim>> facets, FreeBody<Dim>& made,
                     std::vector<DeckProblem>& problems) {
-  const auto& [name, body] = loaded.deck.bodies[made.body];
-  for (int axis = 0; loaded.deck.symmetry && !body.motion && axis < Dim; ++axis) {
-    const auto& at = loaded.deck.symmetry->across(axis);
+  const auto planes = planes_of(loaded, scene, made.body);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto& at = planes[slot_of(axis)];
     if (!at) continue;
-    const std::string wrong =
-        hold_on_plane<Dim>(points, facets, axis, *at - scene.origin[axis], made);
-    const std::string path = std::string("symmetry.") + static_cast<char>('x' + axis);
-    if (!wrong.empty()) problems.push_back(loaded.places.problem(path, "'" + name + "' " + wrong));
+    const std::string wrong = hold_on_plane<Dim>(points, facets, axis, *at, made);
+    if (wrong.empty()) continue;
+    problems.push_back(
+        loaded.places.problem(std::string("symmetry.") + static_cast<char>('x' + axis),
+                              "'" + loaded.deck.bodies[made.body].name + "' " + wrong));
   }
 }
 }  // namespace
@@ -201,8 +215,9 @@ std::vector<FreeBody<Dim>> free_bodies_of(const LoadedDeck& loaded, const Scene<
     if (material == nullptr) continue;
     one.prescribed = motion_of<Dim>(body, one.body, scene.origin);
     try {
-      const auto properties =
-          mass_properties<Dim>(points, facets, material->density, scene.geometry, scene.depth);
+      const auto properties = mass_properties<Dim>(
+          points, facets, material->density, scene.geometry, scene.depth,
+          facets_on_planes<Dim>(points, facets, planes_of(loaded, scene, one.body)));
       set_freedom(body, scene.geometry, one);
       set_state<Dim>(body, properties, scene.origin, one);
       hold_on_planes<Dim>(loaded, scene, points, facets, one, problems);

@@ -6,6 +6,8 @@
 namespace brunt {
 
 namespace {
+constexpr Real kRounding = 1e-6;  // of a body's size: of files in single precision
+
 /// [m] From where to where a body lies along an axis, and its longest extent along any.
 struct ExtentAlong {
   Real least = kInfinity, most = -kInfinity, size = 0;
@@ -41,31 +43,57 @@ void leave_turns_about(int axis, FreeBody<Dim>& made) {
   state.inertia.setZero(), state.inverse_inertia.setZero();
   if (!made.turns) return;
   state.inertia(axis, axis) = about, state.inverse_inertia(axis, axis) = 1 / about;
+  state.momentum = left.cwiseProduct(state.momentum);
 }
 }  // namespace
 
 template <int Dim>
 std::string hold_on_plane(const Points<Dim>& points, std::span<const Facet<Dim>> facets, int axis,
                           Real at, FreeBody<Dim>& made) {
-  constexpr Real rounding = 1e-6;  // of its size: of files in single precision
   const ExtentAlong range = extent_along(points, facets, axis);
-  const Real below = at - range.least, above = range.most - at, reach = rounding * range.size;
+  const Real below = at - range.least, above = range.most - at, reach = kRounding * range.size;
   if (below < -reach || above < -reach) return "";
   if (below > reach && above > reach) {
     return "lies on both sides of the plane and is free: take the half of it away, or give it "
            "`motion`";
   }
-  Vec3 other_spins = made.state.spin();
+  const Vec3 spin = made.state.spin();
+  Vec3 other_spins = spin;
   if (Dim == 3) other_spins[axis] = 0;
-  if (made.state.v[axis] != 0 || other_spins != Vec3::Zero()) {
-    return "ends at the plane and is free: it can slide along it and turn about its normal, and "
-           "not start with another motion";
+  // A spin that the deck gives about the normal has others by rounding.
+  if (made.state.v[axis] != 0 || other_spins.norm() > 1e-9 * spin.norm()) {
+    return std::string("ends at the plane and is free: it can slide along it") +
+           (Dim == 3 ? " and turn about its normal" : "") + ", and not start with another motion";
   }
   made.free[slot_of(axis)] = false;
   leave_turns_about(axis, made);
   return "";
 }
 
+template <int Dim>
+std::vector<char> facets_on_planes(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
+                                   const std::array<std::optional<Real>, 3>& at) {
+  std::vector<char> on(facets.size(), 0);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto& plane = at[slot_of(axis)];
+    if (!plane) continue;
+    const Real reach = kRounding * extent_along(points, facets, axis).size;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+      bool all = true;
+      for (int k = 0; k < facets[f].n_nodes(); ++k) {
+        const Real x = points.x_start[slot_of(facets[f].node[k])][axis];
+        all = all && std::fabs(x - *plane) <= reach;
+      }
+      if (all) on[f] = 1;
+    }
+  }
+  return on;
+}
+
+template std::vector<char> facets_on_planes(const Points<2>&, std::span<const Facet<2>>,
+                                            const std::array<std::optional<Real>, 3>&);
+template std::vector<char> facets_on_planes(const Points<3>&, std::span<const Facet<3>>,
+                                            const std::array<std::optional<Real>, 3>&);
 template std::string hold_on_plane(const Points<2>&, std::span<const Facet<2>>, int, Real,
                                    FreeBody<2>&);
 template std::string hold_on_plane(const Points<3>&, std::span<const Facet<3>>, int, Real,

@@ -11,11 +11,13 @@
 #include "app/setup/initial_stress.hpp"
 #include "app/setup/initial_temperature.hpp"
 #include "app/setup/materials.hpp"
+#include "app/setup/planes.hpp"
 #include "app/setup/riders.hpp"
 #include "app/setup/rigid.hpp"
 #include "app/setup/scene_checks.hpp"
 #include "app/setup/sound_part.hpp"
 #include "app/setup/watch.hpp"
+#include "sph/particles.hpp"
 
 namespace brunt {
 
@@ -191,8 +193,24 @@ void list_bodies(const Deck& deck, Scene<Dim>& scene) {
     scene.body_names.push_back(body.name);
     scene.body_size.push_back(deck::smallest_size(body.value));
     const bool total = body.value.sph.formulation == SphFormulation::total;
+    scene.mirrors.emplace_back();
     scene.erodes.push_back(erosion.has_value() || total);
     scene.converts.push_back(erosion && erosion->to == ErodeTo::sph);
+  }
+}
+
+/// In which planes particles of bodies are reflected, for probes near them.
+template <int Dim>
+void list_mirrors(const Deck& deck, Scene<Dim>& scene) {
+  for (const auto& solid : scene.solids) {
+    const auto* particles = dynamic_cast<const SphParticles<Dim>*>(solid.get());
+    if (particles == nullptr) continue;
+    for (Label body = 0; body < deck.bodies.size(); ++body) {
+      const MirrorAxes axes = particles->mirrored(body);
+      for (int c = 0; c < Dim; ++c) {
+        if (is_across(axes, c)) scene.mirrors[body][slot_of(c)] = deck.symmetry->across(c);
+      }
+    }
   }
 }
 
@@ -232,8 +250,10 @@ std::unique_ptr<Scene<Dim>> build_scene(const LoadedDeck& loaded) {
     throw DeckError({problem_of(loaded, error)});
   }
   scene->point_sets = std::move(next.sets);
+  list_mirrors(deck, *scene);
   hold_temperatures(loaded, *scene);
   add_boundaries(loaded, *scene, problems);
+  check_planes(loaded, *scene, problems);
   check_constraints(loaded, *scene, problems);
   check_overlaps(loaded, *scene, problems);
   check_added_mass(loaded, *scene, problems);

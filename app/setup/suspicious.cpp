@@ -6,6 +6,7 @@
 
 #include "app/deck/findings.hpp"
 #include "app/setup/heat.hpp"
+#include "app/setup/planes.hpp"
 #include "app/watch/thin_bodies.hpp"
 
 namespace brunt {
@@ -225,6 +226,20 @@ void warn_of_heat(const LoadedDeck& loaded, const Warn& warn) {
     look_at("contact.pairs." + name + ".heat", any ? "no body" : "neither body");
   }
 }
+
+/// A rigid body whose temperature nothing reads.
+void warn_of_cold_tools(const LoadedDeck& loaded, const Warn& warn) {
+  const Deck& deck = loaded.deck;
+  if (deck.heat == deck::Heat::off || deck.heat == deck::Heat::adiabatic) return;  // it says so
+  for (const auto& [name, body] : deck.bodies) {
+    const std::string path = "bodies." + name + ".temperature";
+    if (!body.rigid || !loaded.places.has(path)) continue;
+    if (heat_mode(deck, body, name) == HeatMode::conducts) continue;
+    warn(path, "heats nothing: '" + name +
+                   "' does not conduct; `motion: {temperature: ...}` holds its surface at one, and "
+                   "a material with `thermal: {cp: ..., k: ...}` and `size` let it conduct");
+  }
+}
 }  // namespace
 
 template <int Dim>
@@ -262,6 +277,8 @@ void warn_of_sizes(const LoadedDeck& loaded, const Scene<Dim>& scene, const Warn
     }
   }
   warn_of_heat(loaded, warn);
+  warn_of_cold_tools(loaded, warn);
+  warn_of_planes(loaded, scene, boxes, warn);
 }
 
 template std::vector<BodyBox<2>> boxes_of_bodies<2>(const Scene<2>&);

@@ -36,7 +36,8 @@ std::string find_probe(const deck::Probe& given, const BodyView& view, Probe& pr
   for (const std::size_t point : place.points) {
     probe.points.push_back(id_at(view.point_fields, point));
   }
-  probe.weights = place.weights, probe.point_distance = place.point_distance;
+  probe.weights = place.weights, probe.reflected = place.reflected;
+  probe.point_distance = place.point_distance;
   const auto& of_cell = probe.of_cell;
   if (std::find(of_cell.begin(), of_cell.end(), 1) != of_cell.end()) {
     probe.cell = id_at(view.cell_fields, place.cell), probe.cell_distance = place.cell_distance;

@@ -141,7 +141,7 @@ struct Evaluate {
     const bool cells = has_cell_field(view, m.field);
     const BodyView& start = source.start->at(m.body);
     const auto place = place_now(find_place(start, m.at), start, view, cells);
-    return place ? value_at(*place, field_values(view, m.field), cells) : kNone;
+    return place ? value_at(*place, field_values(view, m.field), cells, odd_axes(m.field)) : kNone;
   }
   Real operator()(const deck::HistoryMeasure& m) const { return reduce_history(m, source); }
   Real operator()(const deck::RestitutionMeasure& m) const {

@@ -67,12 +67,14 @@ void make_ring(const Moments<2>& section, const Vec<2>& from, MassProperties& bo
 
 template <int Dim>
 MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
-                               Real density, Geometry geometry, Real depth) {
+                               Real density, Geometry geometry, Real depth,
+                               std::span<const char> cut) {
   // Moments about a point near the body lose no digits to its distance from the origin.
   const Vec<Dim> from = points.x[facets.front().node[0]];
   Moments<Dim> moments;
   MassProperties body;
-  for (const auto& facet : facets) {
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto& facet = facets[f];
     Real breadth = geometry == Geometry::plane_strain ? depth : 1;
     if (geometry == Geometry::axisymmetric) {
       breadth = 0;  // 2 pi times the mean radius
@@ -80,9 +82,10 @@ MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<
         breadth += kPi * points.x[node][0];
       }
     }
+    const bool is_cut = !cut.empty() && cut[f] != 0;
     for_simplices(points, facet, from, [&](const std::array<Vec<Dim>, Dim>& corner, Real area) {
       moments.add(corner);
-      body.area += breadth * area;
+      if (!is_cut) body.area += breadth * area;
     });
   }
   if (!(moments.volume > 0)) throw std::invalid_argument("encloses no volume");
@@ -152,8 +155,8 @@ Vec<Dim> center_of_shape(const Points<Dim>& points, std::span<const Facet<Dim>> 
 template Vec<2> center_of_shape<2>(const Points<2>&, std::span<const Facet<2>>, Geometry);
 template Vec<3> center_of_shape<3>(const Points<3>&, std::span<const Facet<3>>, Geometry);
 template MassProperties mass_properties<2>(const Points<2>&, std::span<const Facet<2>>, Real,
-                                           Geometry, Real);
+                                           Geometry, Real, std::span<const char>);
 template MassProperties mass_properties<3>(const Points<3>&, std::span<const Facet<3>>, Real,
-                                           Geometry, Real);
+                                           Geometry, Real, std::span<const char>);
 
 }  // namespace brunt

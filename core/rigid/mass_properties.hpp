@@ -20,10 +20,13 @@ struct MassProperties {
 /// theorem: sums of signed tetrahedra (triangles) from a point to each facet; a quad is four
 /// triangles about the mean of its corners, as contact takes it. Mirtich 1996 has the moments.
 /// facets  of one closed surface, normals outward;  density [kg/m^3];  depth [m] of plane strain;
-/// axisymmetric bodies are whole rings. Throws std::invalid_argument where they enclose no volume.
+/// axisymmetric bodies are whole rings. cut  by facet, 1: it lies in a plane of symmetry, and its
+/// area is none of the surface; empty: none does. Throws std::invalid_argument where they enclose no
+/// volume.
 template <int Dim>
 MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
-                               Real density, Geometry geometry, Real depth);
+                               Real density, Geometry geometry, Real depth,
+                               std::span<const char> cut = {});
 
 /// The centre [m] of a shape of which no density is known: of the volume that its facets enclose;
 /// of their area where they are open, or enclose none. On the axis where the section is

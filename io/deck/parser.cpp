@@ -1,5 +1,6 @@
 #include "io/deck/parser.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace brunt {
@@ -43,12 +44,27 @@ Real one_value_of(const mu::Parser& parser) {
   return values[0];
 }
 
+namespace {
+/// True where what was not understood stands behind a number, as a unit would.
+bool follows_a_number(const mu::ParserError& error) {
+  const std::string& text = error.GetExpr();
+  const std::size_t end =
+      std::min(text.size(), static_cast<std::size_t>(std::max(error.GetPos(), 0)));
+  const std::size_t before = text.substr(0, end).find_last_not_of(' ');
+  return before != std::string::npos && text[before] >= '0' && text[before] <= '9';
+}
+}  // namespace
+
 std::string parser_problem(const mu::ParserError& error, const std::string& known) {
   std::string message = error.GetMsg();
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
     const std::string& name = error.GetToken();
     message = "'" + name + "' is not known in an expression" + known;
-    if (!name.empty() && name[0] != '$') message += "; a parameter is written $" + name;
+    if (follows_a_number(error)) {
+      message += "; numbers in it are in SI units, and none is written";
+    } else if (!name.empty() && name[0] != '$') {
+      message += "; a parameter is written $" + name;
+    }
   }
   return message;
 }

@@ -94,6 +94,10 @@ void Reader::close_scope() {
     }
   }
   tell_unknown_and_missing(closed);
+  // A key that is not known may be the one that was meant.
+  const auto known = [&](const Entry& entry) { return contains(closed.known, entry.key); };
+  if (!std::all_of(closed.node->entries.begin(), closed.node->entries.end(), known)) return;
+  for (const DeckProblem& broken : closed.broken) report_.problems.push_back(broken);
 }
 
 void Reader::tell_unknown_and_missing(const Scope& closed) {
@@ -169,14 +173,11 @@ void Reader::require(bool holds, const char* at, const std::string& message) {
   if (holds || not_applicable_) return;
   const Scope& here = scope();
   if (report_.problems.size() > here.problems_before || !here.missing.empty()) return;
-  if (here.unsettled || !here.choice_missing.empty()) return;
-  const auto known = [&](const Entry& entry) {
-    return std::find(here.known.begin(), here.known.end(), entry.key) != here.known.end();
-  };
-  if (!std::all_of(here.node->entries.begin(), here.node->entries.end(), known)) return;
+  if (here.unsettled || !here.choice_missing.empty() || !here.broken.empty()) return;
   const Entry* entry = here.node->find_entry(at);
   const bool itself = *at == '\0';
-  problem_at(entry ? entry->place : here.node->place, itself ? here.path : path_of(at), message);
+  scope().broken.push_back(
+      {entry ? entry->place : here.node->place, itself ? here.path : path_of(at), message});
 }
 
 void Reader::visit_object(const Key& key, std::function<bool()> present,

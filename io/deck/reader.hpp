@@ -90,6 +90,7 @@ class Reader final : public Schema {
     std::vector<std::string> known;  ///< keys of the schema so far
     std::vector<Key> missing;        ///< required and not there
     std::size_t problems_before = 0;
+    std::vector<DeckProblem> broken;  ///< what does not hold, if all keys of the map are known
     std::string choice_missing;    ///< what to say where no alternative stands
     bool unsettled = false;        ///< which alternative is meant is not known, nor what it asks
     bool value_taken = false;      ///< a bare value was read

@@ -71,6 +71,45 @@ contact: {default: {friction: 0.3}}
 )" + (quarter ? "symmetry: {x: 0, y: 0}\n" : "");
 }
 
+// A box of 4 x 20 x 20 mm is pressed by 100 MPa on a held one, and half of it: as deep, since the
+// face on the plane is none of its surface; it turns about x as it was told.
+TEST(RigidSymmetry, AHalfIsAsStiffAsTheWholeAndKeepsItsSpin) {
+  const auto pressed = [](const std::string& low, const std::string& more) {
+    return simulate_text(R"(
+title: A rigid box is pressed on another
+geometry: 3d
+time: {end: 40 us, max_step: 0.1 us}
+materials: {steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}}
+bodies:
+  box: {rigid: true, material: steel, shape: {box: {min: [)" + low + R"(, -10 mm, 0], max: [2 mm, 10 mm, 20 mm]}}}
+  floor: {material: steel, size: 4 mm, shape: {box: {min: [-12 mm, -12 mm, -4 mm], max: [12 mm, 12 mm, 0]}}}
+boundaries:
+  press: {body: box, where: {side: max-z}, pressure: 10 MPa}
+  hold: {body: floor, where: all, fix: [x, y, z]}
+contact: {default: {friction: 0}}
+)" + more);
+  };
+  const auto whole = pressed("-2 mm", "");
+  const auto half = pressed("0", "symmetry: {x: 0}\n");
+  ASSERT_EQ(whole.failure, "");
+  ASSERT_EQ(half.failure, "");
+  EXPECT_NEAR(half.last("contact.box-floor.max_penetration"),
+              whole.last("contact.box-floor.max_penetration"),
+              1e-3 * whole.last("contact.box-floor.max_penetration"));
+  const auto spun = simulate_text(R"(
+title: Half of a box spins
+geometry: 3d
+time: {end: 1 us, max_step: 0.1 us}
+materials: {steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}}
+bodies:
+  a: {rigid: true, material: steel, spin: {axis: x, rate: 300 rad/s, about: [0, 0, 20 mm]},
+      shape: {box: {min: [0, -4 mm, 16 mm], max: [4 mm, 4 mm, 24 mm]}}}
+symmetry: {x: 0}
+)");
+  ASSERT_EQ(spun.failure, "");
+  EXPECT_NEAR(spun.last("body.a.spin.x"), 300, 1e-9);
+}
+
 TEST(RigidSymmetry, AQuarterOfACubeHitsAsTheCube) {
   const auto whole = simulate_text(hit(false)), part = simulate_text(hit(true));
   ASSERT_EQ(whole.failure, "");
