@@ -190,7 +190,9 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
     summary.measures.push_back(
         {measure.name, measure.value, measure.unit, measure.reference, error, measure.exact});
   }
-  for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
+  for (const auto& warning : monitor.warnings()) {
+    summary.warnings.push_back({kMeasureWarning, warning});
+  }
   const auto& reported = monitor.warned();
   summary.warnings.insert(summary.warnings.end(), reported.begin(), reported.end());
   summary.energy = monitor.energy_shares();
