@@ -69,6 +69,7 @@ void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
   prepare(scene);
   write_row(scene, clock);
   write_frame(scene, clock.time());
+  take_measures(scene, clock, false);
   check_step(scene, clock);
   begun_ = std::chrono::steady_clock::now();
 }

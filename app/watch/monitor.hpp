@@ -118,7 +118,7 @@ class Monitor final : public Observer<Dim> {
   BodyView frame_part(const Scene<Dim>& scene, BodyView view, Real time) const;
   void check_step(Scene<Dim>& scene, const Clock& clock);
   void take_measures(Scene<Dim>& scene, const Clock& clock, bool at_end);
-  MeasureValue measured(const Named<deck::Measure>& entry, const MeasureSource& source);
+  MeasureValue measured(const Named<deck::Measure>& entry, const MeasureSource& source, Real time);
 
   const Deck& deck_;
   HistoryWriter* history_;

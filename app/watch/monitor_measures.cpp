@@ -21,13 +21,18 @@ void Monitor<Dim>::keep_start(Scene<Dim>& scene) {
   }
 }
 
-/// One measure, on the root. What cannot be measured has no number, and says why.
+/// One measure, on the root, at a real time [s]. What cannot be measured has no number, and says
+/// why.
 template <int Dim>
-MeasureValue Monitor<Dim>::measured(const Named<deck::Measure>& entry,
-                                    const MeasureSource& source) {
+MeasureValue Monitor<Dim>::measured(const Named<deck::Measure>& entry, const MeasureSource& source,
+                                    Real time) {
   const auto& [name, measure] = entry;
-  MeasureValue taken{name, std::numeric_limits<Real>::quiet_NaN(), deck::shown_unit_of(measure),
-                     measure.reference, measure.exact};
+  MeasureValue taken{name,
+                     std::numeric_limits<Real>::quiet_NaN(),
+                     deck::shown_unit_of(measure),
+                     measure.reference,
+                     measure.exact,
+                     time};
   try {
     taken.value = evaluate_measure(measure, source, measures_);
   } catch (const std::exception& error) {
@@ -62,7 +67,7 @@ void Monitor<Dim>::take_measures(Scene<Dim>& scene, const Clock& clock, bool at_
     view = reads ? scene.part_view(reads->body, reads->fields) : BodyView{};
     real_.make_real(view);
     if (!scene.ranks->is_root()) continue;
-    measures_.push_back(measured(entry, source));
+    measures_.push_back(measured(entry, source, clock.real_time()));
   }
 }
 
