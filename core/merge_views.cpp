@@ -26,15 +26,17 @@ void append(std::vector<Real>& to, const std::vector<Real>& from, std::size_t in
   to.insert(to.end(), at, at + static_cast<std::ptrdiff_t>(width));
 }
 
-/// Fields of the chosen entities; parts without any entity have no fields to take part with.
+/// Fields of the chosen entities; parts without any entity may have no fields to take part with.
+/// Where nothing is left of a body, its fields are there without values, as on one rank.
 std::vector<Field> merge_fields(const std::vector<BodyView>& parts,
                                 const std::vector<Place>& places,
                                 std::vector<Field> BodyView::*fields) {
   std::vector<Field> merged;
-  if (places.empty()) return merged;
-  for (const auto& field : parts[places.front().part].*fields) {
-    merged.push_back({field.name, field.components, {}});
-  }
+  auto model = std::find_if(parts.begin(), parts.end(),
+                            [&](const BodyView& part) { return !(part.*fields).empty(); });
+  if (!places.empty()) model = parts.begin() + static_cast<std::ptrdiff_t>(places.front().part);
+  if (model == parts.end()) return merged;
+  for (const auto& field : (*model).*fields) merged.push_back({field.name, field.components, {}});
   for (const auto& place : places) {
     const auto& from = parts[place.part].*fields;
     for (std::size_t f = 0; f < merged.size(); ++f) {

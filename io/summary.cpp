@@ -42,6 +42,7 @@ Json measures_json(const std::vector<MeasureResult>& measures) {
     entry["reference"] = measure.reference ? Json(*measure.reference) : Json();
     entry["error"] = measure.error ? Json(*measure.error) : Json();
     if (measure.exact) entry["exact"] = *measure.exact;
+    if (measure.time) entry["time"] = *measure.time;
     if (measure.convergence.empty()) continue;
     entry["bound"] = measure.bound ? Json(*measure.bound) : Json();
     entry["order"] = measure.order ? Json(*measure.order) : Json();
@@ -60,6 +61,7 @@ std::vector<MeasureResult> measures_from(const Json& all) {
     measure.reference = optional_at(entry, "reference");
     measure.error = optional_at(entry, "error");
     measure.exact = optional_at(entry, "exact");
+    measure.time = optional_at(entry, "time");
     measure.bound = optional_at(entry, "bound");
     measure.order = optional_at(entry, "order");
     measure.convergence = entry.value("convergence", "");

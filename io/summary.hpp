@@ -27,6 +27,7 @@ struct MeasureResult {
   std::optional<Real> reference;  ///< the deck's, SI
   std::optional<Real> error;      ///< (value - reference) / |reference|
   std::optional<Real> exact{};    ///< the deck's closed form, SI
+  std::optional<Real> time{};     ///< [s] when it was taken
   std::optional<Real> bound{};    ///< of `run --refine`: what size does to the value, SI
   std::optional<Real> order{};    ///< observed of convergence, where there is one
   std::string convergence{};      ///< "order 1.9", or why there is none; "": not refined

@@ -52,6 +52,7 @@ Cell measure_cell(const RunSummary& run, std::string_view key) {
   if (part == "reference" && measure->reference) return *measure->reference;
   if (part == "error" && measure->error) return *measure->error;
   if (part == "exact" && measure->exact) return *measure->exact;
+  if (part == "time" && measure->time) return *measure->time;
   if (part == "bound" && measure->bound) return *measure->bound;
   return {};
 }

@@ -26,11 +26,11 @@ std::vector<TableRun> read_runs(const std::vector<std::filesystem::path>& folder
 
 /// A table with one row a run. By default: the parameters that differ, all measures, wall_seconds,
 /// drift, status. A key of show is a parameter, a measure, MEASURE.reference, MEASURE.error,
-/// MEASURE.exact, MEASURE.bound, phases.NAME, a number or text of summary.json (steps, threads,
-/// cpu_seconds, reason, ...), or a column of history.csv, of which the last row is shown; a name
-/// that is several of these is the first, and parameters.NAME, measures.NAME or history.NAME say
-/// which. What a run does not have is an empty cell. Throws DeckError naming --show where no run
-/// has the key.
+/// MEASURE.exact, MEASURE.time, MEASURE.bound, phases.NAME, a number or text of summary.json
+/// (steps, threads, cpu_seconds, reason, ...), or a column of history.csv, of which the last row is
+/// shown; a name that is several of these is the first, and parameters.NAME, measures.NAME or
+/// history.NAME say which. What a run does not have is an empty cell. Throws DeckError naming
+/// --show where no run has the key.
 std::string format_table(const std::vector<TableRun>& runs, const TableOptions& options);
 
 }  // namespace brunt

@@ -187,10 +187,12 @@ void fill_summary(const LoadedDeck& loaded, const Ended& ended, const Clock& clo
     if (measure.reference && *measure.reference != 0) {
       error = (measure.value - *measure.reference) / std::fabs(*measure.reference);
     }
-    summary.measures.push_back(
-        {measure.name, measure.value, measure.unit, measure.reference, error, measure.exact});
+    summary.measures.push_back({measure.name, measure.value, measure.unit, measure.reference, error,
+                                measure.exact, measure.time});
   }
-  for (const auto& warning : monitor.warnings()) summary.warnings.push_back({"measure", warning});
+  for (const auto& warning : monitor.warnings()) {
+    summary.warnings.push_back({kMeasureWarning, warning});
+  }
   const auto& reported = monitor.warned();
   summary.warnings.insert(summary.warnings.end(), reported.begin(), reported.end());
   summary.energy = monitor.energy_shares();

@@ -233,16 +233,35 @@ void check_names_of_bodies(const Deck& deck, KnownNames& bodies) {
   }
 }
 
+/// An expression reads values that are there: it cannot be taken before a measure that it uses.
+void check_time_of_expression(const Deck& deck, const Named<Measure>& entry,
+                              const std::string& used, Findings& findings) {
+  const std::string path = "measures." + entry.name;
+  const auto measure = std::find_if(deck.measures.begin(), deck.measures.end(),
+                                    [&](const auto& one) { return one.name == used; });
+  if (!entry.value.at || !findings.sound(path) || measure == deck.measures.end()) return;
+  const auto& at = measure->value.at;
+  if (at && *at <= *entry.value.at) return;
+  findings.wrong(path + ".at", "it uses '" + used + "', which is taken " +
+                                   (at ? "later: write at: " + time_text(*at) + " or later"
+                                       : std::string("at the end: take `at` out")));
+}
+
 /// An expression knows the measures above it.
 void check_expressions(const Deck& deck, Findings& findings) {
   Names above;
-  for (const auto& [name, measure] : deck.measures) {
+  for (const auto& entry : deck.measures) {
+    const auto& name = entry.name;
     const std::string path = "measures." + name + ".expression";
-    const auto* expression = std::get_if<ExpressionMeasure>(&measure.kind);
+    const auto* expression = std::get_if<ExpressionMeasure>(&entry.value.kind);
     if (expression && findings.sound(path)) {
       bool known = true;
       for (const std::string& used : names_in(expression->formula)) {
-        if (contains(above, used) || !findings.sound("measures." + used)) continue;
+        if (!findings.sound("measures." + used)) continue;
+        if (contains(above, used)) {
+          check_time_of_expression(deck, entry, used, findings);
+          continue;
+        }
         known = false;
         findings.wrong(path, "there is no measure '" + used + "' above it" +
                                  (above.empty() ? "" : suggestion(used, above)));

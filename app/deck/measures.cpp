@@ -131,7 +131,8 @@ void describe(Schema& s, Measure& measure) {
   s.real({"reference", "the value that it should have"}, measure.reference, {unit_of(measure)});
   s.real({"exact", "the closed form of what the deck models: what sizes are to converge to"},
          measure.exact, {unit_of(measure)});
-  s.real({"at", "when; default: at the end"}, measure.at, {"s", at_least(0)});
+  s.real({"at", "when: the first step at or after it, 0 before all steps; default: at the end"},
+         measure.at, {"s", at_least(0)});
 }
 
 }  // namespace brunt::deck

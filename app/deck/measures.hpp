@@ -87,7 +87,8 @@ struct Measure {
   MeasureKind kind;
   std::optional<Real> reference;  ///< SI, in unit_of(*this)
   std::optional<Real> exact;      ///< SI: the closed form of what the deck models
-  std::optional<Real> at;         ///< [s]; none: at the end
+  std::optional<Real> at;  ///< [s] 0: before the first step, else the first step then or later;
+                           ///< none: at the end
 };
 
 /// The SI unit of a field such as "stress.xx", or null where no such field exists.

@@ -43,7 +43,10 @@ Real reduce_history(const deck::HistoryMeasure& measure, const MeasureSource& so
     sum += value, low = std::min(low, value), high = std::max(high, value);
     last = value, before = t, ++count;
   }
-  if (count == 0) throw std::invalid_argument("no history row lies between `from` and `to`");
+  if (count == 0) {
+    throw std::invalid_argument(
+        "no history row lies between `from` and `to`: a shorter output.history writes more");
+  }
   switch (measure.reduce) {
     case deck::Reduce::mean:
       return sum / static_cast<Real>(count);

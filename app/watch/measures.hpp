@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ struct MeasureValue {
   Real value = 0;  ///< SI
   std::string unit;
   std::optional<Real> reference, exact;
+  Real time = std::numeric_limits<Real>::quiet_NaN();  ///< [s] real, when it was taken
 };
 
 /// What a measure reads of a body; nothing of expressions and of columns of the history.

@@ -64,26 +64,12 @@ void Monitor<Dim>::prepare(Scene<Dim>& scene) {
   stops_.begin(scene, columns_);
 }
 
-/// Keeps of time 0 what measures read of it.
-template <int Dim>
-void Monitor<Dim>::keep_start(Scene<Dim>& scene) {
-  std::map<std::string, WantedFields> wanted;
-  for (const auto& [name, measure] : deck_.measures) {
-    const auto reads = reads_of(measure);
-    if (!reads || !reads->at_start) continue;
-    auto& names = wanted.try_emplace(reads->body, kNoFields).first->second.names;
-    names->insert(names->end(), reads->fields.names->begin(), reads->fields.names->end());
-  }
-  for (const auto& [name, fields] : wanted) {
-    real_.make_real(start_[name] = scene.part_view(name, fields));
-  }
-}
-
 template <int Dim>
 void Monitor<Dim>::begin(Scene<Dim>& scene, Clock& clock) {
   prepare(scene);
   write_row(scene, clock);
   write_frame(scene, clock.time());
+  take_measures(scene, clock, false);
   check_step(scene, clock);
   begun_ = std::chrono::steady_clock::now();
 }
@@ -282,7 +268,7 @@ void Monitor<Dim>::step_done(Scene<Dim>& scene, Clock& clock) {
       write_frame(scene, clock.time());
     }
   }
-  take_measures(scene, clock.time(), false);
+  take_measures(scene, clock, false);
   check_step(scene, clock);
   const bool has_row = row_times_.last_step() == clock.step();
   const std::string why = stops_.look(
@@ -302,41 +288,6 @@ void Monitor<Dim>::check_step(Scene<Dim>& scene, const Clock& clock) {
 }
 
 template <int Dim>
-void Monitor<Dim>::take_measures(Scene<Dim>& scene, Real time, bool at_end) {
-  const auto is_due = [&](std::size_t i) {
-    const auto& measure = deck_.measures[i].value;
-    return !measured_[i] && (measure.at ? time >= *measure.at : at_end);
-  };
-  bool any_due = false;
-  for (std::size_t i = 0; i < deck_.measures.size(); ++i) any_due = any_due || is_due(i);
-  if (!any_due) return;
-  BodyView view;  // of one measure at a time; all ranks take part, the root evaluates
-  const MeasureSource source{[&](const std::string& body) -> const BodyView& {
-                               if (!part_named(scene.body_names, scene.pieces, body)) {
-                                 throw std::invalid_argument("there is no body '" + body + "'");
-                               }
-                               return view;
-                             },
-                             &start_, &columns_, &rows_};
-  for (std::size_t i = 0; i < deck_.measures.size(); ++i) {
-    const auto& [name, measure] = deck_.measures[i];
-    if (!is_due(i)) continue;
-    measured_[i] = true;
-    const auto reads = reads_of(measure);
-    view = reads ? scene.part_view(reads->body, reads->fields) : BodyView{};
-    real_.make_real(view);
-    if (!scene.ranks->is_root()) continue;
-    try {
-      const Real value = evaluate_measure(measure, source, measures_);
-      measures_.push_back(
-          {name, value, deck::shown_unit_of(measure), measure.reference, measure.exact});
-    } catch (const std::exception& error) {
-      warnings_.push_back("measure '" + name + "': " + error.what());
-    }
-  }
-}
-
-template <int Dim>
 std::vector<std::pair<std::string, Real>> Monitor<Dim>::eroded() const {
   std::vector<std::pair<std::string, Real>> eroded;
   for (std::size_t c = 0; c < columns_.size() && !rows_.empty(); ++c) {
@@ -353,7 +304,7 @@ void Monitor<Dim>::end(Scene<Dim>& scene, const Clock& clock) {
   scene.check(clock.time());
   if (row_times_.last() != clock.time()) write_row(scene, clock);
   if (last_frame_ != clock.time()) write_frame(scene, clock.time());
-  take_measures(scene, clock.time(), true);
+  take_measures(scene, clock, true);
   shear_bands_ = find_shear_bands(scene, deck_);
   for (const auto& warning : shear_bands_) warn(warning);
   end_hash_ = scene.totals(clock.dt(), true).state_hash;

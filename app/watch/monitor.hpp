@@ -46,6 +46,9 @@ class FrameSink {
 std::vector<HistoryValue> history_values(const std::vector<Real>& row, std::uint64_t hash,
                                          const std::vector<std::size_t>& whole);
 
+/// The id of warnings of measures that have no value.
+inline constexpr const char* kMeasureWarning = "measure";
+
 /// Watches a run: history rows, frames, checks of the state and of the ledger, measures, stop
 /// conditions, progress. Reads the scene and changes nothing.
 template <int Dim>
@@ -76,6 +79,7 @@ class Monitor final : public Observer<Dim> {
                   const Clock& clock, const std::filesystem::path& frames);
 
   const std::vector<MeasureValue>& measures() const { return measures_; }
+  /// Of measures that have no value.
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// What was lost of contacts as of the last row or check of drift, by pair of bodies.
   std::map<std::string, std::string> lost_contacts() const { return lost_contacts_.all(); }
@@ -113,7 +117,8 @@ class Monitor final : public Observer<Dim> {
   bool wants_hash(const Clock& clock) const;
   BodyView frame_part(const Scene<Dim>& scene, BodyView view, Real time) const;
   void check_step(Scene<Dim>& scene, const Clock& clock);
-  void take_measures(Scene<Dim>& scene, Real time, bool at_end);
+  void take_measures(Scene<Dim>& scene, const Clock& clock, bool at_end);
+  MeasureValue measured(const Named<deck::Measure>& entry, const MeasureSource& source, Real time);
 
   const Deck& deck_;
   HistoryWriter* history_;

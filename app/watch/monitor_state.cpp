@@ -13,6 +13,7 @@ constexpr const char* kThin = "thin_bodies";
 constexpr const char* kFrames = "frames";
 constexpr const char* kFrameTimes = "frame_times";
 constexpr const char* kStepMargins = "step_margins";
+constexpr const char* kMeasureTimes = "measure_times";
 
 GlobalId number(std::size_t k) { return k; }
 
@@ -94,6 +95,9 @@ void Monitor<Dim>::save_state(std::vector<StateTable>& tables,
       "measures", measured.size(), number,
       [&](auto& row, std::size_t k) { visit_measured(row, measured[k]); }, tables);
   save_rows(
+      kMeasureTimes, measures_.size(), number,
+      [&](auto& row, std::size_t k) { row(measures_[k].time); }, tables);
+  save_rows(
       "measured", measured_.size(), number,
       [&](auto& row, std::size_t k) { row(std::uint64_t{measured_[k]}); }, tables);
   auto& warnings = texts[kWarnings];
@@ -134,6 +138,11 @@ void Monitor<Dim>::load_state(const StateTables& tables,
     const auto& [name, measure] = deck_.measures[index];
     measures_.push_back(
         {name, value, deck::shown_unit_of(measure), measure.reference, measure.exact});
+  }
+  if (tables.has(kMeasureTimes)) {  // states of older programs have none
+    load_rows(
+        kMeasureTimes, measures_.size(), number,
+        [&](auto& row, std::size_t k) { row(measures_[k].time); }, tables);
   }
   std::vector<std::uint64_t> taken(measured_.size());
   load_rows(

@@ -47,5 +47,24 @@ TEST(MergeViews, TakesFieldsFromPartsThatHaveEntities) {
   EXPECT_TRUE(merge_views({none}).position.empty());
 }
 
+// Of what has wholly eroded nothing is left on any rank; a copy of another's point is nobody's.
+TEST(MergeViews, KeepsTheNamesOfFieldsWhereNothingIsLeft) {
+  BodyView none, gone, copy;
+  gone.corners = copy.corners = 8;
+  gone.point_fields = copy.point_fields = {{"id", 1, {}}, {"velocity", 3, {}}};
+  gone.cell_fields = copy.cell_fields = {{"id", 1, {}}, {"stress", 6, {}}};
+  copy.position = {1, 2, 3};
+  copy.point_owned = {0};
+  copy.point_fields = {{"id", 1, {4}}, {"velocity", 3, {7, 8, 9}}};
+  const BodyView merged = merge_views({none, gone, copy});
+  ASSERT_EQ(merged.point_fields.size(), 2u);
+  EXPECT_EQ(merged.point_fields[1].name, "velocity");
+  EXPECT_EQ(merged.point_fields[1].components, 3);
+  EXPECT_TRUE(merged.point_fields[1].values.empty());
+  ASSERT_EQ(merged.cell_fields.size(), 2u);
+  EXPECT_EQ(merged.cell_fields[1].name, "stress");
+  EXPECT_TRUE(merged.cell_fields[1].values.empty());
+}
+
 }  // namespace
 }  // namespace brunt

@@ -44,6 +44,7 @@ RunSummary example() {
   s.inertia = {{"bar", 0.25, 1.0 / 3}, {"all", 0, 0.5}};
   s.measures = {{"length", 0.0173, "m", 0.017, 0.0173 / 0.017 - 1}, {"bounce", 0.5, "", {}, {}}};
   s.measures[1].exact = 0.5;
+  s.measures[1].time = 2e-6;
   s.measures[1].bound = 0.25;
   s.measures[1].order = 1.75;
   s.measures[1].convergence = "order 1.8";
@@ -100,6 +101,8 @@ TEST(Summary, ReadsBackTheSame) {
   EXPECT_FALSE(b.measures[1].error.has_value());
   EXPECT_FALSE(b.measures[0].exact || b.measures[0].bound || b.measures[0].order);
   EXPECT_EQ(b.measures[1].exact, a.measures[1].exact);
+  EXPECT_FALSE(b.measures[0].time);
+  EXPECT_EQ(b.measures[1].time, a.measures[1].time);
   EXPECT_EQ(b.measures[1].bound, a.measures[1].bound);
   EXPECT_EQ(b.measures[1].order, a.measures[1].order);
   EXPECT_EQ(b.measures[1].convergence, a.measures[1].convergence);
