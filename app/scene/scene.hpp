@@ -43,8 +43,8 @@ struct Scene {
   std::vector<NamedPiece> pieces;       ///< by label of piece
   /// [m] by label: the smallest size of its elements or particles; 0: it has none
   std::vector<Real> body_size;
-  std::vector<char> erodes;    ///< by label: elements of the body may go
-  std::vector<char> converts;  ///< by label: elements of the body may become particles
+  std::vector<char> erodes;           ///< by label: elements of the body may go
+  std::vector<char> converts;         ///< by label: elements of the body may become particles
   std::vector<MirrorPlanes> mirrors;  ///< [m] by label, absolute
   std::vector<PointSet> point_sets;
   std::vector<Label> sum_of_body;  ///< first of the bodies whose particles share one sum

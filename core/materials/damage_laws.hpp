@@ -136,7 +136,9 @@ inline void describe(Schema& s, JohnsonCookDamage& law) {
   s.real({"rate", "rate below which the law is static"}, law.rate,
          {"1/s", positive(), between(1e-6, 1e4)});
   s.real({"T_ref", "temperature of T* = 0"}, law.T_ref, {"K", positive(), between(1, 2000)});
-  s.real({"T_melt", "temperature of T* = 1; where D5 is not 0 it, or that of the strength or of `thermal`, is needed"},
+  s.real({"T_melt",
+          "temperature of T* = 1; where D5 is not 0 it, or that of the strength or of `thermal`, "
+          "is needed"},
          law.T_melt, {"K", positive(), between(200, 5000)});
   s.require(!law.T_melt || *law.T_melt > law.T_ref, "T_melt", "must be above T_ref");
   describe_energy(s, law.energy);

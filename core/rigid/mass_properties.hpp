@@ -21,8 +21,8 @@ struct MassProperties {
 /// triangles about the mean of its corners, as contact takes it. Mirtich 1996 has the moments.
 /// facets  of one closed surface, normals outward;  density [kg/m^3];  depth [m] of plane strain;
 /// axisymmetric bodies are whole rings. cut  by facet, 1: it lies in a plane of symmetry, and its
-/// area is none of the surface; empty: none does. Throws std::invalid_argument where they enclose no
-/// volume.
+/// area is none of the surface; empty: none does. Throws std::invalid_argument where they enclose
+/// no volume.
 template <int Dim>
 MassProperties mass_properties(const Points<Dim>& points, std::span<const Facet<Dim>> facets,
                                Real density, Geometry geometry, Real depth,

@@ -91,10 +91,10 @@ class Reader final : public Schema {
     std::vector<Key> missing;        ///< required and not there
     std::size_t problems_before = 0;
     std::vector<DeckProblem> broken;  ///< what does not hold, if all keys of the map are known
-    std::string choice_missing;    ///< what to say where no alternative stands
-    bool unsettled = false;        ///< which alternative is meant is not known, nor what it asks
-    bool value_taken = false;      ///< a bare value was read
-    bool words_are_flags = false;  ///< the name of a flag is its value too: [damage]
+    std::string choice_missing;       ///< what to say where no alternative stands
+    bool unsettled = false;           ///< which alternative is meant is not known, nor what it asks
+    bool value_taken = false;         ///< a bare value was read
+    bool words_are_flags = false;     ///< the name of a flag is its value too: [damage]
   };
 
   int dimensions() const { return geometry_ == Geometry::three_d ? 3 : 2; }

@@ -81,8 +81,15 @@ geometry: 3d
 time: {end: 40 us, max_step: 0.1 us}
 materials: {steel: {density: 7850 kg/m^3, elastic: {E: 200 GPa, nu: 0.3}}}
 bodies:
-  box: {rigid: true, material: steel, shape: {box: {min: [)" + low + R"(, -10 mm, 0], max: [2 mm, 10 mm, 20 mm]}}}
-  floor: {material: steel, size: 4 mm, shape: {box: {min: [-12 mm, -12 mm, -4 mm], max: [12 mm, 12 mm, 0]}}}
+  box:
+    rigid: true
+    material: steel
+    shape: {box: {min: [)" +
+                         low + R"(, -10 mm, 0], max: [2 mm, 10 mm, 20 mm]}}
+  floor:
+    material: steel
+    size: 4 mm
+    shape: {box: {min: [-12 mm, -12 mm, -4 mm], max: [12 mm, 12 mm, 0]}}
 boundaries:
   press: {body: box, where: {side: max-z}, pressure: 10 MPa}
   hold: {body: floor, where: all, fix: [x, y, z]}

@@ -40,6 +40,12 @@ TEST(Melting, OfThermalIsThatOfLawsWithoutOne) {
   EXPECT_DOUBLE_EQ(strain_to_fail_at(deck, 600), 0.2);
 }
 
+TEST(Melting, OfTheStrengthIsThatOfDamage) {
+  const Deck deck = metal(", T_melt: 900 K", "", "");
+  EXPECT_DOUBLE_EQ(stress_at(deck, 600), 50e6);
+  EXPECT_DOUBLE_EQ(strain_to_fail_at(deck, 600), 0.2);
+}
+
 TEST(Melting, OfALawIsItsOwn) {
   const Deck deck = metal("", ", T_melt: 900 K", "");  // the strength does not soften
   EXPECT_DOUBLE_EQ(stress_at(deck, 600), 100e6);
@@ -51,7 +57,7 @@ TEST(Melting, OfALawIsItsOwn) {
 TEST(Melting, IsOne) {
   EXPECT_THROW(metal(", T_melt: 900 K", "", ", T_melt: 901 K"), DeckError);
   EXPECT_THROW(metal("", ", T_melt: 900 K", ", T_melt: 901 K"), DeckError);
-  EXPECT_THROW(metal(", T_melt: 900 K", "", ""), DeckError);  // D5 = 2, and nothing says it
+  EXPECT_THROW(metal("", "", ""), DeckError);  // D5 = 2, and nothing says it
 }
 
 }  // namespace

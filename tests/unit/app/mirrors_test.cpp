@@ -84,12 +84,13 @@ std::vector<std::string> warnings_of(const std::string& body, const std::string&
 
 TEST(MirrorsOfDeck, TellsOfPlanesThatHoldNothingOrNearlySo) {
   EXPECT_TRUE(warnings_of(kBox, "{x: 0, y: 0}").empty());
-  EXPECT_EQ(warnings_of(kBox, "{x: 3}"),
-            std::vector<std::string>{"symmetry.x: holds nothing: no body ends at this plane at time "
-                                     "0, and what comes to it goes through"});
+  EXPECT_EQ(
+      warnings_of(kBox, "{x: 3}"),
+      std::vector<std::string>{"symmetry.x: holds nothing: no body ends at this plane at time "
+                               "0, and what comes to it goes through"});
   const auto near = warnings_of(kBox, "{x: -0.4 mm}");
   ASSERT_EQ(near.size(), 2u);
-  EXPECT_EQ(near[0], "symmetry.x: 'a' ends 0.9 mm from the plane and is not held by it");
+  EXPECT_EQ(near[0], "symmetry.x: 'a' ends 900 um from the plane and is not held by it");
   const auto off = warnings_of(kBox, "{x: 0.2 mm}");
   ASSERT_EQ(off.size(), 1u);
   EXPECT_EQ(off[0].substr(0, 66),
