@@ -91,7 +91,7 @@ StlSurface read_surface(const std::string& path, const deck::Body& body) {
 /// What a body takes from an STL file: the surface itself where it is rigid, else the particles
 /// that fill it, in a lattice along the axes of the file.
 void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
-                  BodyGeometry<3>& geometry) {
+                  BodyGeometry<3>& geometry, std::vector<Label>& piece) {
   geometry.left_out = surface.degenerate;
   std::vector<std::array<int, 4>> faces;
   for (const auto& [a, b, c] : surface.triangles) faces.push_back({a, b, c, -1});
@@ -100,6 +100,8 @@ void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
     face_outward(surface.nodes, faces, geometry.notes);
     geometry.points = std::move(surface.nodes);
     geometry.facets = std::move(faces);
+    geometry.piece_names = {""};
+    piece.assign(geometry.facets.size(), 0);
   } else {
     turn_outward(surface.nodes, faces);  // what is open, or badly turned, is refused next
     for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -119,6 +121,12 @@ void take_surface(const deck::Body& body, StlSurface surface, int max_cells,
     geometry.points = std::move(filling.points);
     geometry.volume = filling.volume;
     geometry.spacing = *body.size;
+    geometry.piece_names = std::move(filling.piece_names);
+    piece = std::move(filling.piece);
+    if (filling.empty > 0) {
+      geometry.notes.push_back("closed surfaces left empty, as no particle fits in: " +
+                               std::to_string(filling.empty) + "; a smaller `size` fills them");
+    }
   }
   place_all<3>(body.shape, geometry.points);
 }
@@ -144,14 +152,13 @@ void take_file(const LoadedDeck& loaded, const Named<deck::Body>& named, bool co
   }
   if (is_mesh && is_surface) {
     take_mesh_facets<Dim>(body, files.read(path), geometry);
+    piece.assign(geometry.facets.size(), 0);
   } else if constexpr (Dim == 3) {
     take_surface(body, is_mesh ? mesh_surface(body, files.read(path)) : read_surface(path, body),
-                 max_cells, geometry);
+                 max_cells, geometry, piece);
   } else {
     throw std::invalid_argument("particles fill a file in geometry: 3d alone: write a `shape`");
   }
-  geometry.piece_names = {""};
-  piece.assign(body.rigid ? geometry.facets.size() : geometry.points.size(), 0);
 }
 
 template <int Dim>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -67,6 +68,30 @@ EdgeFaults edge_faults(const std::vector<std::array<int, 3>>& triangles) {
   return faults;
 }
 
+/// The number of each triangle's shell, of what hangs together at nodes, as their first ones come.
+std::vector<Label> connected(std::size_t n_nodes,
+                             const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<std::size_t> parent(n_nodes);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](int node) {
+    auto i = slot_of(node);
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& [a, b, c] : triangles) {
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
+  }
+  std::map<std::size_t, Label> number;
+  std::vector<Label> shell;
+  shell.reserve(triangles.size());
+  for (const auto& triangle : triangles) {
+    const auto next = static_cast<Label>(number.size());
+    shell.push_back(number.try_emplace(root(triangle[0]), next).first->second);
+  }
+  return shell;
+}
+
 void refuse_turned(const BadEdges& turned, const std::vector<Vec3>& nodes) {
   if (turned.count == 0) return;
   throw std::invalid_argument("at " + std::to_string(turned.count) +
@@ -97,6 +122,7 @@ ClosedSurface::ClosedSurface(std::vector<Vec3> nodes, std::vector<std::array<int
     throw std::invalid_argument("the surface encloses no volume");
   }
   sort_into_columns(cell);
+  find_rooms();
 }
 
 void ClosedSurface::require_closed() const {
@@ -140,8 +166,9 @@ void ClosedSurface::sort_into_columns(Real cell) {
   }
 }
 
-int ClosedSurface::winding(const Vec3& x) const {
-  int winding = 0;
+/// Visits the triangles below a point with what each adds to the winding, 1 or -1.
+template <class Visit>
+void ClosedSurface::visit_below(const Vec3& x, const Visit& visit) const {
   for (const int t : columns_[column_of(x[0], 0) * count_[1] + column_of(x[1], 1)]) {
     const auto& triangle = triangles_[t];
     int sides[3];
@@ -156,9 +183,65 @@ int ClosedSurface::winding(const Vec3& x) const {
       whole += share;
     }
     if (sides[0] == 0 || sides[0] != sides[1] || sides[1] != sides[2] || whole == 0) continue;
-    if (height / whole < x[2]) winding -= sides[0];
+    if (height / whole < x[2]) visit(t, -sides[0]);
   }
+}
+
+int ClosedSurface::winding(const Vec3& x) const {
+  int winding = 0;
+  visit_below(x, [&](int, int adds) { winding += adds; });
   return winding;
+}
+
+Label ClosedSurface::room_at(const Vec3& x) const {
+  if (n_rooms_ == 1) return 0;
+  std::map<Label, int> windings;
+  visit_below(x, [&](int t, int adds) { windings[room_[slot_of(t)]] += adds; });
+  for (const auto& [room, winding] : windings) {
+    if (winding > 0) return room;
+  }
+  return 0;
+}
+
+/// The smallest shell that goes round a place and bounds a volume; shell 0 where none does.
+Label ClosedSurface::shell_round(const Vec3& x, const std::vector<Real>& volume) const {
+  std::map<Label, int> windings;
+  visit_below(x, [&](int t, int adds) { windings[room_[slot_of(t)]] += adds; });
+  Label smallest = 0;
+  Real least = kInfinity;
+  for (const auto& [shell, winding] : windings) {
+    if (winding > 0 && volume[shell] > 0 && volume[shell] < least) {
+      smallest = shell, least = volume[shell];
+    }
+  }
+  return smallest;
+}
+
+/// A hollow belongs to the smallest of the shells round it that face outwards.
+void ClosedSurface::find_rooms() {
+  room_ = connected(nodes_.size(), triangles_);  // shells until their rooms are known
+  std::vector<Real> volume(*std::max_element(room_.begin(), room_.end()) + std::size_t{1});
+  if (volume.size() == 1) return;
+  const auto at = [&](int node) { return Vec3(nodes_[slot_of(node)] - low_); };
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const auto& [a, b, c] = triangles_[t];
+    volume[room_[t]] += at(a).dot(at(b).cross(at(c))) / 6;
+  }
+  std::vector<Label> owner(volume.size()), number(volume.size());
+  std::vector<char> seen(volume.size(), 0);
+  n_rooms_ = 0;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const Label shell = room_[t];
+    if (seen[shell] != 0) continue;
+    seen[shell] = 1, owner[shell] = shell;
+    if (volume[shell] > 0) {
+      number[shell] = static_cast<Label>(n_rooms_++);
+      continue;
+    }
+    const auto& [a, b, c] = triangles_[t];
+    owner[shell] = shell_round((nodes_[a] + nodes_[b] + nodes_[c]) / 3, volume);
+  }
+  for (Label& room : room_) room = number[owner[room]];
 }
 
 }  // namespace brunt

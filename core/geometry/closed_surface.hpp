@@ -22,6 +22,12 @@ class ClosedSurface {
   /// counted right.
   int winding(const Vec3& x) const;
 
+  /// The rooms that it bounds: what hangs together at nodes and faces outwards, with the hollows in
+  /// it. What lies free in a hollow is a room of its own.
+  std::size_t n_rooms() const { return n_rooms_; }
+  /// The room, from 0 as their first triangles come, that holds a point of winding 1.
+  Label room_at(const Vec3& x) const;
+
   Real volume() const { return volume_; }   ///< [m^3]
   const Vec3& low() const { return low_; }  ///< [m] of the box that holds it
   const Vec3& high() const { return high_; }
@@ -30,6 +36,10 @@ class ClosedSurface {
   void require_closed() const;
   void sort_into_columns(Real cell);
   std::size_t column_of(Real x, int axis) const;
+  void find_rooms();
+  Label shell_round(const Vec3& x, const std::vector<Real>& volume) const;
+  template <class Visit>
+  void visit_below(const Vec3& x, const Visit& visit) const;
 
   std::vector<Vec3> nodes_;
   std::vector<std::array<int, 3>> triangles_;
@@ -38,6 +48,8 @@ class ClosedSurface {
   std::array<Real, 2> width_{};            ///< [m] of a column
   std::array<std::size_t, 2> count_{};     ///< columns along x and y
   std::vector<std::vector<int>> columns_;  ///< triangles that reach into each
+  std::vector<Label> room_;                ///< of each triangle
+  std::size_t n_rooms_ = 1;
 };
 
 }  // namespace brunt

@@ -252,6 +252,26 @@ Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing
   return filling;
 }
 
+namespace {
+/// A piece for each room that has particles.
+void name_rooms(const ClosedSurface& surface, Filling<3>& filling) {
+  constexpr Label kNone = std::numeric_limits<Label>::max();
+  std::vector<Label> piece(surface.n_rooms(), kNone);
+  for (std::size_t i = 0; i < filling.points.size(); ++i) {
+    filling.piece[i] = surface.room_at(filling.points[i]);
+    piece[filling.piece[i]] = 0;
+  }
+  for (std::size_t room = 0; room < piece.size(); ++room) {
+    if (piece[room] == kNone) continue;
+    piece[room] = static_cast<Label>(filling.piece_names.size());
+    filling.piece_names.push_back(std::to_string(room + 1));
+  }
+  filling.empty = piece.size() - filling.piece_names.size();
+  if (piece.size() == 1) filling.piece_names = {""};
+  for (Label& one : filling.piece) one = piece[one];
+}
+}  // namespace
+
 Filling<3> fill_surface(const ClosedSurface& surface, const std::vector<Real>& spacing,
                         LatticeKind lattice) {
   Real count = 1;
@@ -275,7 +295,7 @@ Filling<3> fill_surface(const ClosedSurface& surface, const std::vector<Real>& s
   };
   Filling<3> filling;
   fill_region<3>(region, spacing, lattice, filling);
-  filling.piece_names.emplace_back();
+  name_rooms(surface, filling);
   if (filling.points.empty()) {
     throw std::invalid_argument("no particle fits in: give a smaller `size`");
   }

@@ -36,7 +36,8 @@ struct Filling {
   std::vector<Vec<Dim>> points;  ///< [m] centres
   std::vector<Label> piece;
   std::vector<std::string> piece_names;
-  Real volume = 0;  ///< [m^Dim] of the shape itself, so that the mass can be exact
+  Real volume = 0;        ///< [m^Dim] of the shape itself, so that the mass can be exact
+  std::size_t empty = 0;  ///< rooms of a surface in which no particle fits
 };
 
 /// Element size along each axis of the shape, or numbers of cells. Round shapes take the first for
@@ -69,7 +70,8 @@ template <int Dim>
 Filling<Dim> fill_shape(const BodyShape& shape, const std::vector<Real>& spacing,
                         LatticeKind lattice);
 
-/// Fills a closed surface where it lies. Throws std::invalid_argument where its shells overlap, and
+/// Fills a closed surface where it lies, by one lattice; each of its rooms is a piece, "1", "2" ...
+/// where there are several. Throws std::invalid_argument where its shells overlap, and
 /// where no particle fits in, or too many.
 Filling<3> fill_surface(const ClosedSurface& surface, const std::vector<Real>& spacing,
                         LatticeKind lattice);

@@ -173,6 +173,38 @@ TEST(MeshBodies, MakePiecesOfWhatIsApart) {
   EXPECT_NE(joined.notes[0].find("turn about them: node 3"), std::string::npos);
 }
 
+// Cubes of 4 mm that share no node, 1 mm apart: as many pieces of the same names, whether they are
+// elements or filled with 4^3 particles each.
+TEST(MeshBodies, MakePiecesOfParticlesWhereShellsAreApart) {
+  BlockMesh apart(4);
+  const BlockMesh one(4);
+  const int shift = static_cast<int>(one.nodes.size());
+  for (const Vec3& x : one.nodes) apart.nodes.push_back(x + Vec3(0, 0, 5));
+  for (auto hex : one.hexes) {
+    for (int& node : hex) node += shift;
+    apart.hexes.push_back(hex);
+  }
+  const std::string path = write_file("apart.msh", test::gmsh2_text(apart, false));
+  for (const bool particles : {false, true}) {
+    const auto scene = build_scene<3>(
+        load_deck_text("time: {end: 1 us}\n"
+                       "materials: {steel: {density: 7850, elastic: {E: 200 GPa, nu: 0.3}}}\n"
+                       "bodies: {blocks: {material: steel, scale: 1 mm, file: " +
+                           path + (particles ? ", method: sph, size: 1 mm" : "") + "}}\n",
+                       "deck.yaml"));
+    ASSERT_EQ(scene->pieces.size(), 2u);
+    EXPECT_EQ(scene->pieces[0].name, "blocks.1");
+    EXPECT_EQ(scene->pieces[1].name, "blocks.2");
+    for (int k = 0; k < 2; ++k) {
+      const BodyView view = scene->part_view(scene->pieces[slot_of(k)].name);
+      EXPECT_EQ(view.position.size(), 3u * (particles ? 64 : 125));
+      for (std::size_t i = 2; i < view.position.size(); i += 3) {
+        EXPECT_EQ(view.position[i] > 4.5e-3, k == 1) << view.position[i];
+      }
+    }
+  }
+}
+
 TEST(MeshBodies, RigidOnesTakeSurfaces) {
   BodyGeometry<3> geometry;
   MeshFiles files;

@@ -73,6 +73,16 @@ Shell prism(const std::vector<Vec<2>>& outline) {
 /// Three unit cubes: the corner that is cut away has its inner edge at (1, 1).
 Shell letter() { return prism({{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}); }
 
+/// Joins another shell's triangles to one; turned: facing the other way, as walls of a hollow do.
+void add(const Shell& other, bool turned, Shell& to) {
+  const auto n = static_cast<int>(to.nodes.size());
+  to.nodes.insert(to.nodes.end(), other.nodes.begin(), other.nodes.end());
+  for (const auto& [a, b, c] : other.triangles) {
+    to.triangles.push_back(turned ? std::array{b + n, a + n, c + n}
+                                  : std::array{a + n, b + n, c + n});
+  }
+}
+
 ClosedSurface closed(const Shell& shell, Real cell = 0.1) {
   return {shell.nodes, shell.triangles, cell};
 }
@@ -159,6 +169,41 @@ TEST(ClosedSurface, NormalsInwardAreTurnedAndCavitiesStayEmpty) {
   EXPECT_EQ(shell.winding({0, 0, 0}), 0);
   EXPECT_EQ(shell.winding({1.5, 0, 0}), 1);
   EXPECT_NEAR(shell.volume(), closed(ball(Vec3::Zero(), 2, 3)).volume() - surface.volume(), 1e-12);
+}
+
+// A ball with a hollow in which another lies free, a third beside them, and a fourth so small that
+// it lies between the places of particles: three rooms with particles, of which the first is the
+// hollow one although its hollow comes last.
+TEST(ClosedSurface, WhatIsApartIsARoomOfItsOwn) {
+  auto shells = ball(Vec3::Zero(), 2, 3);
+  add(ball(Vec3::Zero(), 0.7, 3), false, shells);
+  add(ball({5, 0, 0}, 1, 3), false, shells);
+  add(ball({2.5, 2.5, 0}, 0.01, 1), false, shells);
+  add(ball(Vec3::Zero(), 1.2, 3), true, shells);
+  const auto surface = closed(shells);
+  ASSERT_EQ(surface.n_rooms(), 4u);
+  EXPECT_EQ(surface.room_at({1.6, 0.1, 0.1}), 0u);
+  EXPECT_EQ(surface.room_at({0.1, 0.2, 0.5}), 1u);
+  EXPECT_EQ(surface.room_at({5.1, 0.2, -0.5}), 2u);
+  const auto filling = fill_surface(surface, {0.2}, LatticeKind::cubic);
+  EXPECT_EQ(filling.piece_names, (std::vector<std::string>{"1", "2", "3"}));
+  EXPECT_EQ(filling.empty, 1u);
+  ASSERT_EQ(filling.piece.size(), filling.points.size());
+  for (std::size_t i = 0; i < filling.points.size(); ++i) {
+    const Vec3& x = filling.points[i];
+    EXPECT_EQ(filling.piece[i], x[0] > 3 ? 2u : x.norm() < 1 ? 1u : 0u) << x.transpose();
+  }
+  // What hangs together at a corner alone is one room, as of elements.
+  auto joined = ball(Vec3::Zero(), 1, 0);
+  const auto other = ball({2, 0, 0}, 1, 0);  // its corner 2 lies at corner 0 of the first
+  const int place[] = {6, 7, 0, 8, 9, 10};
+  for (const int corner : {0, 1, 3, 4, 5}) joined.nodes.push_back(other.nodes[corner]);
+  for (const auto& [a, b, c] : other.triangles) {
+    joined.triangles.push_back({place[a], place[b], place[c]});
+  }
+  EXPECT_EQ(closed(joined).n_rooms(), 1u);
+  EXPECT_EQ(fill_surface(closed(joined), {0.2}, LatticeKind::cubic).piece_names,
+            std::vector<std::string>{""});
 }
 
 std::string refusal(const Shell& shell) {
