@@ -3,7 +3,8 @@
 # number of ranks and threads: every shipped deck, shortened; with another skin; repartitioned
 # every few steps; and split in two by a restart on other ranks. Decks of contact alone besides, which
 # stand beside this file: all that a contact remembers moves with its points. Warnings are the same
-# too, with the place and time of the first contact that did not hold and how many followed it.
+# too, with the place and time of the first contact that did not hold and how many followed it; and so
+# are measures, and when they were taken.
 #   ranks.sh RUN_LIST SOURCE COMPARE STATE_DIFFERENCE RANDOM_PARTITION RANKS...
 # RUN_LIST: brunt that runs many decks by one start (run_list.cpp), for starts took three quarters of the time.
 # COMPARE: the program of tests/support/compare_frames.cpp, or true where there are no frames.
@@ -124,6 +125,8 @@ launch() {  # launch LIST: its runs one after another
 same() {  # same DECK A B
   cmp -s <(grep '"text"' "$2/summary.json") <(grep '"text"' "$3/summary.json") ||
     { echo "FAILED: $1: $3 warns of something else than $2"; touch ../failed; }
+  cmp -s <(grep -E '"(value|time)"' "$2/summary.json") <(grep -E '"(value|time)"' "$3/summary.json") ||
+    { echo "FAILED: $1: $3 measures something else than $2"; touch ../failed; }
   cmp -s "$2/history.csv" "$3/history.csv" && return
   echo "FAILED: $1: $3 differs from $2 at the rows (step, hash):"
   diff <(awk -F, '{print $2, $NF}' "$2/history.csv") <(awk -F, '{print $2, $NF}' "$3/history.csv") | head -4 || true
