@@ -18,7 +18,7 @@ NOT_SEEN = {
         boundary-box-upside-down boundary-fixes-and-moves boundary-heats-nothing box-upside-down
         elastic-constants-mixed elastic-constants-twice grading-twice
         expansion-twice hardening-falls heat-of-free-rigid-bodies hourglass-with-full-integration
-        johnson-cook-melts-below-reference melting-twice wedge-wrong gravity-wrong symmetry-particles symmetry-rigid checks-before-other-keys gravity-beside-measures johnson-cook-thermal-strength-without-thermal
+        johnson-cook-melts-below-reference melting-twice wedge-wrong gravity-wrong symmetry-particles symmetry-rigid expression-before-its-measures checks-before-other-keys gravity-beside-measures johnson-cook-thermal-strength-without-thermal
         mie-gruneisen-singular motion-of-a-body-that-deforms
         output-window rigid-free rigid-with-velocity size-and-cells size-missing unit-missing
         step-longest-below-shortest table-falls tube-inside-out
