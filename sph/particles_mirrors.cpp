@@ -164,19 +164,20 @@ void SphParticles<Dim>::reflect_stress() {
   });
 }
 
-#define BRUNT_MIRRORS(Dim)                                                                       \
-  template MirrorAxes SphParticles<Dim>::mirrored(Label) const;                                  \
-  template Real SphParticles<Dim>::depth_behind_mirrors() const;                                 \
-  template void SphParticles<Dim>::add_mirrored(std::vector<SearchBox<Dim>>&, Real, Real) const; \
-  template void SphParticles<Dim>::renew_images(Real);                                           \
-  template std::vector<GlobalId> SphParticles<Dim>::ids_in_rows() const;                         \
-  template bool SphParticles<Dim>::images_hold() const;                                          \
-  template void SphParticles<Dim>::place_images();                                               \
-  template void SphParticles<Dim>::reflect_motion();                                             \
+#define BRUNT_MIRRORS(Dim)                                               \
+  template MirrorAxes SphParticles<Dim>::mirrored(Label) const;          \
+  template Real SphParticles<Dim>::depth_behind_mirrors() const;         \
+  template void SphParticles<Dim>::renew_images(Real);                   \
+  template std::vector<GlobalId> SphParticles<Dim>::ids_in_rows() const; \
+  template bool SphParticles<Dim>::images_hold() const;                  \
+  template void SphParticles<Dim>::place_images();                       \
+  template void SphParticles<Dim>::reflect_motion();                     \
   template void SphParticles<Dim>::reflect_stress();
 BRUNT_MIRRORS(2)
 BRUNT_MIRRORS(3)
 #undef BRUNT_MIRRORS
+template void SphParticles<2>::add_mirrored(std::vector<SearchBox<2>>&, Real, Real) const;
+template void SphParticles<3>::add_mirrored(std::vector<SearchBox<3>>&, Real, Real) const;
 
 }  // namespace brunt
 // Tested by tests/verification/mirrored_particles_test.cpp.

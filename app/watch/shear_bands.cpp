@@ -111,7 +111,8 @@ std::vector<RunWarning> find_shear_bands(const Scene<Dim>& scene, const Deck& de
   std::vector<RunWarning> warnings;
   const WantedFields wanted{std::vector<std::string>{"eps_p", "temperature"}};
   for (Label b = 0; b < deck.bodies.size(); ++b) {
-    const auto& [name, body] = deck.bodies[b];
+    const std::string& name = deck.bodies[b].name;
+    const deck::Body& body = deck.bodies[b].value;
     if (body.rigid || body.method != deck::Method::fe) continue;
     const auto material = std::find_if(scene.materials.begin(), scene.materials.end(),
                                        [&](const auto& one) { return one->name == body.material; });
